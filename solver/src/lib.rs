@@ -107,3 +107,8 @@ pub struct Readme;
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct OwnReadme;
+
+/// So do those of the manual's chapter on the solver.
+#[cfg(doctest)]
+#[doc = include_str!("../../cli/manual/solver.md")]
+pub struct Chapter;

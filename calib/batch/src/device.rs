@@ -1,5 +1,6 @@
 //! One device: its recordings to a calibration and a record.
 
+use ::findings::Front;
 use std::path::{Path, PathBuf};
 
 use calib::calibrate::{Method, Request, calibrate};
@@ -227,7 +228,7 @@ fn status_of(error: &Error) -> Status {
 }
 
 fn recorded(record: Record, calibration: &Calibration, findings: Option<&Findings>) -> Computed {
-    let mut reasons: Vec<String> = calibration.failed_gates.clone();
+    let mut reasons: Vec<String> = calibration.failed_gates.texts(Front::CommandLine);
     for line in calibration.limits.iter().filter(|line| !line.pass) {
         if !reasons.contains(&line.name) {
             reasons.push(line.name.clone());

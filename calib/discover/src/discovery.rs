@@ -237,7 +237,7 @@ fn calibration_that(
 ) -> Result<Calibration, Error> {
     let recordings: Vec<&Recording> = session.recordings.iter().map(|(r, _)| *r).collect();
     let choices: Vec<_> = session.recordings.iter().map(|(_, c)| c).collect();
-    let mut warnings = session.cut_down.clone();
+    let mut warnings = ::findings::Findings::from(session.cut_down.clone());
     let account = Account {
         gravity: request.gravity,
         gravity_source: request.gravity_source,

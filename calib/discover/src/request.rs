@@ -118,7 +118,7 @@ pub struct Session<'a> {
     /// A fit that others begin at: that of the base models, once it is there.
     pub base: Option<Arc<JointFit>>,
     /// Which static intervals are used of recordings that have more than the joint problem takes, in words.
-    pub cut_down: Vec<String>,
+    pub cut_down: Vec<::findings::Finding>,
 }
 
 impl<'a> Session<'a> {

@@ -102,7 +102,10 @@ mod tests {
             .unwrap()
             .findings;
         assert!(findings.effects.iter().any(|e| e.name == "time_offset"));
-        let warnings = &findings.calibration.warnings;
+        let warnings = findings
+            .calibration
+            .warnings
+            .texts(::findings::Front::CommandLine);
         let supposed = warnings.iter().find(|w| w.contains("is supposed to be"));
         assert_eq!(supposed, None);
     }

@@ -36,7 +36,11 @@ fn biases_and_models_that_imu_calib_writes_are_read() {
             "{model}"
         );
         assert!(
-            !read.warnings.iter().any(|w| w.contains("bias")),
+            !read
+                .warnings
+                .texts(findings::Front::CommandLine)
+                .iter()
+                .any(|w| w.contains("bias")),
             "{:?}",
             read.warnings
         );
@@ -50,7 +54,13 @@ fn biases_and_models_that_imu_calib_writes_are_read() {
 #[test]
 fn without_biases_it_is_said_of_the_sensors_that_have_none() {
     let without = |line: &str| imu_calib("scale-misalignment").replace(line, "");
-    let said = |text: &str| kalibr(text).unwrap().warnings.join("\n");
+    let said = |text: &str| {
+        kalibr(text)
+            .unwrap()
+            .warnings
+            .texts(findings::Front::CommandLine)
+            .join("\n")
+    };
     assert!(said(&without("    b: [0.01, 0.02, 0.03]\n")).contains("its gyroscopes have no bias"));
     let neither = without("    b: [0.01, 0.02, 0.03]\n").replace("    b: [0.1, 0.2, 0.3]\n", "");
     assert!(said(&neither).contains("its file has no biases"));

@@ -38,8 +38,8 @@ impl Noise {
     /// }
     /// # Ok::<(), stillpoint::Error>(())
     /// ```
-    pub fn warnings(&self) -> &[String] {
-        &self.0.warnings
+    pub fn warnings(&self) -> Vec<String> {
+        crate::words::all_of_the_library(&self.0.warnings)
     }
 }
 
@@ -83,7 +83,7 @@ pub fn allan(recording: &Recording, rest: Option<(f64, f64)>) -> Result<Noise, E
                 "the device moved: only the longest static interval, t = {:.2} to {:.2} s, is analysed",
                 rest.from, rest.to
             );
-            found.0.warnings.insert(0, warning);
+            found.0.warnings.push_first(warning);
             Ok(found)
         }
         AtRest::TooShort(longest) => {

@@ -226,8 +226,7 @@ impl Calibration {
     /// # Ok::<(), stillpoint::Error>(())
     /// ```
     pub fn warnings(&self) -> Vec<String> {
-        let warnings = self.inner.warnings.iter();
-        warnings.map(|words| words::of_the_library(words)).collect()
+        words::all_of_the_library(&self.inner.warnings)
     }
 
     /// Reasons not to use it as it stands, a sentence each; none where it is good.
@@ -241,8 +240,7 @@ impl Calibration {
     /// # Ok::<(), stillpoint::Error>(())
     /// ```
     pub fn failed_gates(&self) -> Vec<String> {
-        let gates = self.inner.failed_gates.iter();
-        gates.map(|words| words::of_the_library(words)).collect()
+        words::all_of_the_library(&self.inner.failed_gates)
     }
 
     /// The fits behind it and the recordings they were made on; `None` where it was read or solved in closed form.

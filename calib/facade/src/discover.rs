@@ -72,8 +72,7 @@ impl Findings {
     /// # Ok::<(), stillpoint::Error>(())
     /// ```
     pub fn warnings(&self) -> Vec<String> {
-        let warnings = self.0.findings.calibration.warnings.iter();
-        warnings.map(|words| words::of_the_library(words)).collect()
+        words::all_of_the_library(&self.0.findings.calibration.warnings)
     }
 
     /// The file that `discover -o` writes, to the byte.

@@ -79,3 +79,8 @@ pub mod effect {
     };
     pub use solver::{Scalar, lit};
 }
+
+/// The Rust blocks of the manual's chapter on extending compile and hold.
+#[cfg(doctest)]
+#[doc = include_str!("../../../cli/manual/extending.md")]
+pub struct Chapter;

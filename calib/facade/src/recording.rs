@@ -147,11 +147,7 @@ impl Recording {
     pub fn named(mut self, name: impl Into<String>) -> Self {
         let name = name.into();
         let own = Arc::make_mut(&mut self.0);
-        for warning in &mut own.warnings {
-            if let Some(rest) = warning.strip_prefix(own.name.as_str()) {
-                *warning = format!("{name}{rest}");
-            }
-        }
+        own.warnings.rename(&own.name, &name);
         own.name = name;
         self
     }
@@ -257,8 +253,7 @@ impl Recording {
     /// # Ok::<(), stillpoint::Error>(())
     /// ```
     pub fn warnings(&self) -> Vec<String> {
-        let warnings = self.0.warnings.iter();
-        warnings.map(|words| words::of_the_library(words)).collect()
+        words::all_of_the_library(&self.0.warnings)
     }
 
     /// As a plain CSV, numbers in the fewest digits that give the same bits back.

@@ -1,5 +1,7 @@
 //! The words of messages where there is no command line: names of options and functions instead of flags and commands.
 
+use findings::{Findings, Front};
+
 /// What a message calls an option of the command, and what it is called here.
 ///
 /// An entry for every flag that a message of the libraries names; a test reads their sources.
@@ -49,6 +51,12 @@ const COMMANDS: [(&str, &str); 5] = [
     ("`calibrate --method stepwise`", "`Method::Stepwise`"),
     ("stillpoint segment", "`evaluate`"),
 ];
+
+/// Findings in the words of this library.
+pub(crate) fn all_of_the_library(findings: &Findings) -> Vec<String> {
+    let texts = findings.texts(Front::Rust).into_iter();
+    texts.map(|text| of_the_library(&text)).collect()
+}
 
 /// The message in the words of this library.
 pub(crate) fn of_the_library(message: &str) -> String {

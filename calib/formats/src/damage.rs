@@ -99,7 +99,7 @@ fn matrices_without_a_time_are_asked_about() {
     let content = read(&make::matrices_of(&apart)).unwrap().unwrap();
     assert!(content.streams.is_empty());
     assert!(
-        content.warnings[0].contains("`t`"),
+        content.warnings.texts(findings::Front::CommandLine)[0].contains("`t`"),
         "{:?}",
         content.warnings
     );
@@ -202,7 +202,7 @@ fn a_chunk_with_a_wrong_check_sum_is_left_out_and_told() {
     let content = read(&file).unwrap().unwrap();
     assert_eq!(samples(&content), 0);
     assert!(
-        content.warnings[0].contains("check sum"),
+        content.warnings.texts(findings::Front::CommandLine)[0].contains("check sum"),
         "{:?}",
         content.warnings
     );
@@ -249,7 +249,11 @@ fn bytes_that_are_no_messages_of_a_dataflash_log_are_counted() {
     file.splice(at..at, [0u8; 50]);
     let content = read(&file).unwrap().unwrap();
     assert!(
-        content.warnings.iter().any(|w| w.starts_with("50 bytes")),
+        content
+            .warnings
+            .texts(findings::Front::CommandLine)
+            .iter()
+            .any(|w| w.starts_with("50 bytes")),
         "{:?}",
         content.warnings
     );
@@ -263,6 +267,7 @@ fn dropouts_of_a_log_are_told_with_their_time() {
     assert!(
         content
             .warnings
+            .texts(findings::Front::CommandLine)
             .iter()
             .any(|w| w.contains("1 dropouts") && w.contains("0.120 s")),
         "{:?}",

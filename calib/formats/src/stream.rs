@@ -1,4 +1,5 @@
 //! What a file holds: streams of samples, each on its clock, in SI units.
+use findings::Findings;
 
 /// What three values are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -84,7 +85,7 @@ pub struct Content {
     /// What may be a sensor and is not read, by name: a reason to ask where a sensor is missing.
     pub unclear: Vec<String>,
     /// What was noticed.
-    pub warnings: Vec<String>,
+    pub warnings: Findings,
     /// Why reading ended before the file did.
     pub cut: Option<String>,
 }

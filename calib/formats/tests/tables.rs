@@ -227,7 +227,11 @@ mod workbooks {
         assert_eq!(numbers(text), rows());
         let format = Tabular::by_name("xlsx").unwrap();
         let tables = Container::tables_in_memory(format, file.into(), Limits::default()).unwrap();
-        assert!(tables.warnings[0].contains("Old"), "{:?}", tables.warnings);
+        assert!(
+            tables.warnings.texts(findings::Front::CommandLine)[0].contains("Old"),
+            "{:?}",
+            tables.warnings
+        );
     }
 
     #[test]

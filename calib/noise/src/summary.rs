@@ -1,5 +1,6 @@
 //! The result of an Allan analysis, as written to `noise.json`.
 
+use findings::Findings;
 use recording::Error;
 use recording::intervals::Span;
 use sensor::Sensor;
@@ -30,7 +31,8 @@ pub struct NoiseSummary {
     /// axis. Null where the recording is too short to tell.
     pub initial_static_time: Option<f64>,
     /// What the user should know.
-    pub warnings: Vec<String>,
+    #[serde(with = "findings::texts::of_warnings")]
+    pub warnings: Findings,
 }
 
 /// Noise of one sensor.
@@ -136,7 +138,7 @@ impl NoiseSummary {
                 "no sensor with two samples in the recording".into(),
             ));
         }
-        let mut warnings = Vec::new();
+        let mut warnings = Findings::new();
         let mut settling = Vec::new();
         let mut sensor = |curves: &Option<SensorCurves>, sensor: Sensor| {
             let curves = curves.as_ref()?;
@@ -160,8 +162,7 @@ impl NoiseSummary {
         if gyroscope.is_some() && initial_static_time.is_none() {
             warnings.push(
                 "the gyroscope's deviation does not turn flat: record a longer rest to learn how long \
-                 the initial one must be"
-                    .into(),
+                 the initial one must be",
             );
         }
         Ok(Self {
@@ -367,11 +368,8 @@ mod tests {
             (step[0] - 305.0).abs() < 2.5 && (step[1] - 4.0).abs() < 0.8,
             "{step:?}"
         );
-        let said = found
-            .warnings
-            .iter()
-            .find(|w| w.contains("steps by"))
-            .unwrap();
+        let said = found.warnings.texts(findings::Front::CommandLine);
+        let said = said.iter().find(|w| w.contains("steps by")).unwrap();
         assert!(
             said.starts_with("accel x steps by") && said.contains("--rest 0,30"),
             "{said}"
@@ -379,6 +377,7 @@ mod tests {
         assert!(
             summary("m/s^2", 0.0)
                 .warnings
+                .texts(findings::Front::CommandLine)
                 .iter()
                 .all(|w| !w.contains("steps by"))
         );

@@ -74,7 +74,7 @@ impl Simulation {
             gyroscope,
             magnetometer,
             temperature: self.thermometer(),
-            warnings: Vec::new(),
+            warnings: findings::Findings::new(),
             ..Recording::default()
         };
         Ok(Session {

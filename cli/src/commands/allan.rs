@@ -3,6 +3,7 @@
 mod args;
 mod source;
 
+use ::findings::Front;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -32,7 +33,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let pictures = args.pictures.claim(&PLOTS, args.replace, &inputs)?;
     args.replace.end_if_all_exist()?;
     let summary = summary(args)?;
-    show::warn_all(&summary.warnings);
+    show::warn_all(&summary.warnings.texts(Front::CommandLine));
     let json = show::json(&summary)?;
     if let Some(output) = output {
         output.write(json.as_bytes())?;
@@ -80,7 +81,7 @@ fn summary(args: &Args) -> Result<NoiseSummary, Failure> {
         rest.from,
         rest.to
     );
-    summary.warnings.insert(0, warning);
+    summary.warnings.push_first(warning);
     Ok(summary)
 }
 
@@ -305,7 +306,7 @@ fn report(summary: &NoiseSummary, recording: &Path, plots: &[(String, Picture)])
         .verdict(level, sentence(summary))
         .figures(figures)
         .next(&next)
-        .warnings(&show::folded(&summary.warnings))
+        .warnings(&show::folded(&summary.warnings.texts(Front::CommandLine)))
         .provenance(provenance(summary, recording));
     for ((name, sensor, noise), (_, plot)) in sensors(summary).zip(plots) {
         let mut table = ReportTable::new(HEADER);
@@ -327,7 +328,10 @@ fn report(summary: &NoiseSummary, recording: &Path, plots: &[(String, Picture)])
 /// Which terms were told, in a sentence.
 fn sentence(summary: &NoiseSummary) -> String {
     if let Some(warning) = summary.warnings.first() {
-        return format!("The noise was measured, with care: {warning}.");
+        return format!(
+            "The noise was measured, with care: {}.",
+            warning.text(Front::CommandLine)
+        );
     }
     let told = |noise: &SensorNoise| {
         let all = noise.axes.iter().flat_map(|axis| &axis.terms);

@@ -1,5 +1,6 @@
 //! `apply`: a recording corrected by a calibration.
 
+use ::findings::Front;
 use std::path::{Path, PathBuf};
 
 use calib::Recording;
@@ -50,7 +51,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let mut corrected: Recording = apply(&calibration, &recording)?;
     let written = target.write(&mut corrected);
     for warning in &corrected.warnings {
-        show::warn(warning);
+        show::warn(&warning.text(Front::CommandLine));
     }
     written
 }

@@ -3,6 +3,7 @@
 mod page;
 mod updates;
 
+use ::findings::Front;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -73,6 +74,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let recording = read(&args.recording, &args.read)?;
     recording
         .warnings
+        .texts(Front::CommandLine)
         .iter()
         .for_each(|warning| show::warn(warning));
     args.device.check(&old, &[&recording])?;
@@ -82,7 +84,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     said.gates
         .iter()
         .chain(&said.warnings)
-        .for_each(|words| show::warn(words));
+        .for_each(|found| show::warn(&found.text(Front::CommandLine)));
     let mut new = old.of_recording(&recording).into_owned();
     new.seal_again(&old);
     let mut stretches = Vec::new();
@@ -102,7 +104,12 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         let name = show::name(&recording.name);
         let plots = named(names.iter().copied(), plot);
         let drawn = plots.first().map(|(_, picture)| picture);
-        let page = page::page(&name, &recording.warnings, &new, drawn);
+        let page = page::page(
+            &name,
+            &recording.warnings.texts(Front::CommandLine),
+            &new,
+            drawn,
+        );
         pictures.write(&plots, &page)?;
     }
     show::print(&if args.json {

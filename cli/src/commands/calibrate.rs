@@ -12,6 +12,7 @@ mod request;
 mod six_position;
 pub mod tables;
 
+use ::findings::Front;
 use std::path::Path;
 
 use calib::Recording;
@@ -112,7 +113,9 @@ pub(super) fn run_and_show(args: &Args, shown: Shown<'_>) -> Result<(), Failure>
         Ok(outcome) => outcome,
         Err(error) => {
             // A calibration carries the readers' warnings; where there is none they may explain why.
-            let warnings = recordings.iter().flat_map(|r| r.warnings.clone());
+            let warnings = recordings
+                .iter()
+                .flat_map(|r| r.warnings.texts(Front::CommandLine));
             show::warn_all(&warnings.collect::<Vec<_>>());
             return Err(refused(error.into(), pictures, &recordings, &request));
         }
@@ -218,7 +221,7 @@ fn refused(
 fn finish(args: &Args, output: Option<Output>, outcome: &Outcome) -> Result<(), Failure> {
     let calibration = &outcome.calibration;
     let json = show::json(&calibration)?;
-    show::warn_all(&calibration.warnings);
+    show::warn_all(&calibration.warnings.texts(Front::CommandLine));
     if let Some(output) = output {
         output.write(json.as_bytes())?;
     }

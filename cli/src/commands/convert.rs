@@ -1,5 +1,6 @@
 //! `convert`: a recording in plain form.
 
+use ::findings::Front;
 use std::path::{Path, PathBuf};
 
 use super::apply::Target;
@@ -53,6 +54,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let written = target.write(&mut recording);
     recording
         .warnings
+        .texts(Front::CommandLine)
         .iter()
         .for_each(|warning| show::warn(warning));
     written

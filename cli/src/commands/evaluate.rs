@@ -1,5 +1,6 @@
 //! `evaluate`: calibrations side by side on a recording that they have not seen.
 
+use ::findings::Front;
 use std::path::PathBuf;
 
 use calib::calibrate::{STANDARD_GRAVITY, changes_part_way, implausible};
@@ -126,6 +127,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let said = implausible(&recording, &choice.segmentation, first, gravities.raw);
     warnings.extend(said.gates);
     warnings.extend(said.warnings);
+    let warnings = warnings.texts(Front::CommandLine);
     show::warn_all(&warnings);
     if pictures.wanted() {
         let named: Vec<_> = calibrations

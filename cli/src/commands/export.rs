@@ -1,5 +1,6 @@
 //! `export`: a calibration in another tool's form.
 
+use ::findings::Front;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -76,12 +77,15 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let export = export(args.to, &Source::new(&calibration), &settings)?;
     outputs.write(&export.files)?;
     for gate in &calibration.failed_gates {
-        show::warn(&format!("the calibration failed a gate: {gate}"));
+        show::warn(&format!(
+            "the calibration failed a gate: {}",
+            gate.text(Front::CommandLine)
+        ));
     }
     calibration
         .bias_alone()
         .iter()
-        .for_each(|said| show::warn(said));
+        .for_each(|said| show::warn(&said.text(Front::CommandLine)));
     for note in &export.notes {
         show::note(&format!("note: {note}"));
     }

@@ -1,5 +1,6 @@
 //! `import`: another tool's calibration as a `cal.json`.
 
+use ::findings::Front;
 use std::path::{Path, PathBuf};
 
 use calib::{Calibration, read_text};
@@ -56,7 +57,10 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     args.replace.end_if_all_exist()?;
     let calibration = read(&files, args.from)?;
     output.write(show::json(&calibration)?.as_bytes())?;
-    calibration.warnings.iter().for_each(|w| show::warn(w));
+    calibration
+        .warnings
+        .iter()
+        .for_each(|w| show::warn(&w.text(Front::CommandLine)));
     show::print(&format!(
         "{}: a calibration of {}",
         show::path(&args.output),

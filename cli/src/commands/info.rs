@@ -3,6 +3,7 @@
 mod log;
 mod ours;
 
+use ::findings::Front;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -180,8 +181,8 @@ impl<'a> Facts<'a> {
             .flat_map(|choice| Rejected::in_words(&choice.segmentation.rejected));
         let remarks = recording
             .warnings
-            .iter()
-            .cloned()
+            .texts(Front::CommandLine)
+            .into_iter()
             .chain(rejected)
             .chain(found.map(|finding| finding.to_string()));
         let command = match &recording.accelerometer {

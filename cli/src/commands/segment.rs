@@ -1,5 +1,6 @@
 //! `segment`: the static and dynamic intervals of a recording.
 
+use ::findings::Front;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
@@ -76,7 +77,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     progress.finish_and_clear();
     let mut warnings = recording.warnings.clone();
     warnings.extend(remarks(&recording, &choice));
-    show::warn_all(&warnings);
+    show::warn_all(&warnings.texts(Front::CommandLine));
     let document = document(&recording, &choice);
     let json = show::json(&document)?;
     if let Some(output) = output {
@@ -102,7 +103,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
 fn remarks(recording: &Recording, choice: &Choice) -> Vec<String> {
     let found = findings(recording, &choice.segmentation);
     let found = found.iter().map(ToString::to_string);
-    choice.remarks().into_iter().chain(found).collect()
+    let cut = choice.remarks();
+    let cut = cut.iter().map(|remark| remark.text(Front::CommandLine));
+    cut.chain(found).collect()
 }
 
 fn document(recording: &Recording, choice: &Choice) -> serde_json::Value {
@@ -144,7 +147,8 @@ fn document(recording: &Recording, choice: &Choice) -> serde_json::Value {
         })
         .collect();
     let remarks = remarks(recording, choice);
-    let warnings: Vec<&String> = recording.warnings.iter().chain(&remarks).collect();
+    let mut warnings = recording.warnings.texts(Front::CommandLine);
+    warnings.extend(remarks);
     json!({
         "schema": "stillpoint.segments/1",
         "recording": recording.name,
@@ -220,7 +224,7 @@ fn report(
         Figure::new("Directions covered", coverage.value(), coverage.note()),
     ])
     .next(&next)
-    .warnings(&show::folded(&warnings))
+    .warnings(&show::folded(&warnings.texts(Front::CommandLine)))
     .provenance(provenance::of_recordings(std::slice::from_ref(recording)))
     .section("Static intervals")
     .plot(plot)

@@ -1,5 +1,6 @@
 //! The page of a calibration.
 
+use ::findings::Front;
 use calib::Calibration;
 use calib::calibration::Triad;
 use sensor::Sensor;
@@ -87,7 +88,7 @@ pub fn page(
     units: [&str; 2],
 ) -> Result<Report, Failure> {
     let coverage = covered(session);
-    let judged = verdict::judged(calibration, Some(session), coverage.as_ref());
+    let judged = verdict::judged(calibration, coverage.as_ref());
     let mut report = Report::new(format!("Calibration from {}", names(session)))
         .verdict(judged.level, &judged.sentence)
         .figures(verdict::figures(calibration, session, coverage.as_ref()))
@@ -152,7 +153,7 @@ pub fn page(
 pub fn notes(calibration: &Calibration) -> Vec<String> {
     let failed = limits::reasons(calibration).into_iter();
     let mut notes: Vec<String> = failed.map(|gate| format!("Do not use: {gate}")).collect();
-    notes.extend(calibration.warnings.iter().cloned());
+    notes.extend(calibration.warnings.texts(Front::CommandLine));
     show::folded(&notes)
 }
 

@@ -9,7 +9,6 @@
 pub mod calibration;
 pub mod coverage;
 mod direction;
-mod disturbed;
 pub mod evaluation;
 mod intervals_plot;
 mod noise;

@@ -1,5 +1,6 @@
 //! The page of a calibration that could not be made: why, what to do, and what there is.
 
+use ::findings::Front;
 use calib::Recording;
 use calib::intervals::Segmentation;
 use nalgebra::Vector3;
@@ -30,7 +31,11 @@ pub fn page(
         .provenance(provenance::of_recordings(recordings));
     let mut next = lacking.as_ref().map_or(Vec::new(), placements_to_add);
     let mut warnings: Vec<String> = lacking.iter().map(|_| failure.message.clone()).collect();
-    warnings.extend(recordings.iter().flat_map(|r| r.warnings.clone()));
+    warnings.extend(
+        recordings
+            .iter()
+            .flat_map(|r| r.warnings.texts(Front::CommandLine)),
+    );
     warnings = show::folded(&warnings);
     let Some(session) = session.filter(|s| !s.parts.is_empty()) else {
         next.extend(verdict::advice_in(&failure.message));

@@ -104,13 +104,6 @@ impl<'a> Session<'a> {
         Ok(session)
     }
 
-    /// A message without the name of the recording that it is about.
-    pub fn body<'m>(&self, message: &'m str) -> &'m str {
-        let mut names = self.parts.iter().map(|part| &part.recording.name);
-        let found = names.find_map(|name| message.strip_prefix(name.as_str())?.strip_prefix(": "));
-        found.unwrap_or(message)
-    }
-
     fn add(
         &mut self,
         part: Part<'a>,

@@ -1,10 +1,14 @@
 //! The commands of the phone experiment, on simulated recordings and on the phone's where at hand.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+#[cfg(unix)]
+mod blocks;
 #[path = "../common/mod.rs"]
 mod common;
 #[path = "../../../tests/src/needed_data.rs"]
 mod needed_data;
+#[cfg(unix)]
+mod story;
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};

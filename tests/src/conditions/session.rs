@@ -126,11 +126,10 @@ fn by(
             let spans: Vec<Span> = statics.iter().map(|s| s.span).collect();
             let drifts = SENSORS.map(|sensor| drift(simulation, sensor, &spans));
             let calibration = &outcome.calibration;
-            let words = calibration.warnings.iter().chain(&calibration.failed_gates);
             Outcome {
                 estimate: estimate(calibration, |name| true_value(session, &drifts, name)),
                 exit: u8::from(!calibration.failed_gates.is_empty()),
-                words: words.cloned().collect(),
+                words: calibration.findings().texts(findings::Front::CommandLine),
             }
         }
     }

@@ -173,7 +173,10 @@ pub fn run(row: Row, seed: u64) -> Result<SessionResult, Error> {
         };
         result.words = match calibrate(&recordings, &[], &request) {
             Err(refusal) => vec![format!("refused: {refusal}")],
-            Ok(outcome) => outcome.calibration.warnings,
+            Ok(outcome) => outcome
+                .calibration
+                .warnings
+                .texts(findings::Front::CommandLine),
         };
         return Ok(result);
     }

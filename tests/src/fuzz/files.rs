@@ -56,7 +56,11 @@ fn binary(name: &str, bytes: &[u8]) {
                 assert_eq!(stream.stamps.len(), stream.values.len());
             }
             // Lists are cut where they are shown; a warning stands for itself.
-            content.warnings.iter().for_each(is_short);
+            content
+                .warnings
+                .texts(findings::Front::CommandLine)
+                .iter()
+                .for_each(is_short);
         }
         Err(error) => is_short(&error),
     }
@@ -88,7 +92,11 @@ fn table(name: &str, bytes: &[u8]) {
         Ok(tables) => tables,
         Err(error) => return is_short(&error),
     };
-    tables.warnings.iter().for_each(is_short);
+    tables
+        .warnings
+        .texts(findings::Front::CommandLine)
+        .iter()
+        .for_each(is_short);
     for entry in tables.entries() {
         if let Err(error) = tables.write(entry, &mut std::io::sink()) {
             is_short(&error);

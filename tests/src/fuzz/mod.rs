@@ -73,7 +73,11 @@ fn read(bytes: &[u8], options: &ReadOptions) {
         Ok(recording) => {
             let streams = [&recording.accelerometer, &recording.gyroscope];
             streams.into_iter().flatten().for_each(is_sound);
-            recording.warnings.iter().for_each(is_short);
+            recording
+                .warnings
+                .texts(findings::Front::CommandLine)
+                .iter()
+                .for_each(is_short);
         }
         Err(error) => is_short(&error),
     }

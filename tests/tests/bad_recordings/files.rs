@@ -11,7 +11,10 @@ fn row_27_content_decides_and_a_wrong_extension_is_mentioned() {
     let place = Place::new("r.mat", file(HEADER, &rows(200)).as_bytes());
     let recording = Recording::read(&place.path(), &default()).unwrap();
     assert_eq!(recording.warnings.len(), 1);
-    assert!(recording.warnings[0].contains("in spite of its name, .mat"));
+    assert!(
+        recording.warnings.texts(findings::Front::CommandLine)[0]
+            .contains("in spite of its name, .mat")
+    );
 }
 
 #[test]
@@ -20,10 +23,16 @@ fn row_28_a_folder_is_read_or_says_what_is_missing() {
     let gyro: Vec<_> = rows(200).iter().map(|r| cut(r, [0, 4, 5, 6])).collect();
     let place = Place::new("acc.csv", file("t,ax,ay,az", &accel).as_bytes());
     let alone = Recording::read(&place.folder(), &default()).unwrap();
-    assert_eq!(alone.warnings, ["no gyroscope: accelerometer only"]);
+    assert_eq!(
+        alone.warnings.texts(findings::Front::CommandLine),
+        ["no gyroscope: accelerometer only"]
+    );
     std::fs::write(place.folder().join("Gyroscope.csv"), file("t,z,y,x", &gyro)).unwrap();
     let both = Recording::read(&place.folder(), &default()).unwrap();
-    assert_eq!(both.warnings, Vec::<String>::new());
+    assert_eq!(
+        both.warnings.texts(findings::Front::CommandLine),
+        Vec::<String>::new()
+    );
     // Row 82: by name, never by position.
     assert_eq!(both.gyroscope.unwrap().values[0].x, 2.0);
 
@@ -133,5 +142,11 @@ fn a_pair_of_texts_without_headers_is_one_recording() {
         (300, 0.01, 30_000.0)
     );
     assert_eq!(recording.gyroscope.unwrap().values[1].y, 32_001.0);
-    assert!(recording.warnings.iter().any(|w| w.contains("raw counts")));
+    assert!(
+        recording
+            .warnings
+            .texts(findings::Front::CommandLine)
+            .iter()
+            .any(|w| w.contains("raw counts"))
+    );
 }

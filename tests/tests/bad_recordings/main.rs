@@ -123,9 +123,9 @@ pub fn warned_with(content: impl AsRef<[u8]>, options: &ReadOptions, words: &[&s
     assert_eq!(recording.warnings.len(), 1, "{:#?}", recording.warnings);
     for word in words {
         assert!(
-            recording.warnings[0].contains(word),
+            recording.warnings.texts(findings::Front::CommandLine)[0].contains(word),
             "`{word}` in {}",
-            recording.warnings[0]
+            recording.warnings.texts(findings::Front::CommandLine)[0]
         );
     }
     recording
@@ -135,7 +135,10 @@ pub fn warned_with(content: impl AsRef<[u8]>, options: &ReadOptions, words: &[&s
 #[track_caller]
 pub fn read_as_usual(content: impl AsRef<[u8]>, count: usize) {
     let recording = read(content, &ReadOptions::default()).unwrap();
-    assert_eq!(recording.warnings, Vec::<String>::new());
+    assert_eq!(
+        recording.warnings.texts(findings::Front::CommandLine),
+        Vec::<String>::new()
+    );
     assert_same_samples(&recording, count);
 }
 
@@ -150,7 +153,10 @@ pub fn assert_same_samples(recording: &Recording, count: usize) {
 #[test]
 fn the_usual_file_is_read_without_a_word() {
     let recording = read(file(HEADER, &rows(300)), &ReadOptions::default()).unwrap();
-    assert_eq!(recording.warnings, Vec::<String>::new());
+    assert_eq!(
+        recording.warnings.texts(findings::Front::CommandLine),
+        Vec::<String>::new()
+    );
     let accel = recording.accelerometer.unwrap();
     assert_eq!(
         (accel.len(), accel.t[299], accel.values[0].x),

@@ -45,7 +45,10 @@ fn the_repeated_rows_of_a_cart_run_are_left_out_by_name() {
     };
     assert_eq!(recording.gyroscope.unwrap().len(), 2600);
     assert_eq!(recording.warnings.len(), 1);
-    assert!(recording.warnings[0].contains("20 rows between lines 2594 and 2621 repeat"));
+    assert!(
+        recording.warnings.texts(findings::Front::CommandLine)[0]
+            .contains("20 rows between lines 2594 and 2621 repeat")
+    );
 }
 
 #[test]
@@ -60,6 +63,10 @@ fn well_kept_recordings_are_read_without_a_word() {
         let Some(recording) = recorded(name) else {
             continue;
         };
-        assert_eq!(recording.warnings, Vec::<String>::new(), "{name}");
+        assert_eq!(
+            recording.warnings.texts(findings::Front::CommandLine),
+            Vec::<String>::new(),
+            "{name}"
+        );
     }
 }

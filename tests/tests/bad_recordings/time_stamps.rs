@@ -97,6 +97,7 @@ fn rows_61_and_70_a_counter_that_wraps_is_counted_on_before_it_is_sorted() {
     assert!(
         recording
             .warnings
+            .texts(findings::Front::CommandLine)
             .iter()
             .any(|w| w.contains("counter starts again")),
         "{:?}",
@@ -113,7 +114,10 @@ fn row_61_rows_repeated_out_of_order_say_nothing_new() {
         lines.insert(150 + 2 * i, row(0.01 * (130 + i) as f64, 130 + i));
     }
     let recording = read(file(HEADER, &lines), &ReadOptions::default()).unwrap();
-    assert!(recording.warnings[0].contains("20 rows between lines 152 and 190 repeat"));
+    assert!(
+        recording.warnings.texts(findings::Front::CommandLine)[0]
+            .contains("20 rows between lines 152 and 190 repeat")
+    );
     assert_same_samples(&recording, 200);
 }
 
@@ -125,7 +129,7 @@ fn row_62_equal_stamps_are_merged_to_their_mean() {
     let text = file(HEADER, &lines);
     let recording = read(text, &ReadOptions::default()).unwrap();
     assert!(
-        recording.warnings[0].contains("1 row"),
+        recording.warnings.texts(findings::Front::CommandLine)[0].contains("1 row"),
         "{:?}",
         recording.warnings
     );
@@ -256,6 +260,7 @@ fn row_70_counters_that_wrap_go_on() {
         assert!(
             recording
                 .warnings
+                .texts(findings::Front::CommandLine)
                 .iter()
                 .any(|w| w.contains("r.csv:102: the time counter"))
         );
@@ -275,6 +280,7 @@ fn row_71_gaps_are_data() {
     assert!(
         recording
             .warnings
+            .texts(findings::Front::CommandLine)
             .iter()
             .all(|w| w.contains("1 gap in the"))
     );
@@ -290,7 +296,11 @@ fn row_72_bursts_are_not_gaps() {
     let recording = read(text, &ReadOptions::default()).unwrap();
     assert!(recording.accelerometer.unwrap().gaps().is_empty());
     assert!(
-        recording.warnings.iter().any(|w| w.contains("bursts")),
+        recording
+            .warnings
+            .texts(findings::Front::CommandLine)
+            .iter()
+            .any(|w| w.contains("bursts")),
         "{:?}",
         recording.warnings
     );

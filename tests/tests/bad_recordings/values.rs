@@ -25,7 +25,11 @@ fn row_80_units_of_the_header_are_converted_and_g_is_recognised() {
     ] {
         let header = format!("t,ax ({unit}),ay ({unit}),az ({unit}),gx,gy,gz");
         let recording = read(scaled(&header, factor, 1.0), &ReadOptions::default()).unwrap();
-        assert_eq!(recording.warnings, Vec::<String>::new(), "{unit}");
+        assert_eq!(
+            recording.warnings.texts(findings::Front::CommandLine),
+            Vec::<String>::new(),
+            "{unit}"
+        );
         let accel = recording.accelerometer.unwrap();
         // Two roundings per value, at 10 m/s².
         assert!(
@@ -97,7 +101,10 @@ fn row_80_a_row_of_units_that_contradicts_is_refused_or_overruled() {
     assert_same_samples(&warned_with(text(overruled), &options, &words), 200);
     let unknown = "s,yd/s^2,yd/s^2,yd/s^2,rad/s,rad/s,rad/s";
     let recording = read(text(unknown), &options).unwrap();
-    assert_eq!(recording.warnings, Vec::<String>::new());
+    assert_eq!(
+        recording.warnings.texts(findings::Front::CommandLine),
+        Vec::<String>::new()
+    );
 }
 
 #[test]
@@ -115,7 +122,10 @@ fn row_81_degrees_are_converted_when_stated_or_when_a_hand_cannot_turn_so_fast()
         100.0,
     );
     let recording = read(suffixed, &ReadOptions::default()).unwrap();
-    assert_eq!(recording.warnings, Vec::<String>::new());
+    assert_eq!(
+        recording.warnings.texts(findings::Front::CommandLine),
+        Vec::<String>::new()
+    );
     assert!((recording.gyroscope.unwrap().values[0].z - 200f64.to_radians()).abs() < 1e-14);
     let recording = warned(scaled(HEADER, 1.0, 150.0), &["gyroscope taken as deg/s"]);
     assert!((recording.gyroscope.unwrap().values[0].z - 300f64.to_radians()).abs() < 1e-14);
@@ -233,7 +243,10 @@ fn row_98_temperatures_are_converted_or_left_out() {
     assert!((with("temp [K]", 298.15).temperature.unwrap().celsius[7] - 25.0).abs() < 1e-12);
     assert!((with("temp (°F)", 77.0).temperature.unwrap().celsius[7] - 25.0).abs() < 1e-12);
     let counts = with("temp", 298.15);
-    assert!(counts.temperature.is_none() && counts.warnings[0].contains("temperatures"));
+    assert!(
+        counts.temperature.is_none()
+            && counts.warnings.texts(findings::Front::CommandLine)[0].contains("temperatures")
+    );
 }
 
 #[test]

@@ -77,7 +77,11 @@ fn words(recording: &Recording, method: Method) -> String {
     match calibrate(std::slice::from_ref(recording), &[], &request) {
         Err(calib::Error::NotEnough(words)) => words,
         Err(other) => panic!("{other}"),
-        Ok(outcome) => outcome.calibration.warnings.join("\n"),
+        Ok(outcome) => outcome
+            .calibration
+            .warnings
+            .texts(findings::Front::CommandLine)
+            .join("\n"),
     }
 }
 

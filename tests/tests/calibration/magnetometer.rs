@@ -177,7 +177,8 @@ fn effects_are_estimated_saved_and_applied() {
 }
 
 fn names_an_effect(calibration: &Calibration) -> bool {
-    let mut warnings = calibration.warnings.iter();
+    let texts = calibration.warnings.texts(findings::Front::CommandLine);
+    let mut warnings = texts.iter();
     warnings.any(|w| w.contains("the readings of the magnetometer go with"))
 }
 
@@ -187,7 +188,8 @@ fn an_effect_that_the_model_lacks_is_named() {
         let session = spec(12, 0.0).with_effect(effect.name(), 3.0).run().unwrap();
         let bare = calibrated(&session, &request(Method::Stepwise));
         let named = format!("go with {} ", effect.name());
-        let mut warnings = bare.warnings.iter();
+        let texts = bare.warnings.texts(findings::Front::CommandLine);
+        let mut warnings = texts.iter();
         assert!(
             warnings.any(|w| w.contains(&named)),
             "{named}: {:?}",
@@ -241,8 +243,8 @@ fn a_place_near_iron_is_named_and_left_out() {
         }
     }
     let calibration = calibrated(&near_iron, &request(Method::Joint));
-    let named = calibration
-        .warnings
+    let texts = calibration.warnings.texts(findings::Front::CommandLine);
+    let named = texts
         .iter()
         .find(|w| w.contains("magnetic field is off by"));
     assert!(named.unwrap().contains("interval 13"), "{named:?}");
@@ -253,7 +255,11 @@ fn a_place_near_iron_is_named_and_left_out() {
     assert!(squares.iter().sum::<f64>() / 12.0 < 3.0, "{squares:?}");
     let clean = calibrated(&session, &request(Method::Joint));
     assert!(
-        !clean.warnings.iter().any(|w| w.contains("magnet")),
+        !clean
+            .warnings
+            .texts(findings::Front::CommandLine)
+            .iter()
+            .any(|w| w.contains("magnet")),
         "{:?}",
         clean.warnings
     );
@@ -277,7 +283,11 @@ fn too_few_attitudes_leave_the_magnetometer_out_and_an_effect_of_it_is_refused()
     assert!(calibration.magnetometer.is_none());
     let said = |w: &String| w.contains("the magnetometer is not calibrated: 4 static intervals");
     assert!(
-        calibration.warnings.iter().any(said),
+        calibration
+            .warnings
+            .texts(findings::Front::CommandLine)
+            .iter()
+            .any(said),
         "{:?}",
         calibration.warnings
     );

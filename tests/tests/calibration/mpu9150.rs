@@ -22,7 +22,14 @@ fn rests_that_all_shake_are_weighted_not_thrown_away() {
     };
     let stepwise = calibrated("imu0.csv", Method::Stepwise).unwrap();
     let unsteady = |w: &String| w.contains("shake") || w.contains("noisier in static intervals");
-    assert!(joint.calibration.warnings.iter().any(unsteady));
+    assert!(
+        joint
+            .calibration
+            .warnings
+            .texts(findings::Front::CommandLine)
+            .iter()
+            .any(unsteady)
+    );
     let (joint, stepwise) = (joint.calibration, stepwise.calibration);
     let (a, b) = (
         joint.accelerometer.unwrap(),

@@ -109,7 +109,10 @@ fn every_recording_of_a_calibration_has_its_own_biases_taken_off() {
         assert!(rate.norm() < 3e-4, "{}: {rate}", recording.name);
     }
     let third = recorded(&one, 3, "third").recording;
-    let said = apply(&calibration, &third).unwrap().warnings;
+    let said = apply(&calibration, &third)
+        .unwrap()
+        .warnings
+        .texts(findings::Front::CommandLine);
     assert!(
         said.iter()
             .any(|w| w.contains("none of them") && w.contains("stillpoint bias")),
@@ -158,7 +161,10 @@ fn a_recording_without_thermometer_is_given_no_temperature() {
         !names.iter().any(|name| name.contains("temperature")),
         "{names:?}"
     );
-    let said = &found.calibration.warnings;
+    let said = found
+        .calibration
+        .warnings
+        .texts(findings::Front::CommandLine);
     assert!(
         said.iter()
             .any(|w| w.contains("unknown has no temperature")),
@@ -189,7 +195,11 @@ fn scale_factors_that_go_with_the_temperature_are_no_other_device() {
             .iter()
             .any(|e| e.name == "accel_scale_temperature")
     );
-    let said = fitted(&both, device.gravity).unwrap().calibration.warnings;
+    let said = fitted(&both, device.gravity)
+        .unwrap()
+        .calibration
+        .warnings
+        .texts(findings::Front::CommandLine);
     assert!(
         said.iter()
             .any(|w| w.contains("°C") && w.contains("discover")),

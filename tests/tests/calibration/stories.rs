@@ -51,7 +51,10 @@ fn every_placement_is_found_and_the_truth_lies_within_the_errors() {
         let found = outcome.choices[0].segmentation.statics.len();
         assert_eq!(found, session.truth.static_intervals.len(), "seed {seed}");
         assert_eq!(
-            outcome.calibration.warnings,
+            outcome
+                .calibration
+                .warnings
+                .texts(findings::Front::CommandLine),
             Vec::<String>::new(),
             "seed {seed}"
         );
@@ -177,7 +180,13 @@ fn the_same_recording_twice_counts_once() {
         once.calibration.accelerometer,
         twice.calibration.accelerometer
     );
-    assert!(twice.calibration.warnings[0].contains("counted once"));
+    assert!(
+        twice
+            .calibration
+            .warnings
+            .texts(findings::Front::CommandLine)[0]
+            .contains("counted once")
+    );
 }
 
 fn refusal(spec: &Spec) -> String {
@@ -239,7 +248,11 @@ fn placements_in_one_plane_are_refused_with_the_parameter_that_is_not_known() {
             Err(Error::NotEnough(what)) => assert!(what.contains("accel."), "{what}"),
             Err(other) => panic!("{other}"),
             Ok(outcome) => {
-                let warnings = outcome.calibration.warnings.join("\n");
+                let warnings = outcome
+                    .calibration
+                    .warnings
+                    .texts(findings::Front::CommandLine)
+                    .join("\n");
                 assert!(
                     warnings.contains("% only"),
                     "seed {seed} was accepted in silence"
@@ -256,7 +269,13 @@ fn a_single_sensor_is_calibrated_as_far_as_it_goes() {
     no_gyro.gyroscope = None;
     let outcome = calibrate(&[no_gyro], &[], &request(&session)).unwrap();
     assert!(outcome.calibration.gyroscope.is_none());
-    assert!(outcome.calibration.warnings[0].contains("no gyroscope"));
+    assert!(
+        outcome
+            .calibration
+            .warnings
+            .texts(findings::Front::CommandLine)[0]
+            .contains("no gyroscope")
+    );
 
     let mut no_accel = session.recording.clone();
     no_accel.accelerometer = None;

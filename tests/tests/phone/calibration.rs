@@ -211,12 +211,11 @@ fn the_turn_with_the_gap_is_refused_by_name_and_37_remain() {
     ];
     let t = outcome.calibration.gyroscope.unwrap().t;
     assert!(largest_difference(&t.concat(), &expected.concat()) < 1e-4);
-    let refused: Vec<_> = outcome
+    let texts = outcome
         .calibration
         .warnings
-        .iter()
-        .filter(|w| w.contains("gap of 1.4"))
-        .collect();
+        .texts(findings::Front::CommandLine);
+    let refused: Vec<_> = texts.iter().filter(|w| w.contains("gap of 1.4")).collect();
     assert_eq!(refused.len(), 1);
     assert!(
         refused[0].contains("rec_1: turn 6 (t = 27"),

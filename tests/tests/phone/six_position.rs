@@ -88,7 +88,13 @@ fn the_faces_are_found_by_direction_and_the_tilt_of_the_placements_is_warned_abo
     // METHODS.md section 6: 0.4 to 0.9 degrees.
     let degrees = found.tilt().to_degrees();
     assert!((0.4..0.9).contains(&degrees), "{degrees}");
-    assert!(found.warnings.iter().any(|w| w.contains("tilted")));
+    assert!(
+        found
+            .warnings
+            .texts(findings::Front::CommandLine)
+            .iter()
+            .any(|w| w.contains("tilted"))
+    );
 }
 
 #[test]
@@ -100,6 +106,7 @@ fn one_recording_that_holds_the_six_faces_and_eight_edges_is_enough() {
     let six = placements(&[recording], &Detector::default(), GRAVITY).unwrap();
     assert_eq!(
         six.warnings
+            .texts(findings::Front::CommandLine)
             .iter()
             .filter(|w| w.contains("on no face"))
             .count(),

@@ -86,6 +86,7 @@ fn the_corrected_topic_of_px4_logs_is_read_with_the_corrections_taken_off() {
     let told = |words: &str| {
         recording
             .warnings
+            .texts(findings::Front::CommandLine)
             .iter()
             .any(|warning| warning.contains(words))
     };
@@ -111,6 +112,7 @@ fn the_corrected_topic_of_px4_logs_is_read_with_the_corrections_taken_off() {
     let told = |words: &str| {
         recording
             .warnings
+            .texts(findings::Front::CommandLine)
             .iter()
             .any(|warning| warning.contains(words))
     };
@@ -145,6 +147,7 @@ fn an_ardupilot_log_says_what_it_holds() {
     );
     let told = recording
         .warnings
+        .texts(findings::Front::CommandLine)
         .iter()
         .any(|words| words.contains("what ArduPilot has corrected"));
     assert!(told, "{:?}", recording.warnings);

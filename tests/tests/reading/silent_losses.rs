@@ -187,7 +187,11 @@ fn judge(
         Sensor::Gyroscope => (is_force, found.gyroscope.is_none()),
         Sensor::Magnetometer => (true, found.magnetometer.is_none()),
     };
-    let said = found.warnings.iter().any(|words| words.contains(" only"));
+    let said = found
+        .warnings
+        .texts(findings::Front::CommandLine)
+        .iter()
+        .any(|words| words.contains(" only"));
     // What is not in the file any more cannot be read; it is said.
     if change == Some(Change::Removed) && other_is_right && missing && said {
         return Ok(());

@@ -148,7 +148,10 @@ mod tests {
         assert!(findings.effects.iter().any(|e| e.name == "accel_step"));
         assert!(findings.integrity.is_empty(), "{:?}", findings.integrity);
         assert_eq!(findings.unexplained, None);
-        let warnings = &findings.calibration.warnings;
+        let warnings = findings
+            .calibration
+            .warnings
+            .texts(::findings::Front::CommandLine);
         assert!(
             warnings.iter().any(|w| w.contains("stepped within it")),
             "{warnings:?}"

@@ -1,5 +1,6 @@
 //! One unit among several: its session, what it says alone, and its model.
 
+use ::findings::Front;
 use estimate::calibration::EffectParameter;
 use estimate::methods::joint::BiasNoise;
 use recording::{Error, Recording};
@@ -135,8 +136,8 @@ fn alone(recording: &Recording, findings: &Findings) -> UnitAlone {
         faults: findings.integrity.clone(),
         unexplained: findings.unexplained.as_ref().map(|u| u.shape.clone()),
         left_out: left_out(findings),
-        warnings: findings.calibration.warnings.clone(),
-        failed_gates: findings.calibration.failed_gates.clone(),
+        warnings: findings.calibration.warnings.texts(Front::CommandLine),
+        failed_gates: findings.calibration.failed_gates.texts(Front::CommandLine),
     }
 }
 
@@ -145,6 +146,7 @@ fn alone(recording: &Recording, findings: &Findings) -> UnitAlone {
 fn left_out(findings: &Findings) -> Option<String> {
     let doubts = findings.effects.iter();
     let mut doubts = doubts.filter_map(|effect| effect.latitude_in_doubt.clone());
-    let gate = findings.calibration.failed_gates.first().cloned();
+    let gates = &findings.calibration.failed_gates;
+    let gate = gates.first().map(|gate| gate.text(Front::CommandLine));
     gate.or_else(|| doubts.next())
 }

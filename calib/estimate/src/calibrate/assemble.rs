@@ -1,5 +1,6 @@
 //! The fits written down as a [`Calibration`].
 
+use findings::Findings;
 use nalgebra::Matrix3;
 use recording::intervals::Segmentation;
 use recording::{Error, Recording};
@@ -12,7 +13,7 @@ use super::static_norm::{StaticNorms, per_degree_of_freedom};
 use super::{checks, noise};
 use crate::calibration::{
     Calibration, EffectParameter, EffectValues, Outside, Provenance, RecordingBias, Remainder,
-    SCHEMA, TO_DISCOVER, Triad, WITHOUT_WALKS, effect_named,
+    SCHEMA, Triad, WITHOUT_WALKS, effect_named,
 };
 use crate::methods::joint::Channel;
 use crate::methods::{AccelerometerFit, Choice, Fitted, GyroscopeFit};
@@ -25,7 +26,7 @@ pub(super) struct Parts<'a> {
     pub accelerometer: Option<&'a AccelerometerFit>,
     pub gyroscope: Option<&'a GyroscopeFit>,
     pub request: &'a Request,
-    pub warnings: Vec<String>,
+    pub warnings: Findings,
 }
 
 /// Writes the fits down, checks the quality gates, turns the result into the frame asked for.
@@ -40,7 +41,7 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
         mut warnings,
     } = parts;
     let mut table = Table::default();
-    let mut failed_gates = Vec::new();
+    let mut failed_gates = Findings::new();
     let norms = accelerometer.and_then(|fit| StaticNorms::of(fit, recordings, choices));
     let accelerometer_triad = accelerometer.map(|fit| {
         table.add(&fit.fitted);
@@ -106,11 +107,7 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
     .into_iter()
     .flatten()
     .collect();
-    warnings.extend(
-        remainders
-            .iter()
-            .filter_map(|r| r.warning(WITHOUT_WALKS, TO_DISCOVER)),
-    );
+    warnings.extend(remainders.iter().filter_map(|r| r.finding(WITHOUT_WALKS)));
     let mut effects = Vec::new();
     for fit in [
         accelerometer.map(|fit| (&fit.model, &fit.fitted)),

@@ -1,9 +1,11 @@
 //! What the clocks of the recordings leave in doubt, and recordings on an even clock.
 
+use findings::{Finding, Findings, Kind};
 use recording::{
     ClockDrift, Recording, Stamps, Stream, bursts, clock_drift, clock_offset, even_clock,
-    significant,
 };
+
+use sensor::Sensor;
 
 use crate::methods::joint::{ClockState, JointFit};
 
@@ -14,30 +16,27 @@ const WITH_ANY: f64 = 60.0;
 const FAR_APART: f64 = 9.0;
 
 /// Warnings about clocks that no choice makes right.
-pub(super) fn doubts(fit: &JointFit) -> Vec<String> {
+pub(super) fn doubts(fit: &JointFit) -> Vec<Finding> {
     let mut doubts = Vec::new();
     for source in &fit.data.sources {
         let clock = &source.clock;
         if clock.state == ClockState::Uncountable {
-            doubts.push(format!(
-                "{}: the stamps of the gyroscope scatter by {:.1} ms about steps of {:.1} ms: lost samples cannot be \
-                 told from late ones, and the stamps are taken as they are. Record with the sensor's own stamps, or take the rows \
-                 as evenly spaced: --rate {}",
-                source.name,
-                1e3 * clock.scatter,
-                1e3 * clock.step,
-                significant(1.0 / clock.step, 6)
-            ));
+            doubts.push(
+                Finding::of(Kind::ClockUncountable)
+                    .in_recording(&source.name)
+                    .of_sensor(Sensor::Gyroscope)
+                    .number("scatter", clock.scatter, "s")
+                    .number("step", clock.step, "s"),
+            );
         }
         let scatters = clock.scatter > 0.0 && clock.state != ClockState::Uncountable;
         if let Some(misfit) = clock.misfit.filter(|m| scatters && *m > WITH_ANY) {
-            doubts.push(format!(
-                "{}: the turns miss gravity by {:.0} times their noise with the even clock and with the stamps: \
-                 neither may say when the gyroscope was sampled (a sensor that is polled at another rate than its \
-                 own). Record with the sensor's own stamps",
-                source.name,
-                misfit.sqrt()
-            ));
+            doubts.push(
+                Finding::of(Kind::ClockUnknown)
+                    .in_recording(&source.name)
+                    .of_sensor(Sensor::Gyroscope)
+                    .number("ratio", misfit.sqrt(), "1"),
+            );
         }
     }
     doubts
@@ -64,7 +63,7 @@ pub(super) fn on_even_clocks(recordings: &[&Recording]) -> Vec<Recording> {
 }
 
 /// The recordings with even clocks where their stamps come in bursts, and what is said of it; `None` where none do.
-pub(crate) fn without_bursts(recordings: &[&Recording]) -> Option<(Vec<Recording>, Vec<String>)> {
+pub(crate) fn without_bursts(recordings: &[&Recording]) -> Option<(Vec<Recording>, Findings)> {
     let in_bursts = |recording: &&Recording| {
         let streams = [&recording.accelerometer, &recording.gyroscope];
         streams
@@ -75,31 +74,28 @@ pub(crate) fn without_bursts(recordings: &[&Recording]) -> Option<(Vec<Recording
     if !recordings.iter().any(in_bursts) {
         return None;
     }
-    let mut warnings = Vec::new();
+    let mut warnings = Findings::new();
     let mut all = Vec::with_capacity(recordings.len());
     for recording in recordings {
         let mut own = (*recording).clone();
         let sensors = [
-            ("accelerometer", &mut own.accelerometer),
-            ("gyroscope", &mut own.gyroscope),
+            (Sensor::Accelerometer, &mut own.accelerometer),
+            (Sensor::Gyroscope, &mut own.gyroscope),
         ];
         for (sensor, stream) in sensors {
             let Some(stream) = stream else { continue };
             let Some(found) = bursts(&stream.t) else {
                 continue;
             };
-            warnings.push(format!(
-                "{}: the stamps of the {sensor} come in bursts of {} samples: they say when the samples were read, not \
-                 when they were taken. An even clock through all of them is used instead, {} Hz{}; record with the sensor's own \
-                 stamps",
-                recording.name,
-                significant(found.size, 2),
-                significant(1.0 / found.step, 6),
-                match found.lost {
-                    0 => String::new(),
-                    lost => format!(" with {lost} samples missing"),
-                }
-            ));
+            let bursts = Finding::of(Kind::StampsInBursts)
+                .in_recording(&recording.name)
+                .of_sensor(sensor)
+                .number("size", found.size, "1")
+                .number("rate", 1.0 / found.step, "Hz");
+            warnings.push(match found.lost {
+                0 => bursts,
+                lost => bursts.number("lost", lost as f64, "count"),
+            });
             stream.t = found.even;
         }
         all.push(own);
@@ -108,7 +104,7 @@ pub(crate) fn without_bursts(recordings: &[&Recording]) -> Option<(Vec<Recording
 }
 
 /// Sensors whose clocks are apart: offsets first, then drifts.
-pub(super) fn apart(recordings: &[&Recording]) -> Vec<String> {
+pub(super) fn apart(recordings: &[&Recording]) -> Vec<Finding> {
     let (mut offsets, mut drifts) = (Vec::new(), Vec::new());
     for recording in recordings {
         let sensors = recording.accelerometer.as_ref();
@@ -126,39 +122,32 @@ pub(super) fn apart(recordings: &[&Recording]) -> Vec<String> {
     offsets
 }
 
-/// That one clock is late, and perhaps by another offset.
-fn late(recording: &str, (offset, other): (f64, Option<f64>)) -> String {
-    let shift = match other {
-        Some(other) => format!(
-            "an offset of {other:.1} s fits about as well: record both by one clock, or turn at uneven intervals"
-        ),
-        None => "shift its stamps by that".into(),
-    };
+/// One clock that is late, perhaps by another offset.
+fn late(recording: &str, (offset, other): (f64, Option<f64>)) -> Finding {
     let (late, early) = if offset > 0.0 {
-        ("gyroscope", "accelerometer")
+        (Sensor::Gyroscope, Sensor::Accelerometer)
     } else {
-        ("accelerometer", "gyroscope")
+        (Sensor::Accelerometer, Sensor::Gyroscope)
     };
-    format!(
-        "{recording}: the clock of the {late} is {:.1} s late against that of the {early}, by when they move: static intervals \
-         of both do not fall together; {shift}",
-        offset.abs()
-    )
+    let found = Finding::of(Kind::ClockOffset)
+        .in_recording(recording)
+        .of_sensor(late)
+        .detail("other", early.name())
+        .number("late", offset.abs(), "s");
+    match other {
+        Some(other) => found.number("also", other, "s"),
+        None => found,
+    }
 }
 
-/// That one clock runs faster than the other.
-fn running(recording: &str, drift: ClockDrift) -> String {
-    format!(
-        "{recording}: the clock of the gyroscope runs {:.0} ± {:.0} ppm {} than that of the accelerometer, by {} turns: one of \
-         the two is wrong by that, and the gyroscope's scale factors with it if it is its own. Say the rate by \
-         --rate, or stamp both by one clock",
-        1e6 * drift.value.abs(),
-        1e6 * drift.error,
-        if drift.value > 0.0 {
-            "faster"
-        } else {
-            "slower"
-        },
-        drift.turns
-    )
+/// One clock that runs faster than the other.
+fn running(recording: &str, drift: ClockDrift) -> Finding {
+    let is_faster = drift.value > 0.0;
+    Finding::of(Kind::ClockDrift)
+        .in_recording(recording)
+        .of_sensor(Sensor::Gyroscope)
+        .number("drift", 1e6 * drift.value.abs(), "1")
+        .number("error", 1e6 * drift.error, "1")
+        .detail("which", if is_faster { "faster" } else { "slower" })
+        .count("turns", drift.turns)
 }

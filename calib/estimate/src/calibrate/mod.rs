@@ -34,13 +34,14 @@ pub use stepwise::gyroscope_data;
 
 use std::borrow::Borrow;
 
+use findings::{Findings, Kind};
 use recording::intervals::{Segmentation, Span};
 use recording::readings::{FASTEST_HAND, Finding, tremor, without_spikes};
 use recording::{AppliedBefore, Error, Recording};
 use sensor::Sensor;
 
 use self::cut::cut;
-use self::stepwise::{NO_GYROSCOPE, stepwise};
+use self::stepwise::stepwise;
 use self::unusable_turns::TurnCount;
 use crate::calibration::Options;
 use crate::methods::joint::{ClockMode, MOST_STATIC_INTERVALS, within_budget};
@@ -74,7 +75,7 @@ fn calibrate_all(
 ) -> Result<Outcome, Error> {
     let all = recordings.iter().chain(gyro_recordings);
     own_effects::grant_steps(&request.effects, all.copied());
-    let mut said = Vec::new();
+    let mut said = Findings::new();
     let outcome = match clocks::without_bursts(recordings) {
         Some((evened, warnings)) => {
             said = warnings;
@@ -145,7 +146,7 @@ fn by_stamps(
     request: &Request,
 ) -> Result<Outcome, Error> {
     let cleaned: Vec<_> = recordings.iter().map(|r| without_spikes(r)).collect();
-    let mut warnings = Vec::new();
+    let mut warnings = Findings::new();
     let clean = recordings.iter().zip(&cleaned);
     let clean = clean.map(|(raw, cleaned)| cleaned.as_ref().map_or(*raw, |(clean, _)| clean));
     let (recordings, copies) = without_copies(clean);
@@ -208,7 +209,7 @@ fn by_stamps(
 fn with_changes(mut outcome: Outcome, recordings: &[&Recording], gravity: f64) -> Outcome {
     let triad = outcome.calibration.gyroscope.as_ref();
     let gyroscope = triad.map(|triad| (triad.base().t, triad.residual_rms.to_radians()));
-    let mut warnings = Vec::new();
+    let mut warnings = Findings::new();
     for (recording, choice) in recordings.iter().zip(&outcome.choices) {
         let segmentation = &choice.segmentation;
         warnings.extend(checks::corrected_before(recording, segmentation));
@@ -243,12 +244,12 @@ struct Parts<'a> {
     recordings: &'a [&'a Recording],
     gyro_recordings: &'a [&'a Recording],
     request: &'a Request,
-    warnings: &'a [String],
+    warnings: &'a Findings,
 }
 
 impl Parts<'_> {
     fn fitted(&self, choices: Vec<Choice>) -> Result<Outcome, Error> {
-        let warnings = self.warnings.to_vec();
+        let warnings = self.warnings.clone();
         let (recordings, others) = (self.recordings, self.gyro_recordings);
         match self.request.method {
             Method::Joint => joint::calibrate(recordings, others, choices, self.request, warnings),
@@ -301,7 +302,10 @@ impl Parts<'_> {
         };
         let mut outcome = parts.fitted(only_force.collect())?;
         outcome.choices = choices;
-        outcome.calibration.warnings.retain(|w| w != NO_GYROSCOPE);
+        outcome
+            .calibration
+            .warnings
+            .retain(|f| f.kind != Kind::NoGyroscope);
         Ok(outcome)
     }
 }

@@ -1,5 +1,6 @@
 //! Effects that a user wrote: what they may cost, and failures that are theirs.
 
+use findings::{Finding, Kind};
 use recording::{Error, Recording, Stream};
 use sensor::{AnyEffect, fault_of};
 
@@ -57,12 +58,13 @@ fn suspected(effects: &[&'static dyn AnyEffect], error: Error) -> Error {
 }
 
 /// What went wrong with effects that a search left out for it.
-pub fn left_out(effects: &[&'static dyn AnyEffect]) -> impl Iterator<Item = String> {
+pub fn left_out(effects: &[&'static dyn AnyEffect]) -> impl Iterator<Item = Finding> {
     effects.iter().filter_map(|effect| {
         let fault = fault_of(*effect)?;
-        Some(format!(
-            "the effect {} {fault}; it was not looked for beyond that",
-            effect.name()
-        ))
+        Some(
+            Finding::of(Kind::EffectFault)
+                .detail("effect", effect.name())
+                .detail("what", fault),
+        )
     })
 }

@@ -1,6 +1,8 @@
 //! Whether several recordings can come from one device.
 
+use findings::{Finding, Kind};
 use recording::{Error, Recording};
+use sensor::Sensor;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use crate::methods::joint::JointFit;
@@ -29,7 +31,7 @@ pub fn of_one_device(
     recordings: &[&Recording],
     means: &[Vec<StaticMean>],
     gravity: f64,
-) -> Result<Option<String>, Error> {
+) -> Result<Option<Finding>, Error> {
     let celsius: Vec<Option<f64>> = recordings.iter().map(|r| celsius(r)).collect();
     let names: Vec<String> = recordings.iter().map(|r| r.name.clone()).collect();
     let request = AccelerometerRequest {
@@ -45,7 +47,7 @@ pub fn of_one_device(
 pub(super) fn same_accelerometer(
     request: &AccelerometerRequest,
     celsius: &[Option<f64>],
-) -> Result<Option<String>, Error> {
+) -> Result<Option<Finding>, Error> {
     let count = request.recordings.len();
     if count < 2 {
         return Ok(None);
@@ -78,10 +80,12 @@ pub(super) fn same_accelerometer(
                 )));
             }
             warmer.get_or_insert_with(|| {
-                format!(
-                    "{first} and {second}: {words}{}: `stillpoint discover` looks for effects of the temperature",
-                    between.in_words()
-                )
+                Finding::of(Kind::RecordingsDiffer)
+                    .of_sensor(Sensor::Accelerometer)
+                    .detail("first", first.clone())
+                    .detail("second", second.clone())
+                    .detail("what", words.clone())
+                    .detail("temperatures", between.in_words())
             });
         }
     }
@@ -96,7 +100,7 @@ pub fn gyroscope_of_one_device(
     fit: &JointFit,
     recordings: &[&Recording],
     force_device: bool,
-) -> Result<Option<String>, Error> {
+) -> Result<Option<Finding>, Error> {
     let Some(apart) = fit.gyroscope_apart() else {
         return Ok(None);
     };
@@ -124,10 +128,14 @@ pub fn gyroscope_of_one_device(
             between.first().map_or("", Temperatures::or_of_temperatures)
         )));
     }
-    Ok(Some(format!(
-        "{words}: was it at another temperature, or does its clock run fast or slow? The errors are enlarged to the misfit that this \
-         makes"
-    )))
+    Ok(Some(
+        Finding::of(Kind::GyroscopeDiffers)
+            .in_recording(&own.name)
+            .of_sensor(Sensor::Gyroscope)
+            .detail("parameter", apart.parameter.trim_start_matches("gyro."))
+            .number("change", apart.change, "share")
+            .number("error", apart.std, "share"),
+    ))
 }
 
 /// Mean temperatures of two recordings, where they are known, °C.

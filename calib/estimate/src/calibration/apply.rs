@@ -1,5 +1,6 @@
 //! `apply(raw)`: the whole definition of the corrected signal.
 
+use findings::{Finding, Kind};
 use recording::intervals::{Detector, Segmentation, StaticInterval, segment};
 use recording::watch::{Stage, step};
 use recording::{Error, Recording, Stream};
@@ -51,7 +52,7 @@ pub fn apply_with(
     corrected.warnings.extend(calibration.bias_alone());
     corrected
         .warnings
-        .extend(doubt.into_iter().chain(of_another));
+        .extend(doubt.map(Finding::from).into_iter().chain(of_another));
     if let (Some(field), true) = (
         &mut corrected.magnetometer,
         calibration.magnetometer.is_some(),
@@ -59,11 +60,7 @@ pub fn apply_with(
         field.convert_to_microtesla();
         let own = calibration.magnetic_field.as_ref();
         if own.is_some_and(|own| (own.unit == "uT") != field.unit.is_some()) {
-            corrected.warnings.push(
-                "the unit of the magnetometer is known in this recording or in those of the calibration, not in both: it is \
-                 corrected as if it were the same"
-                    .into(),
-            );
+            corrected.warnings.push(Finding::of(Kind::UnitUnclear));
         }
     }
     for sensor in Sensor::ALL {
@@ -76,17 +73,14 @@ pub fn apply_with(
                 stream.values.iter_mut().for_each(|v| *v = base.correct(v));
             }
             Some(_) => correct(stream, sensor, &truth, &models)?,
-            None => corrected.warnings.push(match calibration.why_not(sensor) {
-                Some(own) => format!(
-                    "the {} is not calibrated ({}): its readings are left as they are",
-                    sensor.name(),
-                    own.reason.in_words()
+            None => corrected.warnings.push(
+                Finding::of(Kind::LeftAsRead).of_sensor(sensor).detail(
+                    "why",
+                    calibration
+                        .why_not(sensor)
+                        .map_or("", |own| own.reason.in_words()),
                 ),
-                None => format!(
-                    "the calibration has no {}: its readings are left as they are",
-                    sensor.name()
-                ),
-            }),
+            ),
         }
     }
     Ok(corrected)

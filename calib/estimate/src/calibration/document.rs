@@ -1,5 +1,6 @@
 //! `cal.json` with sensors that are not calibrated: the reason stands in the place of the sensor.
 
+use findings::{Finding, Findings, Kind, Verdict};
 use sensor::Sensor;
 use serde::de::Error as _;
 use serde::ser::Error as _;
@@ -26,12 +27,31 @@ impl NotCalibrated {
     }
 }
 
+/// A calibration with what is made of its findings.
+#[derive(Serialize)]
+struct Document<'a> {
+    #[serde(flatten, serialize_with = "own")]
+    own: &'a Calibration,
+    verdict: Verdict,
+    findings: Findings,
+}
+
+/// The entries of the calibration itself.
+fn own<S: Serializer>(calibration: &&Calibration, serializer: S) -> Result<S::Ok, S::Error> {
+    Calibration::serialize(calibration, serializer)
+}
+
 impl Serialize for Calibration {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let document = Document {
+            own: self,
+            verdict: self.verdict(),
+            findings: self.findings(),
+        };
         if self.not_calibrated.is_empty() {
-            return Calibration::serialize(self, serializer);
+            return document.serialize(serializer);
         }
-        let value = Calibration::serialize(self, serde_json::value::Serializer);
+        let value = document.serialize(serde_json::value::Serializer);
         let mut value = value.map_err(S::Error::custom)?;
         for mark in &self.not_calibrated {
             value[mark.sensor.name()] = mark.to_value();
@@ -54,10 +74,42 @@ impl Calibration {
         for mark in &not_calibrated {
             value[mark.sensor.name()] = Value::Null;
         }
+        let found = match value.get_mut("findings") {
+            Some(found) => Some(Findings::deserialize(found.take())?),
+            None => None,
+        };
+        let mut own = Calibration::deserialize(value)?;
+        if let Some(found) = found {
+            let is_gate = |found: &&Finding| found.kind != Kind::LimitNotKept;
+            own.failed_gates = found.gates().filter(is_gate).collect();
+            own.warnings = found.warnings().collect();
+        }
         Ok(Self {
             not_calibrated,
-            ..Calibration::deserialize(value)?
+            ..own
         })
+    }
+
+    /// All findings, those first that forbid its use: failed gates, then limits that are not kept, then warnings.
+    pub fn findings(&self) -> Findings {
+        let mut all: Findings = self.failed_gates.iter().collect();
+        let mut failed: Vec<&str> = Vec::new();
+        for line in self.limits.iter().filter(|line| !line.pass) {
+            // Of a quantity that fails the file's limit the one built in is not repeated.
+            if !failed.contains(&line.name.as_str()) {
+                failed.push(&line.name);
+                all.push(line.finding());
+            }
+        }
+        all.extend(&self.warnings);
+        all
+    }
+
+    /// The verdict on it, with commands for the recordings that it was made of.
+    pub fn verdict(&self) -> Verdict {
+        let inputs = self.provenance.inputs.iter();
+        let names: Vec<&str> = inputs.map(|input| input.recording.as_str()).collect();
+        Verdict::of_recordings(&self.findings(), &names)
     }
 
     /// Why a sensor is not calibrated, if it was recorded and is not.
@@ -66,15 +118,10 @@ impl Calibration {
     }
 
     /// What to say of the sensors of which only the bias is known.
-    pub fn bias_alone(&self) -> Vec<String> {
+    pub fn bias_alone(&self) -> Vec<Finding> {
         let inertial = [Sensor::Accelerometer, Sensor::Gyroscope].into_iter();
         let bare = inertial.filter(|sensor| self.triad(*sensor).is_some_and(Triad::is_bias_only));
-        let bare = bare.map(|sensor| {
-            format!(
-                "of the {} only the bias is known: its scale factors and misalignments are left at those of a perfect sensor",
-                sensor.name()
-            )
-        });
+        let bare = bare.map(|sensor| Finding::of(Kind::BiasAlone).of_sensor(sensor));
         bare.collect()
     }
 }

@@ -1,9 +1,10 @@
 //! What an uncertain gravity makes of the scale factors.
 
+use findings::{Finding, Kind};
 use sensor::{PLACES, Sensor, base_names};
 
 use super::Calibration;
-use crate::gravity::{GravitySource, ON_EARTH};
+use crate::gravity::GravitySource;
 
 impl Calibration {
     /// Writes down where gravity comes from, and adds what that leaves unknown to standard errors and covariance.
@@ -33,30 +34,29 @@ impl Calibration {
                 *entry += a * b;
             }
         }
-        self.warnings.extend(in_words(source, self.gravity));
+        self.warnings.extend(assumed(source, self.gravity));
     }
 }
 
 /// What was assumed of gravity; nothing where it is known.
-fn in_words(source: GravitySource, gravity: f64) -> Option<String> {
-    let share = 100.0 * source.std() / gravity;
-    match source {
+fn assumed(source: GravitySource, gravity: f64) -> Option<Finding> {
+    let kind = match source {
         GravitySource::Given
         | GravitySource::Place {
             altitude: Some(_), ..
-        } => None,
-        GravitySource::Place { latitude, .. } => Some(format!(
-            "gravity is {gravity:.4} m/s², that of the latitude {latitude}° at sea level: the standard errors of the \
-             accelerometer's scale factors contain {share:.3} % for the unknown height; give --altitude"
-        )),
-        GravitySource::Assumed => Some(format!(
-            "gravity is taken to be {gravity} m/s²; on the earth it lies between {} and {} m/s². The standard errors \
-             of the accelerometer's scale factors contain {share:.2} % for that; give --gravity, or --latitude and \
-             --altitude",
-            ON_EARTH.start(),
-            ON_EARTH.end()
-        )),
-    }
+        } => return None,
+        GravitySource::Place { .. } => Kind::AltitudeAssumed,
+        GravitySource::Assumed => Kind::GravityAssumed,
+    };
+    let found = Finding::of(kind)
+        .of_sensor(Sensor::Accelerometer)
+        .number("gravity", gravity, "m/s^2")
+        .number("share", source.std() / gravity, "share")
+        .affects("corrected_reading", source.std(), "m/s^2");
+    Some(match source {
+        GravitySource::Place { latitude, .. } => found.number("latitude", latitude, "°"),
+        _ => found,
+    })
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! What the data leave of a calibration, before any error is inflated.
 
+use findings::{Finding, Kind};
+use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 
 use crate::methods::joint::{Channel, ChannelMisfit, Pattern, Shown};
@@ -11,9 +13,6 @@ pub const WITH_WALKS: f64 = std::f64::consts::SQRT_2;
 
 /// The same where walks are not told from a misfit.
 pub const WITHOUT_WALKS: f64 = 3.0;
-
-/// What a calibration says to do about a misfit.
-pub const TO_DISCOVER: &str = "; `stillpoint discover` looks for the cause";
 
 /// Probabilities are stated down to this.
 const LEAST_CHANCE: f64 = 1e-300;
@@ -92,37 +91,40 @@ impl Remainder {
         .depending(misfit.pattern)
     }
 
-    /// A warning where more than `limit` times the noise is left and chance does not explain it; `what_next` says what to do.
-    pub fn warning(&self, limit: f64, what_next: &str) -> Option<String> {
+    /// A finding where more than `limit` times the noise is left and chance does not explain it.
+    pub fn finding(&self, limit: f64) -> Option<Finding> {
         let ratio = self.reduced_chi2.sqrt();
         let much = ratio > limit && self.p_value < UNLIKELY;
-        let depends = self.pattern.map(|pattern| {
-            let p = chance(self.pattern_p_value.unwrap_or(0.0));
-            let like = match pattern {
-                Pattern::Quadratic => ", most like the square of the specific force",
-                Pattern::Asymmetry => ", most by its sign",
-                Pattern::Cubic => ", most like the cube of the specific force",
-                Pattern::History => " and on where the device came from",
-                Pattern::Force => ", most in proportion to the specific force",
-            };
-            format!(
-                ". It depends on the orientation{like} (p {p}), which neither noise nor a bias that \
-                 walks does"
-            )
-        });
-        if !much && depends.is_none() {
+        if !much && self.pattern.is_none() {
             return None;
         }
-        Some(format!(
-            "misfit of the {}: {} rms, of which the measured noise explains {} ({ratio:.1} times the noise, {:.0} degrees of freedom, \
-             p {}){}. The standard errors are enlarged to it{what_next}",
-            self.what(),
-            self.in_words(self.rms),
-            self.in_words(self.noise),
-            self.degrees_of_freedom,
-            chance(self.p_value),
-            depends.unwrap_or_default()
-        ))
+        let unit = unit(self.channel);
+        let left = (self.rms.powi(2) - self.noise.powi(2)).max(0.0).sqrt();
+        let of = match self.channel {
+            Channel::Direction => "turn",
+            Channel::Force | Channel::Rate => "corrected_reading",
+        };
+        let found = Finding::of(Kind::Misfit)
+            .of_sensor(match self.channel {
+                Channel::Force => Sensor::Accelerometer,
+                Channel::Rate | Channel::Direction => Sensor::Gyroscope,
+            })
+            .detail("channel", self.what())
+            .number("rms", self.rms, unit)
+            .number("noise", self.noise, unit)
+            .number("ratio", ratio, "1")
+            .number("dof", self.degrees_of_freedom, "count")
+            .detail("p", chance(self.p_value))
+            .affects(of, left, unit);
+        Some(match self.pattern {
+            None => found,
+            Some(pattern) => {
+                let p = chance(self.pattern_p_value.unwrap_or(0.0));
+                found
+                    .detail("pattern", like(pattern))
+                    .detail("pattern_p", p)
+            }
+        })
     }
 
     /// `norm of specific force at static intervals`.
@@ -141,6 +143,17 @@ impl Remainder {
             Channel::Rate => format!("{:.1} °/h", size.to_degrees() * 3600.0),
             Channel::Direction => format!("{:.4}°", size.to_degrees()),
         }
+    }
+}
+
+/// What a dependence on the orientation is most like.
+fn like(pattern: Pattern) -> &'static str {
+    match pattern {
+        Pattern::Quadratic => "the square of the specific force",
+        Pattern::Asymmetry => "its sign",
+        Pattern::Cubic => "the cube of the specific force",
+        Pattern::History => "the way that the device came",
+        Pattern::Force => "the specific force itself",
     }
 }
 

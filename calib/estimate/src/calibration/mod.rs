@@ -27,7 +27,7 @@ pub use effects::{catalogue, effect_named};
 pub use frame::in_symmetric_frame;
 pub use left_out::{Enlarged, LeftOut};
 pub use magnetic_field::{MagneticField, RecordingField};
-pub use misfit::{Remainder, TO_DISCOVER, WITH_WALKS, WITHOUT_WALKS};
+pub use misfit::{Remainder, WITH_WALKS, WITHOUT_WALKS};
 pub use not_calibrated::{NotCalibrated, NotCalibratedReason};
 pub use outside::Outside;
 pub use provenance::{
@@ -36,6 +36,7 @@ pub use provenance::{
 };
 pub use units::{TriadUnits, check_units};
 
+use findings::Findings;
 use nalgebra::{Matrix3, Vector3};
 use recording::intervals::Segmentation;
 use recording::{Error, Recording};
@@ -90,11 +91,16 @@ pub struct Calibration {
     /// Effects that the model leaves out, and how much less certain each would make a parameter.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub left_out: Vec<LeftOut>,
-    /// What the user should know.
-    pub warnings: Vec<String>,
-    /// Reasons not to use the calibration as it stands.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub failed_gates: Vec<String>,
+    /// Findings that a user should know; the document has their texts here, and all findings under `findings`.
+    #[serde(with = "findings::texts::of_warnings")]
+    pub warnings: Findings,
+    /// Findings that forbid the use of the calibration as it stands.
+    #[serde(
+        default,
+        with = "findings::texts::of_gates",
+        skip_serializing_if = "Findings::is_none"
+    )]
+    pub failed_gates: Findings,
     /// Limits that were judged, with their values.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub limits: Vec<LimitLine>,

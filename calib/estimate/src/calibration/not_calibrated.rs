@@ -1,5 +1,6 @@
 //! A sensor that was recorded and is not calibrated: in its place in the file stands why.
 
+use findings::{Finding, Kind};
 use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -48,16 +49,14 @@ pub struct NotCalibrated {
 
 impl NotCalibrated {
     /// Why the calibration fails its gate, with what to do.
-    pub(crate) fn gate(&self) -> String {
-        let name = self.sensor.name();
-        let bias = match self.bias {
-            Some(_) => " (its bias at rest is kept)",
-            None => "",
-        };
-        format!(
-            "the {name} is not calibrated: {}{bias}; --sensor accelerometer calibrates the accelerometer alone",
-            self.text
-        )
+    pub(crate) fn gate(&self) -> Finding {
+        let found = Finding::of(Kind::NotCalibrated)
+            .of_sensor(self.sensor)
+            .detail("why", self.text.clone());
+        match self.bias {
+            Some(_) => found.detail("kept", "its bias at rest is kept"),
+            None => found,
+        }
     }
 
     pub(super) fn to_value(&self) -> Value {

@@ -1,5 +1,6 @@
 //! A calibration of several recordings as that of one of them.
 
+use findings::{Finding, Kind};
 use std::borrow::Cow;
 
 use recording::Recording;
@@ -49,7 +50,7 @@ impl Calibration {
     }
 
     /// What to say to a recording that the calibration is not made from, where its recordings have different biases.
-    pub fn doubts_biases_of(&self, recording: &Recording) -> Option<String> {
+    pub fn doubts_biases_of(&self, recording: &Recording) -> Option<Finding> {
         let differ = |sensor: Sensor| {
             let triad = self.triad(sensor)?;
             let most = largest_difference(&triad.recordings)?;
@@ -62,13 +63,10 @@ impl Calibration {
         let differ: Vec<String> = Sensor::ALL.into_iter().filter_map(differ).collect();
         let last = self.provenance.inputs.last()?;
         (!differ.is_empty() && self.was_made_from(recording) == Some(false)).then(|| {
-            format!(
-                "{}: the biases of the calibration's recordings differ ({}), and this is none of them: those of the last, {}, are \
-                 taken off; `stillpoint bias` estimates them again from this recording's rests",
-                recording.name,
-                differ.join(", "),
-                last.recording
-            )
+            Finding::of(Kind::BiasesDiffer)
+                .in_recording(&recording.name)
+                .detail("how", differ.join(", "))
+                .detail("last", last.recording.clone())
         })
     }
 }

@@ -1,5 +1,6 @@
 //! A limit with what it judges.
 
+use findings::{Finding, Kind};
 use serde::{Deserialize, Serialize};
 
 /// One limit, the value it is for, and whether that passes.
@@ -47,6 +48,24 @@ pub enum Limit {
 }
 
 impl LimitLine {
+    /// The finding that it is not kept.
+    pub fn finding(&self) -> Finding {
+        let shown = |value: f64| findings::human(value, &self.unit);
+        let allowed = match (self.kind, self.limit) {
+            (Bound::Present, _) => "required".to_owned(),
+            (Bound::AtLeast, Limit::One(least)) => format!("at least {}", shown(least)),
+            (_, Limit::One(most)) => format!("at most {}", shown(most)),
+            (_, Limit::Range([least, most])) => format!("{} to {}", shown(least), shown(most)),
+        };
+        let found = Finding::of(Kind::LimitNotKept)
+            .detail("name", self.name.clone())
+            .detail("allowed", allowed);
+        match (self.kind, self.value) {
+            (Bound::Present, _) | (_, None) => found.detail("value", "not known"),
+            (_, Some(value)) => found.detail("value", shown(value)),
+        }
+    }
+
     /// Judged.
     pub fn new(
         name: impl Into<String>,

@@ -1,5 +1,6 @@
 //! A calibration with what the type has in common.
 
+use findings::{Finding, Kind};
 use nalgebra::{DMatrix, DVector};
 use recording::Error;
 
@@ -85,14 +86,12 @@ impl Prior {
         Ok(())
     }
 
-    fn stranger(&self, judged: &Belonging, shares: &[PriorShare]) -> String {
+    fn stranger(&self, judged: &Belonging, shares: &[PriorShare]) -> Finding {
         let name = shares.get(judged.furthest).map_or("", |s| s.name.as_str());
-        format!(
-            "the device is not of the type of the prior: {name} is {:.1} standard deviations from its mean (a device of the \
-             type is so far out in {:.1e} of cases); the prior is not used",
-            judged.deviation.abs(),
-            judged.p_value
-        )
+        Finding::of(Kind::NotOfType)
+            .detail("parameter", name)
+            .number("distance", judged.deviation.abs(), "1")
+            .detail("p", format!("{:.1e}", judged.p_value))
     }
 }
 
@@ -178,6 +177,7 @@ mod tests {
                 .warnings
                 .last()
                 .unwrap()
+                .text(findings::Front::CommandLine)
                 .contains("accel.b_x is 14.1 standard deviations")
         );
     }

@@ -32,7 +32,7 @@ pub fn imu_tk(accelerometer: &str, gyroscope: &str) -> Result<Calibration, Error
         Some(&accelerometer),
         Some(&gyroscope),
         None,
-        vec![warning],
+        vec![warning].into(),
     ))
 }
 

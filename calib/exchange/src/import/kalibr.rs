@@ -1,6 +1,7 @@
 //! Kalibr's `imu.yaml`, and that of the crate imu-calib, which adds the biases.
 
 use calib::Calibration;
+use findings::Findings;
 use nalgebra::{Matrix3, Vector3};
 use saphyr::{LoadableYamlNode as _, Yaml};
 use sensor::Base;
@@ -49,7 +50,7 @@ pub fn kalibr(text: &str) -> Result<Calibration, Error> {
     let root = documents
         .first()
         .ok_or_else(|| input("", "the file is empty"))?;
-    let mut warnings = Vec::new();
+    let mut warnings = Findings::new();
     let imu = Imu::first_of(root, &mut warnings)?;
     let model = imu.model()?;
     let accelerometer = imu.accelerometer(model)?;
@@ -62,7 +63,7 @@ pub fn kalibr(text: &str) -> Result<Calibration, Error> {
     warnings.extend(imu.unread());
     if model == SIZE_EFFECT {
         let what = "the places of the accelerometer's axes (rx_i, ry_i, rz_i) are not read: they matter in turns only";
-        warnings.push(what.into());
+        warnings.push(what);
     }
     warnings.push(imu.worth(accelerometer.is_some(), gyroscope.is_some()));
     let (rates, g) = gyroscope.unzip();
@@ -89,7 +90,7 @@ const SENSORS: [(&str, &[&str]); 2] = [
 
 impl<'a> Imu<'a> {
     /// The first: a result has them under imu0, imu1 …; a configuration has one at the top.
-    fn first_of(root: &'a Yaml<'a>, warnings: &mut Vec<String>) -> Result<Self, Error> {
+    fn first_of(root: &'a Yaml<'a>, warnings: &mut Findings) -> Result<Self, Error> {
         let Some(entries) = root.as_mapping() else {
             return Err(input(
                 "",

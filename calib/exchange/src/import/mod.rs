@@ -12,6 +12,7 @@ use calib::calibrate::STANDARD_GRAVITY;
 use calib::calibration::{EffectParameter, EffectValues, Provenance, SCHEMA, Triad};
 use calib::effects::force_sensitivity;
 use calib::gravity::GravitySource;
+use findings::Findings;
 use nalgebra::Matrix3;
 use sensor::{Base, Sensor};
 
@@ -23,7 +24,7 @@ fn calibration(
     accelerometer: Option<&Base<f64>>,
     gyroscope: Option<&Base<f64>>,
     g_sensitivity: Option<&Matrix3<f64>>,
-    warnings: Vec<String>,
+    warnings: Findings,
 ) -> Calibration {
     let effects = g_sensitivity.filter(|g| g.amax() > 0.0);
     let mut calibration = Calibration {
@@ -44,7 +45,7 @@ fn calibration(
         misfit: Vec::new(),
         left_out: Vec::new(),
         warnings,
-        failed_gates: Vec::new(),
+        failed_gates: Findings::new(),
         limits: Vec::new(),
         prior: None,
         clocks: Vec::new(),

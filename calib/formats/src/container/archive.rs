@@ -1,5 +1,6 @@
 //! A zip archive that is never unpacked to the disk.
 
+use findings::Findings;
 use std::io::Read;
 
 use super::directory::{Packed, directory};
@@ -16,7 +17,7 @@ pub(crate) struct Archive {
     /// Name and place of every entry that does not lie outside.
     pub entries: Vec<(String, Packed)>,
     /// What was left out, in words.
-    pub warnings: Vec<String>,
+    pub warnings: Findings,
 }
 
 impl Archive {
@@ -26,7 +27,7 @@ impl Archive {
     /// A damaged directory with the byte, encryption, or an archive beyond the limits.
     pub fn open(store: Store, limits: Limits) -> Result<Self, Error> {
         let packed = directory(&mut store.open()?, limits)?;
-        let mut warnings = Vec::new();
+        let mut warnings = Findings::new();
         let mut entries = Vec::new();
         for (name, packed) in packed {
             if is_outside(&name) {

@@ -4,6 +4,7 @@ pub(crate) mod archive;
 mod directory;
 mod entry;
 
+use findings::Findings;
 use std::fs::File;
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
@@ -46,7 +47,7 @@ pub struct Container {
     tabular: Option<(&'static Tabular, Store)>,
     limits: Limits,
     /// What was left out, in words.
-    pub warnings: Vec<String>,
+    pub warnings: Findings,
 }
 
 impl Container {
@@ -90,7 +91,7 @@ impl Container {
                 }
             }
         }
-        Ok(Self::new(entries, limits, Vec::new()))
+        Ok(Self::new(entries, limits, Findings::new()))
     }
 
     /// The entries of the zip archive at `path`.
@@ -158,7 +159,7 @@ impl Container {
         })
     }
 
-    fn new(mut entries: Vec<Entry>, limits: Limits, warnings: Vec<String>) -> Self {
+    fn new(mut entries: Vec<Entry>, limits: Limits, warnings: Findings) -> Self {
         entries.sort_by(|a, b| a.name.cmp(&b.name));
         Self {
             entries,

@@ -1,5 +1,6 @@
 //! What every reader of tables does.
 
+use findings::Findings;
 use std::fmt;
 use std::io::Write;
 
@@ -27,5 +28,5 @@ pub(crate) struct Listed {
     /// Their names; empty of the only one.
     pub names: Vec<String>,
     /// What was left out, in words.
-    pub warnings: Vec<String>,
+    pub warnings: Findings,
 }

@@ -1,5 +1,6 @@
 //! Values that a slower sensor held while a faster one wrote rows.
 
+use findings::Findings;
 use sensor::Sensor;
 
 use crate::recording::Stream;
@@ -34,7 +35,7 @@ pub(crate) fn without_held(
     name: &str,
     sensor: Sensor,
     stream: Stream,
-    warnings: &mut Vec<String>,
+    warnings: &mut Findings,
 ) -> Stream {
     let Some(starts) = held_runs(&stream) else {
         return stream;

@@ -8,6 +8,7 @@ use crate::rows::table::Table;
 use crate::shown::figure;
 use crate::source::place::in_file;
 use crate::units::TimeUnit;
+use findings::Findings;
 
 /// Rates that a unit in the file may mean, Hz.
 const POSSIBLE: std::ops::RangeInclusive<f64> = 0.2..=60_000.0;
@@ -27,7 +28,7 @@ const USUAL: std::ops::Range<f64> = 20.0..2000.0;
 pub(crate) fn to_seconds(
     tables: &mut [Table],
     options: &ReadOptions,
-    warnings: &mut Vec<String>,
+    warnings: &mut Findings,
 ) -> Result<(), Error> {
     let Some(first) = tables.first() else {
         return Ok(());
@@ -104,11 +105,7 @@ fn of_expression(table: &Table, options: &ReadOptions, scale: f64) -> Result<Tim
 }
 
 /// The unit that was given, or stated, or follows from an epoch or from the rate.
-fn unit(
-    table: &Table,
-    options: &ReadOptions,
-    warnings: &mut Vec<String>,
-) -> Result<TimeUnit, Error> {
+fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result<TimeUnit, Error> {
     if table.clock.dates {
         return Ok(TimeUnit::Nanoseconds);
     }
@@ -199,7 +196,7 @@ fn unit(
 }
 
 /// The unit of stamps that go up by 1: milliseconds, seconds by contract, or none where they count the rows.
-fn unit_of_ones(table: &Table, warnings: &mut Vec<String>) -> Result<TimeUnit, Error> {
+fn unit_of_ones(table: &Table, warnings: &mut Findings) -> Result<TimeUnit, Error> {
     let t = &longer(table).t;
     let from_the_start = t.first().is_some_and(|first| (0.0..=1.0).contains(first))
         && table.clock.origin.is_none_or(|origin| origin == 0);

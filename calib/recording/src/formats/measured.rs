@@ -1,6 +1,7 @@
 //! Binary and structured files, read by `stillpoint-formats`: streams to tables, and the choice among several.
 
 use file_formats::{Content, Quantity, Stream, Wanted};
+use findings::Finding;
 use nalgebra::Vector3;
 use sensor::Sensor;
 
@@ -98,7 +99,7 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
             "no accelerometer and no gyroscope in it; it holds {}",
             shown(&listed)
         );
-        let why = cut.or_else(|| warnings.first().cloned());
+        let why = cut.or_else(|| warnings.first().map(|f| f.text(findings::Front::Plain)));
         let cut = why
             .map(|why| format!(" ({})", shown(&why)))
             .unwrap_or_default();
@@ -163,10 +164,8 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
         }
     }
     warnings.extend(cut.map(|cut| format!("{cut}; the recording may be shorter than it was")));
-    let warnings: Vec<String> = warnings
-        .iter()
-        .map(|words| format!("{name}: {words}"))
-        .collect();
+    let warnings = warnings.into_iter().map(|f| f.in_recording(name));
+    let warnings: Vec<Finding> = warnings.collect();
     let mut recording = assemble(name.to_owned(), tables, options)?;
     recording.magnetometer = field.and_then(|field| magnetometer(name, field, origin, options));
     recording.warnings.extend(warnings);

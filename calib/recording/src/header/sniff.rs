@@ -1,5 +1,6 @@
 //! The beginning of a text, looked at before it is read: separators, header, first row.
 
+use findings::Findings;
 use sensor::Sensor;
 
 use super::dialect::{Cell, Dialect, Separator};
@@ -43,7 +44,7 @@ pub(crate) struct Start {
     /// Rows come after this line.
     pub after: u64,
     /// What was decided that a person should know.
-    pub warnings: Vec<String>,
+    pub warnings: Findings,
     /// Which of two triads is which is not known before all rows are.
     pub undecided: bool,
     /// Gravity told which is which in the rows looked at.
@@ -121,7 +122,7 @@ impl Start {
             header_line: preface.header.map_or(0, |kept| kept.number),
             tail: None,
             after: last.map_or(0, |kept| kept.number),
-            warnings: Vec::new(),
+            warnings: Findings::new(),
             undecided: false,
             told_by_norm: false,
             unclear: Vec::new(),

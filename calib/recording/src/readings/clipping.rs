@@ -1,5 +1,6 @@
 //! Axes that are cut off at the end of their range.
 
+use findings::Findings;
 use nalgebra::Vector3;
 
 use super::excursion::Excursion;
@@ -69,7 +70,7 @@ fn in_runs(values: impl Iterator<Item = f64>, limit: f64) -> usize {
 }
 
 /// The axes that are cut off, those that the reader has named left out.
-pub(super) fn found(of: &OfSensor<'_>, said: &[String]) -> Vec<Finding> {
+pub(super) fn found(of: &OfSensor<'_>, said: &Findings) -> Vec<Finding> {
     let values = &of.stream.values;
     let one = |axis: usize| {
         let limits = limits(values, axis);
@@ -91,7 +92,8 @@ pub(super) fn found(of: &OfSensor<'_>, said: &[String]) -> Vec<Finding> {
     let named = |axis: usize| {
         let sensor = of.sensor.name();
         let words = format!("{sensor} {} is saturated", ["x", "y", "z"][axis]);
-        said.iter().any(|warning| warning.contains(&words))
+        said.iter()
+            .any(|finding| finding.own_text().is_some_and(|text| text.contains(&words)))
     };
     (0..3).filter(|&k| !named(k)).filter_map(one).collect()
 }

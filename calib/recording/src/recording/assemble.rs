@@ -1,5 +1,6 @@
 //! Tables to a recording: seconds, SI units, order, and what is worth a warning.
 
+use findings::Findings;
 use std::collections::HashSet;
 
 use sensor::Sensor;
@@ -27,7 +28,9 @@ const IGNORED: &str = "--rate was given: time stamps are ignored";
 impl Recording {
     /// Whether there are stamps that a given rate stands for.
     pub(super) fn has_ignored_stamps(&self) -> bool {
-        self.warnings.iter().any(|warning| warning == IGNORED)
+        self.warnings
+            .iter()
+            .any(|finding| finding.own_text() == Some(IGNORED))
     }
 }
 
@@ -53,7 +56,7 @@ pub(crate) fn assemble(
         if in_seconds.is_err() {
             // Stamps that most rows share have no step that tells their unit.
             for samples in tables.iter().flat_map(|table| [&table.accel, &table.gyro]) {
-                checks::order(&recording.name, samples, &mut Vec::new())?;
+                checks::order(&recording.name, samples, &mut Findings::new())?;
             }
         }
         in_seconds?;
@@ -155,10 +158,7 @@ pub(crate) fn assemble(
         .warnings
         .extend(missing.map(|missing| format!("{missing}{unused}")));
     // What is true of a row is true of both sensors in it, but said once.
-    let mut said = HashSet::new();
-    recording
-        .warnings
-        .retain(|warning| said.insert(warning.clone()));
+    recording.warnings.once();
     Ok(recording)
 }
 
@@ -296,7 +296,7 @@ fn overridden(name: &str, stated: Stated, options: &ReadOptions) -> impl Iterato
 /// What was noticed of the samples of one sensor.
 #[derive(Default)]
 struct Noticed {
-    warnings: Vec<String>,
+    warnings: Findings,
     frozen: Vec<Frozen>,
 }
 
@@ -306,7 +306,7 @@ fn finish<U>(
     name: &str,
     sensor: Sensor,
     samples: Samples,
-    unit: impl FnOnce(&Stream, &mut Vec<String>) -> Result<U, Error>,
+    unit: impl FnOnce(&Stream, &mut Findings) -> Result<U, Error>,
 ) -> Result<Option<(Stream, U, Noticed)>, Error> {
     if samples.t.is_empty() {
         return Ok(None);
@@ -317,7 +317,7 @@ fn finish<U>(
             "time stamps too large to tell apart in seconds",
         ));
     }
-    let mut warnings = Vec::new();
+    let mut warnings = Findings::new();
     repeated::refuse(name, sensor, &samples)?;
     values::check(name, sensor, &samples, &mut warnings)?;
     let stream = Stream {

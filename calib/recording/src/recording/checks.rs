@@ -1,5 +1,6 @@
 //! Stamps and temperatures that are refused, or worth a warning.
 
+use findings::Findings;
 use sensor::Sensor;
 
 use super::options::{ReadOptions, Role};
@@ -14,11 +15,7 @@ use crate::source::place::in_file;
 use crate::units::TemperatureUnit;
 
 /// Repeated rows and equal stamps.
-pub(crate) fn order(
-    name: &str,
-    samples: &Samples,
-    warnings: &mut Vec<String>,
-) -> Result<(), Error> {
+pub(crate) fn order(name: &str, samples: &Samples, warnings: &mut Findings) -> Result<(), Error> {
     let repeats = samples.repeats;
     if repeats.count > 0 {
         warnings.push(format!(
@@ -57,7 +54,7 @@ pub(crate) fn bursts(
     sensor: Sensor,
     stream: &Stream,
     gaps: &[Gap],
-    warnings: &mut Vec<String>,
+    warnings: &mut Findings,
 ) {
     let (Some((least, _)), [first, .., last]) = (extreme_steps(&stream.t), &stream.t[..]) else {
         return;
@@ -77,7 +74,7 @@ pub(crate) fn bursts(
 }
 
 /// Interruptions.
-pub(crate) fn gaps(name: &str, sensor: Sensor, gaps: &[Gap], warnings: &mut Vec<String>) {
+pub(crate) fn gaps(name: &str, sensor: Sensor, gaps: &[Gap], warnings: &mut Findings) {
     let longest = gaps
         .iter()
         .max_by(|a, b| (a.t1 - a.t0).total_cmp(&(b.t1 - b.t0)));
@@ -100,7 +97,7 @@ const HOT: f64 = 62.0;
 pub(crate) fn celsius(
     table: &Table,
     options: &ReadOptions,
-    warnings: &mut Vec<String>,
+    warnings: &mut Findings,
 ) -> Option<Vec<f64>> {
     let (name, readings) = (&table.name, &table.temperature);
     let stated = table.stated.temperature;

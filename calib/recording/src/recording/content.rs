@@ -1,5 +1,6 @@
 //! One recording of one device.
 
+use findings::Findings;
 use sensor::Sensor;
 
 use super::description::Description;
@@ -23,7 +24,7 @@ pub struct Recording {
     /// Where a sensor repeated one reading; the repetitions are left out of its stream.
     pub frozen: Vec<Frozen>,
     /// What the reader noticed and went on with.
-    pub warnings: Vec<String>,
+    pub warnings: Findings,
     /// Where the samples come from.
     pub description: Description,
 }

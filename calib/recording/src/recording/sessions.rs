@@ -9,6 +9,7 @@ use crate::rows::sort;
 use crate::rows::table::Table;
 use crate::shown::figure;
 use crate::source::place::{at_column, at_line, in_file};
+use findings::Findings;
 
 /// A session of fewer rows is no recording: a device that was switched on twice.
 const FEWEST: usize = 200;
@@ -22,7 +23,7 @@ pub(crate) fn take_one(
     name: &str,
     tables: &mut [Table],
     options: &ReadOptions,
-    warnings: &mut Vec<String>,
+    warnings: &mut Findings,
 ) -> Result<String, Error> {
     if options.rate.is_some() {
         refuse_part(name, options)?;
@@ -71,7 +72,7 @@ fn only_part(
     name: &str,
     tables: &mut [Table],
     options: &ReadOptions,
-    warnings: &mut Vec<String>,
+    warnings: &mut Findings,
 ) -> Result<String, Error> {
     let found: Vec<Vec<Session>> = tables.iter().map(sessions).collect();
     let count = |of: &Vec<Session>| of.len().max(1);
@@ -276,7 +277,7 @@ mod tests {
             .collect();
         assert_eq!(ends, [true, true]);
         assert!(
-            all[0].warnings[0].contains("read as"),
+            all[0].warnings.texts(findings::Front::CommandLine)[0].contains("read as"),
             "{:?}",
             all[0].warnings
         );
@@ -287,7 +288,8 @@ mod tests {
         let one = read(&boots(&[30, 700]), &ReadOptions::default()).unwrap();
         assert_eq!(one.accelerometer.unwrap().len(), 700);
         assert!(
-            one.warnings[0].contains("after 30 rows; they are left out"),
+            one.warnings.texts(findings::Front::CommandLine)[0]
+                .contains("after 30 rows; they are left out"),
             "{:?}",
             one.warnings
         );

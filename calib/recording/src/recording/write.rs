@@ -75,8 +75,7 @@ impl<'a> Plain<'a> {
         {
             recording.warnings.push(
                 "the sensors have clocks of their own: the gyroscope is interpolated to the \
-             accelerometer's stamps; `-o FOLDER` keeps both clocks"
-                    .into(),
+             accelerometer's stamps; `-o FOLDER` keeps both clocks",
             );
             *first = within(first, second);
             let values = first.t.iter().filter_map(|&t| second.at(t)).collect();
@@ -94,7 +93,7 @@ impl<'a> Plain<'a> {
             if stamps != Some(&field.stream.t) {
                 let words = "the magnetometer has a clock of its own and is interpolated to the stamps of the others; \
                      `-o FOLDER` keeps it";
-                recording.warnings.push(words.into());
+                recording.warnings.push(words);
             }
         }
         Self {

@@ -57,7 +57,7 @@ impl Table {
             start
                 .warnings
                 .iter()
-                .map(|w| format!("{}: {w}", input.name)),
+                .map(|finding| finding.clone().in_recording(&input.name)),
         );
         let unchanged = input.unchanged.take();
         let sensors = [start.layout.accel, start.layout.gyro, start.layout.field];

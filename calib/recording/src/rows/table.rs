@@ -1,5 +1,6 @@
 //! What one text holds, in its own units.
 
+use findings::Findings;
 use sensor::Sensor;
 
 use crate::Error;
@@ -60,7 +61,7 @@ pub(crate) struct Table {
     /// The system that had corrected the readings before.
     pub corrected_by: Option<&'static str>,
     /// What was noticed.
-    pub warnings: Vec<String>,
+    pub warnings: Findings,
 }
 
 impl Table {

@@ -163,8 +163,8 @@ pub(crate) fn unpacked(name: &str, reader: Box<dyn Read + Send>) -> Result<Unpac
 }
 
 /// The text in UTF-8 without byte order mark, and what was noticed.
-pub(crate) fn text(name: &str, unpacked: Unpacked) -> (Box<dyn Read + Send>, Vec<String>) {
-    let mut warnings = Vec::new();
+pub(crate) fn text(name: &str, unpacked: Unpacked) -> (Box<dyn Read + Send>, findings::Findings) {
+    let mut warnings = findings::Findings::new();
     let Unpacked { head, reader, .. } = unpacked;
     let encoding = match &head[..] {
         [0xff, 0xfe, ..] => Some(encoding_rs::UTF_16LE),

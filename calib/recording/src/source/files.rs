@@ -1,5 +1,6 @@
 //! A folder or an archive as files that can be opened by name.
 
+use findings::Finding;
 use std::io::Read;
 use std::path::Path;
 use std::sync::Arc;
@@ -90,9 +91,9 @@ impl Files {
     }
 
     /// What was left out.
-    pub(crate) fn warnings(&self) -> impl Iterator<Item = String> + '_ {
+    pub(crate) fn warnings(&self) -> impl Iterator<Item = Finding> + '_ {
         let warnings = self.container.warnings.iter();
-        warnings.map(|words| format!("{}: {words}", self.name))
+        warnings.map(|finding| finding.clone().in_recording(&self.name))
     }
 
     /// An entry's name in messages.

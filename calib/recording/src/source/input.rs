@@ -1,5 +1,6 @@
 //! A text that is about to be read: its beginning, what follows, and where it comes from.
 
+use findings::Findings;
 use std::io::{self, Cursor, Read};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
@@ -38,7 +39,7 @@ pub struct Input {
     /// What follows the beginning.
     pub(crate) rest: Box<dyn Read + Send>,
     /// What was noticed on the way.
-    pub(crate) warnings: Vec<String>,
+    pub(crate) warnings: Findings,
     /// The file as it was when it was opened.
     pub(crate) unchanged: Option<Unchanged>,
     pub(super) origin: Origin,

@@ -9,6 +9,7 @@ use crate::recording::Stream;
 use crate::shown::shown;
 use crate::source::place::in_file;
 use crate::units::{AccelUnit, GyroUnit, STANDARD_GRAVITY, values};
+use findings::Findings;
 
 /// Rates beyond this are no hand-held motion in rad/s (29 turns per second): the unit is another.
 const FASTEST: f64 = 180.0;
@@ -63,7 +64,7 @@ pub(crate) fn accel_unit(
     name: &str,
     stream: &Stream,
     said: Said<'_, AccelUnit>,
-    warnings: &mut Vec<String>,
+    warnings: &mut Findings,
 ) -> Result<AccelUnit, Error> {
     refuse_direction(name, stream)?;
     let stated = said.given.or(said.stated);
@@ -219,7 +220,7 @@ pub(crate) fn gyro_unit(
     stream: &Stream,
     accel: Option<&Stream>,
     said: Said<'_, GyroUnit>,
-    warnings: &mut Vec<String>,
+    warnings: &mut Findings,
 ) -> Result<GyroUnit, Error> {
     let stated = said.given.or(said.stated);
     let by_turns = accel.and_then(|accel| turn_unit(accel, stream));

@@ -1,5 +1,6 @@
 //! Values that no working sensor gives, and values at its rails.
 
+use findings::Findings;
 use std::ops::Range;
 
 use nalgebra::Vector3;
@@ -32,7 +33,7 @@ pub(crate) fn check(
     name: &str,
     sensor: Sensor,
     samples: &Samples,
-    warnings: &mut Vec<String>,
+    warnings: &mut Findings,
 ) -> Result<(), Error> {
     if sensor == Sensor::Accelerometer
         && samples.t.len() >= ENOUGH

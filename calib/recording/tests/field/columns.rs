@@ -28,7 +28,10 @@ fn gravity_and_the_rest_of_the_acceleration_are_added_with_the_sign_of_their_sys
     });
     let found = read(&apple);
     is_it(&found, &s, 1e-4);
-    says(&found.warnings, "is the sum of `userAcceleration.x`");
+    says(
+        &found.warnings.texts(findings::Front::CommandLine),
+        "is the sum of `userAcceleration.x`",
+    );
     assert!(found.description.sensors[0].turned);
     let header = "t,linearAccelerationX,linearAccelerationY,linearAccelerationZ,gyroX,gyroY,gyroZ,gravityX,gravityY,gravityZ";
     let android = table(header, |k| {
@@ -61,7 +64,10 @@ fn gravity_and_the_rest_of_the_acceleration_are_added_with_the_sign_of_their_sys
     });
     let found = read(&ros.collect::<String>());
     is_it(&found, &s, 1e-4);
-    says(&found.warnings, "holds gravity already");
+    says(
+        &found.warnings.texts(findings::Front::CommandLine),
+        "holds gravity already",
+    );
 }
 
 #[test]
@@ -106,11 +112,8 @@ fn temperatures_in_counts_are_never_degrees_and_the_offered_line_makes_them_so()
         });
         let found = read(&text);
         assert!(found.temperature.is_none(), "{name}");
-        let said = found
-            .warnings
-            .iter()
-            .find(|w| w.contains("left out"))
-            .unwrap();
+        let texts = found.warnings.texts(findings::Front::CommandLine);
+        let said = texts.iter().find(|w| w.contains("left out")).unwrap();
         assert!(said.contains("MPU-6050"), "{said}");
         let (_, line) = said.split_once("--columns '").unwrap();
         let (line, _) = line.split_once('\'').unwrap();
@@ -176,7 +179,7 @@ fn a_magnetometer_is_read_by_many_names_and_what_is_not_read_is_said() {
     let found = read(&odd);
     assert!(found.magnetometer.is_none());
     says(
-        &found.warnings,
+        &found.warnings.texts(findings::Front::CommandLine),
         "--columns 'mx=hmc_mag_a_x,my=hmc_mag_a_y,mz=hmc_mag_a_z' reads them",
     );
     let options = ReadOptions {
@@ -196,7 +199,7 @@ fn a_magnetometer_is_read_by_many_names_and_what_is_not_read_is_said() {
     let found = read_as(&text("mx (uT),my (uT),mz (uT)"), &counts).unwrap();
     assert_eq!(found.magnetometer.unwrap().unit, None);
     says(
-        &found.warnings,
+        &found.warnings.texts(findings::Front::CommandLine),
         "--mag-unit counts is used, though the file says µT",
     );
 }
@@ -210,7 +213,7 @@ fn a_magnetometer_alone_is_called_so() {
     assert!(found.is_magnetometer_only());
     assert_eq!(found.start(), 0.0);
     assert_eq!(
-        found.warnings,
+        found.warnings.texts(findings::Front::CommandLine),
         ["no accelerometer and no gyroscope: magnetometer only"]
     );
     let warm = read(&table("t,mx,my,mz,temp", |k| {

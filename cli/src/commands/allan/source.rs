@@ -1,5 +1,6 @@
 //! What `allan` analyses: a recording, or the rest in it.
 
+use ::findings::Front;
 use calib::Recording;
 use calib::intervals::Span;
 use calib::noise::{RecordingCurves, Stillness, curves_of_long_csv};
@@ -84,6 +85,7 @@ impl<'a> Source<'a> {
         let recording = read(&args.recording, &args.read)?;
         recording
             .warnings
+            .texts(Front::CommandLine)
             .iter()
             .for_each(|warning| show::warn(warning));
         let curves = RecordingCurves::of(&recording, within);

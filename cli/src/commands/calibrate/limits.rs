@@ -1,5 +1,6 @@
 //! `--limits`: what a calibration must reach, and the verdict in words.
 
+use ::findings::Front;
 use std::path::PathBuf;
 
 use calib::Calibration;
@@ -65,7 +66,7 @@ pub fn gate_of(judged: &[(String, Vec<LimitLine>)]) -> Result<(), Failure> {
 
 /// Why not to use a calibration as it stands: its gates, then its limits.
 pub fn reasons(calibration: &Calibration) -> Vec<String> {
-    let mut reasons = calibration.failed_gates.clone();
+    let mut reasons = calibration.failed_gates.texts(Front::CommandLine);
     let failed = failed(&calibration.limits).into_iter();
     reasons.extend(failed.map(|line| reason(line, Some(calibration))));
     reasons

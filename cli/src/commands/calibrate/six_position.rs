@@ -1,5 +1,6 @@
 //! `calibrate --method six-position`: each axis once up and once down.
 
+use ::findings::Front;
 use std::fmt::Write as _;
 
 use calib::gravity::Gravity;
@@ -61,6 +62,7 @@ pub fn run(call: Call<'_>) -> Result<(), Failure> {
     limits::state(&mut calibration, call.limits.as_ref());
     calibration
         .warnings
+        .texts(Front::CommandLine)
         .iter()
         .for_each(|warning| show::warn(warning));
     let json = show::json(&calibration)?;
@@ -123,7 +125,7 @@ fn report(
         (mean / mean.norm()).into()
     });
     let coverage = Coverage::of(&directions.collect::<Vec<_>>());
-    let judged = judge::judged(calibration, None, None);
+    let judged = judge::judged(calibration, None);
     let residual = format!("{:.1} mm/s²", 1e3 * solution.residual_rms);
     let tilt = format!(
         "placements tilted by about {:.2}°",

@@ -12,6 +12,7 @@ mod units;
 mod verdict;
 mod words;
 
+use ::findings::Front;
 use std::path::PathBuf;
 
 use calib::Recording;
@@ -148,7 +149,11 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let validation = args.validation.as_ref();
     let validation = validation.map(|path| read(path, &args.read)).transpose()?;
     let read = recordings.iter().chain(&validation);
-    show::warn_all(&read.flat_map(|r| r.warnings.clone()).collect::<Vec<_>>());
+    show::warn_all(
+        &read
+            .flat_map(|r| r.warnings.texts(Front::CommandLine))
+            .collect::<Vec<_>>(),
+    );
     held_out::refuse_same_data(validation.as_ref(), &recordings)?;
     if args.units {
         return of_units(args, &recordings, &request, output);
@@ -156,7 +161,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let mut discovery = look(&recordings, validation.as_ref(), &request)?;
     limits::state(&mut discovery.findings.calibration, None);
     let findings = &discovery.findings;
-    show::warn_all(&findings.calibration.warnings);
+    show::warn_all(&findings.calibration.warnings.texts(Front::CommandLine));
     let json = json(findings)?;
     if let Some(output) = output {
         output.write(json.as_bytes())?;

@@ -1,5 +1,6 @@
 //! Findings for the terminal: the verdict, the tables and what to do next.
 
+use ::findings::Front;
 use std::fmt::Write as _;
 
 use calib::discover::Discovery;
@@ -28,7 +29,12 @@ const NAMED_WHERE: &str = "Each on its own. An effect is named where p stays bel
 pub fn text(discovery: &Discovery) -> String {
     let findings = &discovery.findings;
     let gates = findings.calibration.failed_gates.iter();
-    let gates = gates.map(|gate| format!("Not to be used as it is: {gate}.\n\n"));
+    let gates = gates.map(|gate| {
+        format!(
+            "Not to be used as it is: {}.\n\n",
+            gate.text(Front::CommandLine)
+        )
+    });
     let mut text: String = gates.collect();
     let _ = writeln!(text, "{}", verdict(findings));
     push(&mut text, gaps(findings), 3);

@@ -3,6 +3,7 @@
 mod show_runs;
 mod solve;
 
+use ::findings::Front;
 use std::path::PathBuf;
 
 use calib::intervals::Span;
@@ -200,6 +201,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         let recording = read(path, &args.read)?;
         recording
             .warnings
+            .texts(Front::CommandLine)
             .iter()
             .for_each(|warning| show::warn(warning));
         runs.push(run_of(args, k, &recording, &calibrations)?);

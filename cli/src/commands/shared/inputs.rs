@@ -1,5 +1,6 @@
 //! Arguments that commands share, and reading with a spinner.
 
+use ::findings::Front;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -265,7 +266,10 @@ impl DeviceArgs {
         recordings: &[&Recording],
     ) -> Result<(), Failure> {
         for gate in &calibration.failed_gates {
-            show::warn(&format!("the calibration failed a gate: {gate}"));
+            show::warn(&format!(
+                "the calibration failed a gate: {}",
+                gate.text(Front::CommandLine)
+            ));
         }
         for recording in recordings.iter().filter(|_| !self.force_device) {
             check_units(calibration, recording)?;

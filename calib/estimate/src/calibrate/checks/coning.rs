@@ -1,8 +1,10 @@
 //! Turns that are too fast for the rate of the samples.
 
+use findings::{Finding, Kind};
 use nalgebra::{Matrix3, Vector3};
 use recording::intervals::{Segmentation, Turn};
 use recording::{Recording, Stream};
+use sensor::Sensor;
 
 /// Turning between two samples from which on a turn is looked at, rad.
 const FAST: f64 = 0.3;
@@ -16,7 +18,7 @@ pub(in crate::calibrate) fn too_fast(
     recording: &Recording,
     segmentation: &Segmentation,
     t: &Matrix3<f64>,
-) -> Option<String> {
+) -> Option<Finding> {
     let stream = recording.gyroscope.as_ref()?;
     let sound = segmentation
         .turns
@@ -31,21 +33,20 @@ pub(in crate::calibrate) fn too_fast(
         .collect();
     let (turn, step, coning) = found.iter().max_by(|a, b| a.2.total_cmp(&b.2))?;
     let needed = stream.median_step()?.recip() * step / (0.3 * FAST);
-    Some(format!(
-        "{}: {} of {} turns are too fast for {:.0} samples a second: the device turns by up to {:.0}° from one to the next, \
-         and the order of rotations in between (coning) makes an error of about {:.2}°, most in turn {} (t = {:.2} to \
-         {:.2} s); turn more slowly or record {:.0} samples a second",
-        recording.name,
-        found.len(),
-        segmentation.turns.len(),
-        stream.median_step()?.recip(),
-        step.to_degrees(),
-        coning.to_degrees(),
-        turn.from + 1,
-        turn.span.from,
-        turn.span.to,
-        needed
-    ))
+    Some(
+        Finding::of(Kind::TurnsTooFast)
+            .in_recording(&recording.name)
+            .of_sensor(Sensor::Gyroscope)
+            .at_turn(turn.from)
+            .between(turn.span.from, turn.span.to)
+            .count("count", found.len())
+            .count("all", segmentation.turns.len())
+            .number("rate", stream.median_step()?.recip(), "Hz")
+            .number("step", *step, "rad")
+            .number("coning", *coning, "rad")
+            .number("needed", needed, "Hz")
+            .affects("turn", *coning, "rad"),
+    )
 }
 
 /// The largest rotation in a step, and the size of `Σ θₖ × θₖ₊₁ / 12`, what the first correction for coning adds (Savage

@@ -1,7 +1,9 @@
 //! Whether the data determine the parameters, in words a person can act on.
 
+use findings::{Finding, Findings, Kind, Remedy};
 use nalgebra::Vector3;
 use recording::Error;
+use sensor::Sensor;
 
 use super::coverage::{open_by_directions, refusal};
 use crate::methods::{AccelerometerFit, AccelerometerRequest, Ending, Fitted, GyroscopeFit};
@@ -76,7 +78,7 @@ impl<'a> RateEvidence<'a> {
 /// Refuses a fit whose parameters the data do not determine and warns of weak ones.
 pub(in crate::calibrate) fn accelerometer_is_determined(
     fit: &ForceEvidence<'_>,
-    warnings: &mut Vec<String>,
+    warnings: &mut Findings,
 ) -> Result<(), Error> {
     let directions = &fit.directions;
     let free = fit.fitted.free.len();
@@ -116,15 +118,23 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
     }
     let found = plan::coverage(directions);
     if !found.is_complete() {
-        warnings.push(format!(
-            "{}{}; {}",
-            found.found(),
-            least_known(fit),
-            found.advice()
-        ));
+        let missing = Finding::of(Kind::PlacementsMissing)
+            .of_sensor(Sensor::Accelerometer)
+            .detail("found", found.found());
+        let missing = match weakest(fit) {
+            Some((name, error, _)) => missing
+                .detail("parameter", name)
+                .detail("error", percent(error)),
+            None => missing,
+        };
+        let placements = found.wanted.iter().map(|w| w.axes.clone()).collect();
+        warnings.push(missing.remedy(Remedy::AddPlacements { placements }));
     }
     let found = found.found();
-    warnings.extend(weak.into_iter().map(|w| format!("{} ({found})", w.words)));
+    warnings.extend(
+        weak.into_iter()
+            .map(|weak| weak.finding(Sensor::Accelerometer, &found)),
+    );
     Ok(())
 }
 
@@ -141,6 +151,13 @@ fn share_in_words(error: f64, decimals: usize, of: &str) -> String {
 
 /// `; accel.s_z is known to 0.31 % only`: the parameter with the largest error, a bias against gravity.
 fn least_known(fit: &ForceEvidence<'_>) -> String {
+    weakest(fit).map_or(String::new(), |(name, error, of)| {
+        format!("; {name} {}", share_in_words(error, 2, of))
+    })
+}
+
+/// The least known parameter of the accelerometer, its error as a share, and of what.
+fn weakest<'a>(fit: &'a ForceEvidence<'_>) -> Option<(&'a str, f64, &'static str)> {
     let fitted = fit.fitted;
     let relative = |name: &String| {
         let error = fitted.standard_error(name)?;
@@ -156,20 +173,25 @@ fn least_known(fit: &ForceEvidence<'_>) -> String {
         .filter(|name| name.starts_with("accel."))
         .filter_map(|name| Some((name, relative(name)?)))
         .max_by(|a, b| a.1.total_cmp(&b.1));
-    worst.map_or(String::new(), |(name, error)| {
+    worst.map(|(name, error)| {
         let of = if name.contains(".b_") {
             " of gravity"
         } else {
             ""
         };
-        format!("; {name} {}", share_in_words(error, 2, of))
+        (name.as_str(), error, of)
     })
+}
+
+/// A share in percent.
+fn percent(share: f64) -> String {
+    findings::human(share, "share")
 }
 
 /// Refuses a fit that the turns do not determine and warns of weak parameters.
 pub(in crate::calibrate) fn gyroscope_is_determined(
     fit: &RateEvidence<'_>,
-    warnings: &mut Vec<String>,
+    warnings: &mut Findings,
 ) -> Result<(), Error> {
     let RateEvidence { fitted, turns, .. } = *fit;
     let refusal = |unknown: String, names: &[&str]| {
@@ -213,9 +235,10 @@ pub(in crate::calibrate) fn gyroscope_is_determined(
         let unknown = format!("not known: {}", refused.join(", "));
         return Err(refusal(unknown, &refused));
     }
+    let found = format!("{turns} turns");
     warnings.extend(
         weak.into_iter()
-            .map(|w| format!("{} ({turns} turns)", w.words)),
+            .map(|weak| weak.finding(Sensor::Gyroscope, &found)),
     );
     Ok(())
 }
@@ -258,34 +281,53 @@ fn involved(fitted: &Fitted) -> Vec<&str> {
 
 struct Weak {
     name: String,
-    words: String,
+    error: String,
     refused: bool,
+}
+
+impl Weak {
+    fn finding(self, sensor: Sensor, evidence: &str) -> Finding {
+        Finding::of(Kind::WeakParameter)
+            .of_sensor(sensor)
+            .detail("parameter", self.name)
+            .detail("error", self.error)
+            .detail("evidence", evidence)
+    }
 }
 
 /// Parameters known too badly; `scale` is SI units per raw unit, `size` the unit of the bias limits.
 fn weak_parameters(fitted: &Fitted, scale: f64, size: f64) -> Vec<Weak> {
+    let weak = |name: &String| {
+        let std = fitted.standard_error(name)?;
+        let is_bias = name.contains(".b_");
+        let (share, limits, error) = if is_bias {
+            let unit = if name.starts_with("accel.") {
+                "m/s^2"
+            } else {
+                "rad/s"
+            };
+            let share = std * scale / size;
+            (
+                share,
+                [BIAS_WARN, BIAS_REFUSE],
+                findings::human(std * scale, unit),
+            )
+        } else {
+            let share = std / scale;
+            (share, [RELATIVE_WARN, RELATIVE_REFUSE], percent(share))
+        };
+        (share > limits[0]).then(|| Weak {
+            name: name.clone(),
+            error,
+            refused: share > limits[1],
+        })
+    };
+    let of_base = |name: &&String| name.starts_with("accel.") || name.starts_with("gyro.");
     fitted
         .free
         .iter()
-        .filter(|name| name.starts_with("accel.") || name.starts_with("gyro."))
-        .filter_map(|name| {
-            let std = fitted.standard_error(name)?;
-            if name.contains(".b_") {
-                let relative = std * scale / size;
-                (relative > BIAS_WARN).then(|| Weak {
-                    name: name.clone(),
-                    words: format!("{name} is known to {std:.2} only"),
-                    refused: relative > BIAS_REFUSE,
-                })
-            } else {
-                let relative = std / scale;
-                (relative > RELATIVE_WARN).then(|| Weak {
-                    name: name.clone(),
-                    words: format!("{name} {}", share_in_words(relative, 1, "")),
-                    refused: relative > RELATIVE_REFUSE,
-                })
-            }
-        })
+        .filter(of_base)
+        .filter_map(weak)
         .collect()
 }
 

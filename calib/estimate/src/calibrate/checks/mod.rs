@@ -24,6 +24,7 @@ pub(super) use rests::{disagreeing_rests, long_turns, restless};
 pub use twice::{none_is_there_twice, without_copies};
 pub(super) use unknowable::{refuse_attitude, refuse_unknowable};
 
+use ::findings::{Finding, Kind};
 use nalgebra::Vector3;
 use recording::readings::{Quiet, findings, quietest};
 use recording::{Error, Recording, Stream};
@@ -41,21 +42,17 @@ const ENOUGH_RATE: f64 = 1000.0;
 const QUIETEST: usize = 3;
 
 /// What a user should know of how a recording was cut.
-pub(super) fn of_the_detector(recording: &Recording, choice: &Choice) -> Vec<String> {
-    let named = |remark| format!("{}: {remark}", recording.name);
+pub(super) fn of_the_detector(recording: &Recording, choice: &Choice) -> Vec<Finding> {
     let found = findings(recording, &choice.segmentation);
-    let fast = fast_sampling(recording);
-    let found = found.iter().map(ToString::to_string).chain(fast);
-    choice
-        .remarks()
-        .into_iter()
-        .chain(found)
-        .map(named)
+    let found = found.iter().map(|found| found.to_string().into());
+    let all = choice.remarks().into_iter().chain(found);
+    let all = all.chain(fast_sampling(recording));
+    all.map(|found: Finding| found.in_recording(&recording.name))
         .collect()
 }
 
 /// Rates that only take time.
-fn fast_sampling(recording: &Recording) -> Option<String> {
+fn fast_sampling(recording: &Recording) -> Option<Finding> {
     let streams = [&recording.accelerometer, &recording.gyroscope];
     let steps = streams
         .into_iter()
@@ -63,12 +60,9 @@ fn fast_sampling(recording: &Recording) -> Option<String> {
         .filter_map(Stream::median_step);
     let rate = steps.min_by(f64::total_cmp)?.recip();
     (rate > FASTEST).then(|| {
-        format!(
-            "sampled at {:.1} kHz: no hand turns so fast; means over blocks of {:.0} samples would do, and \
-             take less time",
-            1e-3 * rate,
-            (rate / ENOUGH_RATE).round()
-        )
+        Finding::of(Kind::SampledFast)
+            .number("rate", rate, "Hz")
+            .number("block", (rate / ENOUGH_RATE).round(), "count")
     })
 }
 

@@ -1,7 +1,9 @@
 //! Readings that a system has corrected before they were recorded.
 
+use findings::{Finding, Kind};
 use recording::Recording;
 use recording::intervals::Segmentation;
+use sensor::Sensor;
 
 /// A mean of an interval is zero to within so many of its standard errors ...
 const ZERO: f64 = 5.0;
@@ -16,14 +18,11 @@ const FEWEST: usize = 6;
 pub(in crate::calibrate) fn corrected_before(
     recording: &Recording,
     segmentation: &Segmentation,
-) -> Option<String> {
+) -> Option<Finding> {
     reads_zero_at_rest(recording, segmentation).then(|| {
-        format!(
-            "{}: the gyroscope reads zero at rest on all axes to within its noise: the system that recorded it has \
-             taken the bias off. These parameters are on top of the system's, and hold as long as it does not change \
-             them; record uncalibrated readings where there are any",
-            recording.name
-        )
+        Finding::of(Kind::BiasRemovedBefore)
+            .in_recording(&recording.name)
+            .of_sensor(Sensor::Gyroscope)
     })
 }
 

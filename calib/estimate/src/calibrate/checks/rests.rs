@@ -1,7 +1,9 @@
 //! Rests and turns that are not what they seem.
 
+use findings::{Finding, Kind};
 use recording::Recording;
 use recording::intervals::Segmentation;
+use sensor::Sensor;
 
 use crate::methods::{AccelerometerFit, Choice};
 
@@ -16,7 +18,7 @@ pub(in crate::calibrate) fn disagreeing_rests(
     fit: &AccelerometerFit,
     recordings: &[&Recording],
     choices: &[Choice],
-) -> Vec<String> {
+) -> Vec<Finding> {
     let rests: Vec<_> = recordings
         .iter()
         .zip(choices)
@@ -33,16 +35,14 @@ pub(in crate::calibrate) fn disagreeing_rests(
         .iter()
         .map(|outlier| {
             let (recording, k, rest) = rests[outlier.row];
-            format!(
-                "{}: static interval {} (t = {:.2} to {:.2} s) disagrees with the others by {:.1} \
-                 mm/s² (by chance in {:.0e} of recordings): was the device touched, or did it slip?",
-                recording.name,
-                k + 1,
-                rest.span.from,
-                rest.span.to,
-                1e3 * outlier.deleted_residual,
-                outlier.p_value
-            )
+            Finding::of(Kind::IntervalDisagrees)
+                .in_recording(&recording.name)
+                .at_interval(k)
+                .between(rest.span.from, rest.span.to)
+                .of_sensor(Sensor::Accelerometer)
+                .number("size", outlier.deleted_residual, "m/s^2")
+                .detail("p", format!("{:.0e}", outlier.p_value))
+                .affects("corrected_reading", outlier.deleted_residual, "m/s^2")
         })
         .collect()
 }
@@ -51,7 +51,7 @@ pub(in crate::calibrate) fn disagreeing_rests(
 pub(in crate::calibrate) fn long_turns(
     recording: &Recording,
     segmentation: &Segmentation,
-) -> Vec<String> {
+) -> Vec<Finding> {
     let mut lengths: Vec<f64> = segmentation.turns.iter().map(|t| t.span.length()).collect();
     lengths.sort_by(f64::total_cmp);
     let Some(&usual) = lengths.get(lengths.len() / 4) else {
@@ -63,15 +63,11 @@ pub(in crate::calibrate) fn long_turns(
         .filter(|turn| turn.fault.is_none())
         .filter(|turn| turn.span.length() > LONG_TURN.max(3.0 * usual))
         .map(|turn| {
-            format!(
-                "{}: turn {} lasts {:.1} s (t = {:.2} to {:.2} s): no rest was found in it; if the \
-                 device was still, it vibrated or not for long enough (--min-static, --multiplier)",
-                recording.name,
-                turn.from + 1,
-                turn.span.length(),
-                turn.span.from,
-                turn.span.to
-            )
+            Finding::of(Kind::LongTurn)
+                .in_recording(&recording.name)
+                .at_turn(turn.from)
+                .between(turn.span.from, turn.span.to)
+                .number("length", turn.span.length(), "s")
         })
         .collect()
 }
@@ -82,7 +78,7 @@ pub(in crate::calibrate) fn restless(
     segmentation: &Segmentation,
     scale: f64,
     gravity: f64,
-) -> Vec<String> {
+) -> Vec<Finding> {
     let unsteady = |rest: &recording::intervals::StaticInterval| {
         let spread = rest.accelerometer?.std().norm() * scale;
         (spread > STILL * gravity).then_some(spread)
@@ -93,14 +89,14 @@ pub(in crate::calibrate) fn restless(
         .enumerate()
         .filter_map(|(k, rest)| {
             let spread = unsteady(rest)?;
-            Some(format!(
-                "{}: static interval {} (t = {:.2} to {:.2} s) shakes by {spread:.2} m/s²: the \
-                 device was not still",
-                recording.name,
-                k + 1,
-                rest.span.from,
-                rest.span.to
-            ))
+            Some(
+                Finding::of(Kind::NotStill)
+                    .in_recording(&recording.name)
+                    .at_interval(k)
+                    .between(rest.span.from, rest.span.to)
+                    .of_sensor(Sensor::Accelerometer)
+                    .number("spread", spread, "m/s^2"),
+            )
         })
         .collect()
 }

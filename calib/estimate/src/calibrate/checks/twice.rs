@@ -1,5 +1,6 @@
 //! The same data in two recordings: standard errors would count them twice.
 
+use findings::{Finding, Kind};
 use recording::intervals::{Segmentation, StaticInterval};
 use recording::{Error, Recording};
 
@@ -16,17 +17,18 @@ const SAME_LENGTH: f64 = 0.1;
 /// The recordings without copies, and what to say of these.
 pub fn without_copies<'a>(
     recordings: impl IntoIterator<Item = &'a Recording>,
-) -> (Vec<&'a Recording>, Vec<String>) {
+) -> (Vec<&'a Recording>, Vec<Finding>) {
     let (mut kept, mut said) = (Vec::<&Recording>::new(), Vec::new());
     for recording in recordings {
         let is_copy = |other: &&&Recording| {
             other.accelerometer == recording.accelerometer && other.gyroscope == recording.gyroscope
         };
         match kept.iter().find(is_copy) {
-            Some(twin) => said.push(format!(
-                "{}: the same data as {}; counted once",
-                recording.name, twin.name
-            )),
+            Some(twin) => said.push(
+                Finding::of(Kind::SameData)
+                    .in_recording(&recording.name)
+                    .detail("other", twin.name.clone()),
+            ),
             None => kept.push(recording),
         }
     }

@@ -1,5 +1,6 @@
 //! Whether the data determine what a joint fit estimates.
 
+use findings::Findings;
 use nalgebra::Vector3;
 use recording::Error;
 use recording::averages::root_mean_square;
@@ -15,7 +16,7 @@ use crate::methods::joint::{JointFit, Rest};
 /// [`Error::NotEnough`] with the placements and turns to add.
 pub fn refuse_unobservable(fit: &JointFit) -> Result<(), Error> {
     let is_open = |fitted: &Fitted| fitted.rank < fitted.free.len();
-    let unsaid = &mut Vec::new();
+    let unsaid = &mut Findings::new();
     let force = fit.fitted(Sensor::Accelerometer);
     if is_open(&force) {
         check_force(fit, &force, unsaid)?;
@@ -28,11 +29,7 @@ pub fn refuse_unobservable(fit: &JointFit) -> Result<(), Error> {
 }
 
 /// Refuses or warns.
-pub fn check_force(
-    fit: &JointFit,
-    fitted: &Fitted,
-    warnings: &mut Vec<String>,
-) -> Result<(), Error> {
+pub fn check_force(fit: &JointFit, fitted: &Fitted, warnings: &mut Findings) -> Result<(), Error> {
     let evidence = checks::ForceEvidence {
         fitted,
         directions: fit.directions(),
@@ -56,11 +53,7 @@ fn seen(fit: &JointFit) -> Vec<Vector3<f64>> {
 }
 
 /// Refuses or warns.
-pub fn check_rate(
-    fit: &JointFit,
-    fitted: &Fitted,
-    warnings: &mut Vec<String>,
-) -> Result<(), Error> {
+pub fn check_rate(fit: &JointFit, fitted: &Fitted, warnings: &mut Findings) -> Result<(), Error> {
     let evidence = checks::RateEvidence {
         fitted,
         turns: fit.chords.len(),

@@ -1,5 +1,6 @@
 //! Whether the recordings refute the latitude.
 
+use findings::{Finding, Kind};
 use gyroscope::EARTH_RATE;
 
 use crate::methods::earth::{vertical_rate, vertical_rate_at};
@@ -41,22 +42,16 @@ impl LatitudeDoubt {
         self.seen.abs() < EARTH_RATE + REFUTED * self.std
     }
 
-    /// What to tell a user.
-    pub fn words(&self) -> String {
+    /// The finding.
+    pub fn finding(&self) -> Finding {
         let sine = (self.seen / EARTH_RATE).clamp(-1.0, 1.0);
-        format!(
-            "--latitude {}: the earth's rotation would have a vertical part of {:.2e} rad/s, the recording shows {:.2e} ± {:.0e} \
-             rad/s, as at a latitude of {:.0}°: is {} right?",
-            self.latitude,
-            self.given,
-            self.seen,
-            self.std,
-            sine.asin().to_degrees(),
-            if self.given * self.seen < 0.0 {
-                "its sign"
-            } else {
-                "it"
-            }
-        )
+        let other_sign = self.given * self.seen < 0.0;
+        Finding::of(Kind::LatitudeDoubtful)
+            .number("given", self.latitude, "°")
+            .number("expected", self.given, "rad/s")
+            .number("shown", self.seen, "rad/s")
+            .number("error", self.std, "rad/s")
+            .number("seen", sine.asin().to_degrees(), "°")
+            .detail("what", if other_sign { "Its sign" } else { "It" })
     }
 }

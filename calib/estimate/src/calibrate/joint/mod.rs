@@ -6,6 +6,7 @@ mod latitude;
 mod triads;
 mod written_down;
 
+use findings::Findings;
 use recording::{Error, Recording};
 
 pub use self::determined::refuse_unobservable;
@@ -27,7 +28,7 @@ pub fn calibrate(
     gyro_recordings: &[&Recording],
     choices: Vec<Choice>,
     request: &Request,
-    mut warnings: Vec<String>,
+    mut warnings: Findings,
 ) -> Result<Outcome, Error> {
     if !request.static_means.is_empty() || recordings.iter().any(|r| r.accelerometer.is_none()) {
         return Err(Error::Usage(

@@ -1,6 +1,7 @@
 //! A joint fit as a calibration.
 
 use effects::earth_rotation;
+use findings::{Finding, Findings};
 use recording::{Error, Recording};
 use sensor::Sensor;
 
@@ -15,7 +16,7 @@ use crate::calibrate::unusable_turns::TurnCount;
 use crate::calibrate::{checks, clocks};
 use crate::calibration::{
     Calibration, NotCalibrated, NotCalibratedReason, Provenance, RecordingBias, RecordingClock,
-    Remainder, SCHEMA, TO_DISCOVER, Triad, WITH_WALKS, in_symmetric_frame,
+    Remainder, SCHEMA, Triad, WITH_WALKS, in_symmetric_frame,
 };
 use crate::gravity::GravitySource;
 use crate::methods::joint::{Channel, JointFit};
@@ -66,12 +67,12 @@ pub fn written_down(
     recordings: &[&Recording],
     choices: &[&Choice],
     account: &Account,
-    warnings: &mut Vec<String>,
+    warnings: &mut Findings,
 ) -> Result<Calibration, Error> {
     let force = fit.fitted(Sensor::Accelerometer);
     let rate = fit.has_gyroscope().then(|| fit.fitted(Sensor::Gyroscope));
     check_force(fit, &force, warnings)?;
-    let mut failed_gates = Vec::new();
+    let mut failed_gates = Findings::new();
     for (recording, choice) in recordings.iter().zip(choices) {
         let segmentation = &choice.segmentation;
         let scale = fit.force_unit.scale;
@@ -104,20 +105,17 @@ pub fn written_down(
     warnings.extend(clocks::doubts(fit));
     disturbances(fit, warnings);
     let remainders: Vec<Remainder> = fit.misfits().iter().map(Remainder::of).collect();
-    let what_next = if account.names_what_is_missing {
-        ""
-    } else {
-        TO_DISCOVER
-    };
-    let misfits = remainders.iter();
-    let misfits = misfits.filter_map(|r| r.warning(WITH_WALKS, what_next));
-    let mut misfits: Vec<String> = misfits.collect();
+    let misfits = remainders.iter().filter_map(|r| r.finding(WITH_WALKS));
+    let mut misfits: Vec<Finding> = misfits.collect();
     if misfits.is_empty() && !account.names_what_is_missing {
         misfits.extend(fit.missing().and_then(|missing| of_missing(&missing)));
     }
+    if account.names_what_is_missing {
+        misfits.iter_mut().for_each(|found| found.remedies.clear());
+    }
     warnings.extend(misfits);
     let doubt = account.latitude.and_then(|l| LatitudeDoubt::of(fit, l));
-    warnings.extend(doubt.map(|doubt| doubt.words()));
+    warnings.extend(doubt.map(|doubt| doubt.finding()));
     influences(fit, warnings);
     let of_the_earth =
         |name: &str| account.keeps_the_earth && name.starts_with(earth_rotation().name());
@@ -154,7 +152,7 @@ pub fn written_down(
         parameters: all.free,
         covariance: all.covariance,
         misfit: remainders,
-        warnings: Vec::new(),
+        warnings: Findings::new(),
         clocks: RecordingClock::of(fit),
         history: Vec::new(),
         failed_gates,

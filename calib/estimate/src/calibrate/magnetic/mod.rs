@@ -11,6 +11,7 @@ mod source;
 mod turns;
 mod write;
 
+use findings::{Finding, Kind};
 use inertial::Inertial;
 use recording::{Error, FieldUnit, Recording};
 use sensor::{AnyEffect, Sensor};
@@ -53,7 +54,7 @@ pub(super) fn with_magnetometer(
             outcome
                 .calibration
                 .warnings
-                .push(format!("the magnetometer is not calibrated: {reason}"));
+                .push(Finding::of(Kind::MagnetometerNotCalibrated).detail("why", reason));
             Ok(outcome)
         }
         Err(other) => Err(other),

@@ -1,5 +1,6 @@
 //! The fit into the calibration.
 
+use findings::{Finding, Kind, OptionName, Remedy};
 use nalgebra::{DMatrix, DVector};
 use recording::FieldUnit;
 use sensor::{AnyEffect, Model, Sensor};
@@ -139,31 +140,24 @@ fn field(written: &Written<'_>) -> MagneticField {
     }
 }
 
-/// Two significant digits.
-fn short(v: f64) -> String {
-    let decimals = (1.0 - v.abs().max(1e-12).log10().floor()).clamp(0.0, 12.0) as usize;
-    format!("{v:.decimals$}")
-}
-
-fn warnings(written: &Written<'_>) -> Vec<String> {
+fn warnings(written: &Written<'_>) -> Vec<Finding> {
     let fit = written.fit;
     let unit = if written.unit.is_some() {
         "µT"
     } else {
         "units of its readings"
     };
+    let of = |kind| Finding::of(kind).of_sensor(Sensor::Magnetometer);
     let mut all = Vec::new();
     for (place, size) in &fit.disturbed {
         let placement = &fit.placements[*place];
-        all.push(format!(
-            "{}: in static interval {} (t = {:.2} to {:.2} s) the magnetic field is off by {} {unit} from that of the others, \
-             as near iron, a magnet or a current; the magnetometer's reading there is not used",
-            written.recordings[placement.recording],
-            placement.interval + 1,
-            placement.span.from,
-            placement.span.to,
-            short(*size)
-        ));
+        all.push(
+            of(Kind::FieldDisturbed)
+                .in_recording(written.recordings[placement.recording].to_string())
+                .at_interval(placement.interval)
+                .between(placement.span.from, placement.span.to)
+                .number("size", *size, unit),
+        );
     }
     let strength = fit
         .fields
@@ -171,29 +165,21 @@ fn warnings(written: &Written<'_>) -> Vec<String> {
         .map(|f| f.strength)
         .fold(f64::INFINITY, f64::min);
     if fit.unevenness > UNEVEN * strength {
-        all.push(format!(
-            "the magnetic field differs by {} {unit} per axis from one static interval to the next ({:.0} % of it; the \
-             magnetometer's noise explains {}), as near iron or currents, or where the magnetometer has an effect that the \
-             model lacks. Its errors are enlarged to it; record outdoors, away from steel",
-            short(fit.unevenness),
-            100.0 * fit.unevenness / strength,
-            short(fit.residual_rms / fit.reduced_chi2.sqrt())
-        ));
+        all.push(
+            of(Kind::FieldUneven)
+                .number("size", fit.unevenness, unit)
+                .number("share", fit.unevenness / strength, "share")
+                .number("noise", fit.residual_rms / fit.reduced_chi2.sqrt(), unit),
+        );
     }
     all.extend(written.missing.map(|(effect, p)| {
-        format!(
-            "the readings of the magnetometer go with {} (p = {p:.0e}), which the model lacks: its errors do not cover that; \
-             calibrate with --effects {}",
-            effect.name(),
-            effect.name()
-        )
+        of(Kind::MagneticEffect)
+            .detail("effect", effect.name())
+            .detail("p", format!("{p:.0e}"))
+            .only_remedies([Remedy::set_to(OptionName::Effects, effect.name())])
     }));
     if written.updates_others && fit.turns_p_value <= CONTRADICTION {
-        all.push(format!(
-            "magnetometer and gyroscope disagree about the heading after turns by more than noise (p = {:.0e}): the gyroscope is \
-             left as its turns alone show it",
-            fit.turns_p_value
-        ));
+        all.push(of(Kind::HeadingDisagrees).detail("p", format!("{:.0e}", fit.turns_p_value)));
     }
     all
 }

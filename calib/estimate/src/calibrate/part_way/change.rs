@@ -1,7 +1,6 @@
-//! A change and its sentence.
+//! A change part of the way through a recording.
 
-use std::fmt;
-
+use findings::Finding;
 use sensor::Sensor;
 
 /// What is otherwise from some time on.
@@ -50,86 +49,70 @@ fn axis_name(axis: usize) -> &'static str {
     ["x", "y", "z"][axis.min(2)]
 }
 
-impl fmt::Display for Change {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Change {
+    /// The change as a finding.
+    pub fn finding(&self) -> Finding {
+        use findings::Kind as Found;
         let Place { after, before } = self.place;
-        let place = format!(
+        let between = format!(
             "between static intervals {} and {} (t = {:.2} to {:.2} s)",
             after.0 + 1,
             before.0 + 1,
             after.1,
             before.1
         );
+        let of = |kind, sensor| {
+            Finding::of(kind)
+                .of_sensor(sensor)
+                .between(after.1, before.1)
+                .detail("where", between.clone())
+        };
         match self.kind {
-            Kind::Bias(sensor, axis, size) => write!(
-                f,
-                "the {}'s bias on {} steps by {size:+.2e} {place}",
-                sensor.name(),
-                axis_name(axis)
-            ),
-            Kind::Scale(sensor, Some(axis), share) => write!(
-                f,
-                "the {}'s scale factor on {} changes by {:+.2} % {place}",
-                sensor.name(),
-                axis_name(axis),
-                100.0 * share
-            ),
-            Kind::Scale(Sensor::Accelerometer, None, share) => write!(
-                f,
-                "the accelerometer's scale factor on all axes changes by {:+.2} % {place}: another unit or range",
-                100.0 * share
-            ),
-            Kind::Scale(Sensor::Gyroscope | Sensor::Magnetometer, None, share) => write!(
-                f,
-                "the gyroscope's scale factor on all axes changes by {:+.2} % {place}: another range, or a clock \
-                 that runs at another rate from there on",
-                100.0 * share
-            ),
-            Kind::Turned(sensor, angle) => write!(
-                f,
-                "the {}'s axes turn by {:.2}° against its own errors {place}",
-                sensor.name(),
-                angle.to_degrees()
-            ),
-            Kind::Flipped(sensor, axis) => write!(
-                f,
-                "the {}'s {} axis changes its sign {place}",
-                sensor.name(),
-                axis_name(axis)
-            ),
-            Kind::Swapped(sensor, [one, other]) => write!(
-                f,
-                "the {}'s columns {} and {} are exchanged {place}",
-                sensor.name(),
-                axis_name(one),
-                axis_name(other)
-            ),
-            Kind::Rest(angle) => {
-                return write!(
-                    f,
-                    "static interval {} (t = {:.2} to {:.2} s) lies {:.2}° off where the turns before and after it carry \
-                     gravity: was the device touched, or did it slip?",
-                    after.0 + 1,
-                    after.1,
-                    before.1,
-                    angle.to_degrees()
-                );
+            Kind::Bias(sensor, axis, size) => {
+                let unit = match sensor {
+                    Sensor::Accelerometer => "m/s^2",
+                    Sensor::Gyroscope => "rad/s",
+                    Sensor::Magnetometer => "",
+                };
+                of(Found::BiasStep, sensor)
+                    .detail("axis", axis_name(axis))
+                    .number("size", size, unit)
+                    .affects("corrected_reading", size.abs(), unit)
             }
-            Kind::Turn(angle) => {
-                return write!(
-                    f,
-                    "turn {} (t = {:.2} to {:.2} s) misses gravity by {:.2}° where the others meet it: rows lost, \
-                     repeated or moved there, or a clock that jumped; leave it out, or record again",
-                    after.0 + 1,
-                    after.1,
-                    before.1,
-                    angle.to_degrees()
-                );
+            Kind::Scale(sensor, axis, share) => {
+                let cause = match (sensor, axis) {
+                    (_, Some(_)) => None,
+                    (Sensor::Accelerometer, None) => Some("another unit or range"),
+                    (_, None) => Some("another range, or a clock that runs at another rate"),
+                };
+                let found = of(Found::ScaleChange, sensor)
+                    .detail("axis", axis.map_or("all axes", axis_name))
+                    .number("size", share, "share");
+                match cause {
+                    Some(cause) => found.detail("cause", cause),
+                    None => found,
+                }
             }
-        }?;
-        write!(
-            f,
-            ": one calibration does not hold for both parts; split the recording there, or record again"
-        )
+            Kind::Turned(sensor, angle) => of(Found::AxesTurnPartWay, sensor)
+                .number("size", angle, "rad")
+                .affects("turn", angle, "rad"),
+            Kind::Flipped(sensor, axis) => {
+                of(Found::SignChange, sensor).detail("axis", axis_name(axis))
+            }
+            Kind::Swapped(sensor, [one, other]) => {
+                let axes = format!("{} and {}", axis_name(one), axis_name(other));
+                of(Found::ColumnsSwapPartWay, sensor).detail("axis", axes)
+            }
+            Kind::Rest(angle) => Finding::of(Found::IntervalOff)
+                .at_interval(after.0)
+                .between(after.1, before.1)
+                .number("size", angle, "rad")
+                .affects("turn", angle, "rad"),
+            Kind::Turn(angle) => Finding::of(Found::TurnOff)
+                .at_turn(after.0)
+                .between(after.1, before.1)
+                .number("size", angle, "rad")
+                .affects("turn", angle, "rad"),
+        }
     }
 }

@@ -21,6 +21,7 @@ mod whole;
 pub(super) use whole::gyroscope_by_turns;
 
 use change::{Change, Kind, Place};
+use findings::Finding;
 use nalgebra::{Matrix3, Vector3};
 use recording::Recording;
 use recording::intervals::Segmentation;
@@ -56,9 +57,11 @@ pub fn changes_part_way(
     segmentation: &Segmentation,
     gravity: f64,
     gyroscope: Option<(Matrix3<f64>, f64)>,
-) -> Vec<String> {
+) -> Vec<Finding> {
     let found = changes(recording, segmentation, gravity, gyroscope);
-    let named = found.iter().map(|c| format!("{}: {c}", recording.name));
+    let named = found
+        .iter()
+        .map(|change| change.finding().in_recording(&recording.name));
     named.collect()
 }
 

@@ -1,5 +1,6 @@
 //! One recording's turns, directions of gravity and static rates, for the gyroscope's fit.
 
+use findings::{Finding, Findings, Kind};
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use recording::Recording;
 use recording::intervals::{Segmentation, Turn};
@@ -78,7 +79,7 @@ impl<'a> Source<'a> {
 pub(super) fn collect_all(
     sources: &[Source<'_>],
     model: &Model,
-    warnings: &mut Vec<String>,
+    warnings: &mut Findings,
 ) -> Vec<GyroscopeData> {
     let bare: Vec<GyroscopeData> = sources
         .iter()
@@ -90,7 +91,7 @@ pub(super) fn collect_all(
     let first = first_gyroscope(&bare, model);
     sources
         .iter()
-        .map(|source| collect(source, Some(&first), &mut Vec::new()))
+        .map(|source| collect(source, Some(&first), &mut Findings::new()))
         .collect()
 }
 
@@ -98,7 +99,7 @@ pub(super) fn collect_all(
 pub(super) fn collect_by(sources: &[Source<'_>], fitted: &Sensing) -> Vec<GyroscopeData> {
     let data = sources
         .iter()
-        .map(|source| collect(source, Some(fitted), &mut Vec::new()));
+        .map(|source| collect(source, Some(fitted), &mut Findings::new()));
     data.collect()
 }
 
@@ -124,11 +125,7 @@ fn first_gyroscope(bare: &[GyroscopeData], model: &Model) -> Sensing {
 }
 
 /// Collects the sound turns and names the others in `warnings`. What effects look at is known with a gyroscope so far.
-fn collect(
-    source: &Source<'_>,
-    rate: Option<&Sensing>,
-    warnings: &mut Vec<String>,
-) -> GyroscopeData {
+fn collect(source: &Source<'_>, rate: Option<&Sensing>, warnings: &mut Findings) -> GyroscopeData {
     let Source {
         recording,
         segmentation,
@@ -155,13 +152,13 @@ fn collect(
     let moved = source.moved();
     for turn in &segmentation.turns {
         if let Some(fault) = &turn.fault {
-            warnings.push(format!(
-                "{}: turn {} (t = {:.2} to {:.2} s) is not used: {fault}",
-                recording.name,
-                turn.from + 1,
-                turn.span.from,
-                turn.span.to
-            ));
+            warnings.push(
+                Finding::of(Kind::TurnLost)
+                    .in_recording(&recording.name)
+                    .at_turn(turn.from)
+                    .between(turn.span.from, turn.span.to)
+                    .detail("fault", fault.to_string()),
+            );
             continue;
         }
         if let Some((samples, bias)) = one_turn(source, &truth, rate, turn) {

@@ -2,6 +2,7 @@
 
 mod gyro_data;
 
+use findings::{Finding, Findings, Kind};
 use nalgebra::Vector3;
 use recording::intervals::Segmentation;
 use recording::{Error, Recording};
@@ -24,17 +25,13 @@ use crate::truth::{Models, Sensing, Truth};
 /// Fits at most after which the signs of changes of force are settled.
 const HISTORIES: usize = 4;
 
-/// Said where only the accelerometer is calibrated.
-pub(super) const NO_GYROSCOPE: &str =
-    "no gyroscope in the recording: only the accelerometer is calibrated";
-
 /// Accelerometer first, then the gyroscope.
 pub(super) fn stepwise(
     recordings: &[&Recording],
     gyro_recordings: &[&Recording],
     choices: Vec<Choice>,
     request: &Request,
-    mut warnings: Vec<String>,
+    mut warnings: Findings,
 ) -> Result<Outcome, Error> {
     if request.static_means.is_empty() {
         let cut = choices.iter().map(|c| &c.segmentation);
@@ -103,11 +100,10 @@ fn accelerometer(
     recordings: &[&Recording],
     choices: &[Choice],
     request: &Request,
-    warnings: &mut Vec<String>,
+    warnings: &mut Findings,
 ) -> Result<Option<AccelerometerFit>, Error> {
     if request.static_means.is_empty() && recordings.iter().all(|r| r.accelerometer.is_none()) {
-        warnings
-            .push("no accelerometer in the recording: only the gyroscope's bias is found".into());
+        warnings.push(Finding::of(Kind::NoAccelerometer));
         return Ok(None);
     }
     let mut names = Vec::new();
@@ -184,14 +180,14 @@ fn gyroscope(
     same_recordings: bool,
     accelerometer: Option<&AccelerometerFit>,
     request: &Request,
-    warnings: &mut Vec<String>,
+    warnings: &mut Findings,
 ) -> Result<Option<GyroscopeFit>, Error> {
     let Some(accelerometer) = accelerometer else {
         return Ok(None);
     };
     if turning.iter().all(|(r, _)| r.gyroscope.is_none()) {
         if !turning.is_empty() {
-            warnings.push(NO_GYROSCOPE.into());
+            warnings.push(Finding::of(Kind::NoGyroscope));
         }
         return Ok(None);
     }
@@ -199,10 +195,7 @@ fn gyroscope(
     let mut sources = Vec::new();
     for (k, (recording, segmentation)) in turning.iter().enumerate() {
         if recording.gyroscope.is_none() || recording.accelerometer.is_none() {
-            warnings.push(format!(
-                "{}: a sensor is missing: the recording says nothing of the gyroscope",
-                recording.name
-            ));
+            warnings.push(Finding::of(Kind::SensorMissing).in_recording(&recording.name));
             continue;
         }
         let place = same_recordings.then_some(k);
@@ -259,7 +252,7 @@ pub fn gyroscope_data(
         accelerometer,
         request,
     };
-    let all = gyro_data::collect_all(&[of], &gyroscope_model(request), &mut Vec::new());
+    let all = gyro_data::collect_all(&[of], &gyroscope_model(request), &mut Findings::new());
     all.into_iter().next().unwrap_or_default()
 }
 

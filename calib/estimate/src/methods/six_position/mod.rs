@@ -10,6 +10,7 @@ mod placement;
 pub use gyroscope::{EarthRotation, GyroscopePart};
 pub use placement::{Face, Placement, Six, placements};
 
+use findings::{Finding, Findings, Kind, Level};
 use std::borrow::Borrow;
 
 use nalgebra::{Matrix3, Matrix3x6, Vector3};
@@ -47,7 +48,7 @@ pub struct SixPosition {
     /// The gyroscope, where it was recorded.
     pub gyroscope: Option<GyroscopePart>,
     /// What the user should know.
-    pub warnings: Vec<String>,
+    pub warnings: Findings,
 }
 
 /// The method from recordings to a calibration.
@@ -165,34 +166,30 @@ impl SixPosition {
         2.0 * (squares / 6.0).sqrt() / self.gravity
     }
 
-    fn tilt_warning(&self) -> Option<String> {
+    fn tilt_warning(&self) -> Option<Finding> {
         let tilt = self.tilt();
         (tilt > TILT_LIMIT).then(|| {
-            format!(
-                "the placements are tilted by about {:.2}° (rms): the biases carry about {:.0} mm/s² \
-                 and the misalignments about {:.4} of that; use --method stepwise, which needs no levelling",
-                tilt.to_degrees(),
-                // Six tilted means in a bias, of which two have the axis vertical; two in an element.
-                1e3 * self.gravity * tilt / 18f64.sqrt(),
-                tilt / 2.0,
-            )
+            // Six tilted means in a bias, of which two have the axis vertical.
+            let of_bias = self.gravity * tilt / 18f64.sqrt();
+            Finding::of(Kind::PlacementsTilted)
+                .number("tilt", tilt, "rad")
+                .affects("corrected_reading", of_bias, "m/s^2")
         })
     }
 
     /// Why the result must not be used, if so.
-    fn failed_gates(&self) -> Vec<String> {
+    fn failed_gates(&self) -> Findings {
         let tilt = self.tilt();
-        let gate = format!(
-            "six positions: the placements are tilted by about {:.1}° (rms), {:.0}° at most expected: \
-             level the device on each face, or use --method stepwise, which needs no levelling",
-            tilt.to_degrees(),
-            TILT_GATE.to_degrees()
-        );
+        let gate = Finding::of(Kind::PlacementsTilted)
+            .number("tilt", tilt, "rad")
+            .number("most", TILT_GATE, "rad")
+            .affects("corrected_reading", self.gravity * tilt, "m/s^2")
+            .at_level(Level::Bad);
         // Also where the tilt is no number.
         if tilt <= TILT_GATE {
-            Vec::new()
+            Findings::new()
         } else {
-            vec![gate]
+            vec![gate].into()
         }
     }
 
@@ -339,7 +336,7 @@ mod tests {
         // The cosine of one degree adds 1.5e-4 of a difference along the axis.
         assert!((found.tilt() / expected - 1.0).abs() < 1e-3);
         assert!(
-            found.warnings[0].contains("tilted by about"),
+            found.warnings.texts(findings::Front::CommandLine)[0].contains("tilted by about"),
             "{:?}",
             found.warnings
         );
@@ -363,7 +360,7 @@ mod tests {
         };
         assert!(gates(1.0).is_empty());
         assert!(
-            gates(3.0)[0].contains("level the device"),
+            gates(3.0).texts(findings::Front::CommandLine)[0].contains("level the device"),
             "{:?}",
             gates(3.0)
         );

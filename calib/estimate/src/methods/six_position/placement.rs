@@ -1,5 +1,6 @@
 //! Six placements, found by the direction of gravity.
 
+use findings::{Finding, Findings, Kind};
 use std::borrow::Borrow;
 
 use nalgebra::{Matrix3x6, Vector3};
@@ -76,7 +77,7 @@ pub struct Placement {
 pub struct Six {
     placements: [Placement; 6],
     /// Placements that were passed over, and why.
-    pub warnings: Vec<String>,
+    pub warnings: Findings,
 }
 
 impl Six {
@@ -88,11 +89,11 @@ impl Six {
     /// A face without placement; the message also names the faces that have two.
     pub fn sort(placements: Vec<Placement>, gravity: f64) -> Result<Self, Error> {
         let mut by_face: [Vec<Placement>; 6] = Default::default();
-        let mut warnings = Vec::new();
+        let mut warnings = Findings::new();
         for placement in placements {
             match Face::of(&placement.accelerometer) {
                 Some(face) => by_face[face as usize].push(placement),
-                None => warnings.push(format!("{}: on no face, not used", placement.label)),
+                None => warnings.push(Finding::of(Kind::OffFace).detail("label", placement.label)),
             }
         }
         let missing: Vec<&str> = faces(&by_face, |n| n == 0).collect();
@@ -117,7 +118,7 @@ impl Six {
         warnings.extend(
             doubled
                 .into_iter()
-                .map(|d| format!("{d}: the one nearest to gravity is used")),
+                .map(|face| Finding::of(Kind::FaceTwice).detail("face", face)),
         );
         let far = |p: &Placement| (p.accelerometer.norm() - gravity).abs();
         let mut chosen = by_face
@@ -258,6 +259,8 @@ mod tests {
         let six = Six::sort(all, 9.8).unwrap();
         assert_eq!(six.placements()[5].label, "z up");
         assert_eq!(six.warnings.len(), 2);
-        assert!(six.warnings[0].starts_with("edge: on no face"));
+        assert!(
+            six.warnings.texts(findings::Front::CommandLine)[0].starts_with("edge: on no face")
+        );
     }
 }

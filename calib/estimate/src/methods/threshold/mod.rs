@@ -13,11 +13,12 @@ mod trial;
 pub use several::cut_several;
 pub use trial::Trial;
 
+use findings::{Finding, Kind, Level};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 use recording::intervals::{Detector, Rejected, Segmentation, Span, Survey};
 use recording::watch::{Stage, step};
-use recording::{Error, Recording, figure};
+use recording::{Error, Recording};
 use sensor::Base;
 
 use self::plateau::{most_placements, plateau};
@@ -61,14 +62,14 @@ pub struct Choice {
 
 impl Choice {
     /// What a user should know of how the recording was cut.
-    pub fn remarks(&self) -> Vec<String> {
-        let shortened = self.shortened.map(|length| {
-            format!(
-                "static intervals of {} s and more were used: hold still for 3 s for smaller errors",
-                figure(length)
-            )
-        });
+    pub fn remarks(&self) -> Vec<Finding> {
+        let shortened = self
+            .shortened
+            .map(|length| Finding::of(Kind::ShortIntervals).number("least", length, "s"));
         let rejected = Rejected::in_words(&self.segmentation.rejected);
+        let rejected = rejected
+            .into_iter()
+            .map(|text| Finding::from(text).at_level(Level::Remark));
         shortened.into_iter().chain(rejected).collect()
     }
 }

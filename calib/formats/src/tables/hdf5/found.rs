@@ -1,5 +1,6 @@
 //! Which datasets of a file make a table.
 
+use findings::Findings;
 use std::collections::BTreeMap;
 use std::io::Write;
 
@@ -68,7 +69,7 @@ impl Table {
 pub(super) struct Found {
     pub tables: Vec<Table>,
     others: Vec<String>,
-    pub warnings: Vec<String>,
+    pub warnings: Findings,
     seen: usize,
 }
 
@@ -187,7 +188,7 @@ fn inside(path: &str, name: &str) -> String {
 }
 
 /// True for an object of MATLAB, which is no numbers: one called after a sensor is refused, others are told of.
-fn is_object(dataset: &Dataset, name: &str, warnings: &mut Vec<String>) -> Result<bool, Error> {
+fn is_object(dataset: &Dataset, name: &str, warnings: &mut Findings) -> Result<bool, Error> {
     const PLAIN: [&str; 6] = ["double", "single", "logical", "char", "cell", "struct"];
     let Some(class) = attribute(dataset, &["MATLAB_class"]) else {
         return Ok(false);

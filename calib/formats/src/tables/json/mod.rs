@@ -42,7 +42,7 @@ impl Reader for Json {
                 ))),
                 _ => Ok(Listed {
                     names,
-                    warnings: Vec::new(),
+                    warnings: findings::Findings::new(),
                 }),
             };
         }

@@ -37,7 +37,7 @@ impl Reader for Parquet {
         check(file.metadata(), store.length()?, limits)?;
         Ok(Listed {
             names: vec![String::new()],
-            warnings: Vec::new(),
+            warnings: findings::Findings::new(),
         })
     }
 

@@ -104,7 +104,8 @@ impl Format for Phyphox {
         crate::formats::beside::add_magnetometer(&files, &mut read, None, options);
         let warnings = count_pauses(&files, &mut read);
         let mut recording = assemble(files.name.clone(), read, options)?;
-        recording.warnings.extend(files.warnings().chain(warnings));
+        recording.warnings.extend(files.warnings());
+        recording.warnings.extend(warnings);
         Ok(recording)
     }
 }

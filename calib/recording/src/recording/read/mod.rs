@@ -162,7 +162,9 @@ fn each_part(
         _ => format!("{name}#1 to #{count}"),
     };
     if let Some(first) = all.first_mut() {
-        first.warnings.insert(0, format!("{found}; read as {said}"));
+        first
+            .warnings
+            .push_first(format!("{found}; read as {said}"));
     }
     Ok(all)
 }

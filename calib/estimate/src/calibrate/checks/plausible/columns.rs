@@ -1,5 +1,6 @@
-//! The columns of a sensor as `--columns` and `--flip` name them.
+//! The columns of a sensor as settings name them.
 
+use findings::{OptionName, Remedy};
 use recording::{AccelUnit, GyroUnit, Recording};
 use sensor::Sensor;
 
@@ -79,8 +80,8 @@ impl Columns {
         }
     }
 
-    /// `--columns 'az=az*0.5'`: axes times their factors.
-    pub fn scaled(&self, factors: &[(usize, f64)]) -> String {
+    /// `az=az*0.5`: axes times their factors.
+    pub fn scaled(&self, factors: &[(usize, f64)]) -> Remedy {
         let entry = |&(axis, factor): &(usize, f64)| {
             format!(
                 "{}={}*{}",
@@ -90,28 +91,29 @@ impl Columns {
             )
         };
         let entries: Vec<String> = factors.iter().map(entry).collect();
-        format!("--columns '{}'", entries.join(","))
+        Remedy::set_to(OptionName::Columns, entries.join(","))
     }
 
-    /// `--columns 'az=az+9.80665'`: an axis and a constant in SI units.
-    pub fn shifted(&self, axis: usize, by: f64) -> String {
+    /// `az=az+9.80665`: an axis and a constant in SI units.
+    pub fn shifted(&self, axis: usize, by: f64) -> Remedy {
         let by = by / self.unit.unwrap_or(1.0);
         let sign = if by < 0.0 { "" } else { "+" };
-        format!(
-            "--columns '{}={}{sign}{}'",
+        let shifted = format!(
+            "{}={}{sign}{}",
             self.roles[axis],
             self.names[axis],
             short(by)
-        )
+        );
+        Remedy::set_to(OptionName::Columns, shifted)
     }
 
-    /// `--flip gx,gz`, or `--columns 'gx=gy,gy=gx'`: the axes as `axes` takes them.
-    pub fn turned(&self, axes: &SignedAxes) -> String {
+    /// `gx,gz` to flip, or the columns `gx=gy,gy=gx`: the axes as `axes` takes them.
+    pub fn turned(&self, axes: &SignedAxes) -> Remedy {
         if axes.is_in_order() {
             let flipped: Vec<&str> = axes.flipped().map(|axis| self.roles[axis]).collect();
-            return format!("--flip {}", flipped.join(","));
+            return Remedy::set_to(OptionName::Flip, flipped.join(","));
         }
-        format!("--columns '{}'", self.rearranged(axes).join(","))
+        Remedy::set_to(OptionName::Columns, self.rearranged(axes).join(","))
     }
 
     /// `gx=gy`, … of the axes that `axes` changes.

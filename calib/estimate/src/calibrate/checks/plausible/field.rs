@@ -1,5 +1,6 @@
 //! A magnetometer against the horizon: its axes and hand.
 
+use findings::{Finding, Kind, Level, OptionName, Remedy};
 use nalgebra::Matrix3;
 use recording::Recording;
 use sensor::Sensor;
@@ -18,7 +19,7 @@ pub(in crate::calibrate) fn turned_field(
     inclination: f64,
     latitude: Option<f64>,
     recordings: &[&Recording],
-) -> Option<String> {
+) -> Option<Finding> {
     let axes = SignedAxes::nearest(t)?;
     let columns = Columns::of(recordings, Sensor::Magnetometer);
     let points = format!(
@@ -26,16 +27,20 @@ pub(in crate::calibrate) fn turned_field(
         inclination.abs(),
         if inclination < 0.0 { "above" } else { "below" }
     );
+    let of = |how: String| {
+        Finding::of(Kind::FieldTurned)
+            .of_sensor(Sensor::Magnetometer)
+            .detail("how", how)
+    };
     let known = latitude.filter(|latitude| latitude.abs() > PLAIN && inclination.abs() > PLAIN);
     let read = || columns.turned(&axes.opposite());
     if let Some(latitude) = known {
         return (inclination * latitude < 0.0).then(|| {
-            format!(
+            let how = format!(
                 "the magnetic field points {points}, at a latitude of {latitude}°: the signs of an odd number of the \
-                 magnetometer's axes, or of all of the accelerometer's, are wrong; headings by the corrected field may be turned. \
-                 Read it with {}",
-                read()
-            )
+                 magnetometer's axes, or of all of the accelerometer's, are wrong, and headings by the corrected field may be turned"
+            );
+            of(how).only_remedies([read()])
         });
     }
     if axes.is_unchanged() {
@@ -46,13 +51,13 @@ pub(in crate::calibrate) fn turned_field(
         axes.in_words()
     );
     Some(match axes.is_half_turn() {
-        false => turned,
-        true => format!(
+        false => of(turned).at_level(Level::Remark),
+        true => of(format!(
             "{turned}, as it does {} of the magnetic equator. Elsewhere the readings are mirrored and the corrected field points \
-             backwards: then read it with {} (--latitude tells)",
+             backwards",
             if inclination < 0.0 { "south" } else { "north" },
-            read()
-        ),
+        ))
+        .only_remedies([read(), Remedy::set(OptionName::Latitude)]),
     })
 }
 
@@ -62,7 +67,7 @@ mod tests {
 
     fn said(diagonal: [f64; 3], inclination: f64, latitude: Option<f64>) -> Option<String> {
         let t = Matrix3::from_diagonal(&diagonal.into()) * 0.97;
-        turned_field(&t, inclination, latitude, &[])
+        turned_field(&t, inclination, latitude, &[]).map(|f| f.text(findings::Front::CommandLine))
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! An accelerometer against gravity: its unit, the scale of its axes, and gravity that was taken off.
 
+use findings::{Finding, Kind, OptionName, Remedy};
 use sensor::Sensor;
 
 use super::Said;
@@ -43,24 +44,29 @@ pub(super) fn said(fit: &ForceFit<'_>, columns: &Columns) -> Said {
             .filter(|k| *k != axis)
             .map(|k| columns.roles[k])
             .collect();
-        let words = format!(
-            "the accelerometer's {} reads {times} what {} read of the same force: it has another unit or range; read it with {}",
-            columns.roles[axis],
-            others.join(" and "),
-            columns.scaled(&[(axis, undone)])
-        );
+        let found = Finding::of(Kind::AxisUnit)
+            .of_sensor(Sensor::Accelerometer)
+            .detail("axis", columns.roles[axis])
+            .detail("times", times)
+            .detail("others", others.join(" and "))
+            .detail("what", "force")
+            .only_remedies([columns.scaled(&[(axis, undone)])]);
         match is_si {
-            true => said.gate(words),
-            false => said.warn(words),
+            true => said.gate(found),
+            false => said.warn(found),
         }
     }
     if !is_si {
         if odd.is_none() && scales.spread() > COUNTS_APART {
             let [x, y, z] = scales.each();
-            said.warn(format!(
-                "the accelerometer's axes read {x:.4}, {y:.4} and {z:.4} counts per m/s², which differ by {:.0} %: are all of one range?",
-                100.0 * scales.spread()
-            ));
+            said.warn(
+                Finding::of(Kind::CountsDiffer)
+                    .of_sensor(Sensor::Accelerometer)
+                    .number("x", x, "1")
+                    .number("y", y, "1")
+                    .number("z", z, "1")
+                    .number("share", scales.spread(), "share"),
+            );
         }
         said.warnings.extend(counts(fit));
         return said;
@@ -79,11 +85,14 @@ pub(super) fn said(fit: &ForceFit<'_>, columns: &Columns) -> Said {
             true => ("gravity was added to it", -STANDARD_GRAVITY),
             false => ("a constant was added to it", rounded(-bias)),
         };
-        said.gate(format!(
-            "the accelerometer's {} has its zero at {bias:+.2} m/s², as no sensor has: {why}; read it with {}",
-            columns.roles[axis],
-            columns.shifted(axis, by)
-        ));
+        said.gate(
+            Finding::of(Kind::ZeroOff)
+                .of_sensor(Sensor::Accelerometer)
+                .detail("axis", columns.roles[axis])
+                .number("bias", bias, "m/s^2")
+                .detail("why", why)
+                .only_remedies([columns.shifted(axis, by)]),
+        );
     }
     said
 }
@@ -98,37 +107,45 @@ fn of_all(fit: &ForceFit<'_>, columns: &Columns, scales: &Scales, said: &mut Sai
         return;
     }
     let (_, undone) = cause(common);
-    let reads = format!(
-        "the accelerometer reads gravity as {:.3} m/s², {:.1} % {} than {:.3}, on all axes alike",
-        common * fit.gravity,
-        100.0 * off,
-        if common > 1.0 { "more" } else { "less" },
-        fit.gravity
-    );
     let read = columns.scaled(&[0, 1, 2].map(|axis| (axis, undone)));
+    let found = Finding::of(Kind::ScaleOff)
+        .of_sensor(Sensor::Accelerometer)
+        .number("reads", common * fit.gravity, "m/s^2")
+        .number("share", off, "share")
+        .detail("more", if common > 1.0 { "more" } else { "less" })
+        .number("gravity", fit.gravity, "m/s^2")
+        .affects("corrected_reading", off * fit.gravity, "m/s^2");
     match off > BEYOND {
-        true => said.gate(format!(
-            "{reads}: it has another unit or range, or --gravity is another; read it with {read}"
-        )),
-        false => said.warn(format!(
-            "{reads}: T carries it back; if the factor to m/s² was wrong, read it with {read}"
-        )),
+        true => said.gate(
+            found
+                .detail("so", "It has another unit or range, or gravity is another")
+                .only_remedies([read, Remedy::set(OptionName::Gravity)]),
+        ),
+        false => said.warn(
+            found
+                .detail(
+                    "so",
+                    "The calibration's matrix carries it back, unless the factor to m/s² was wrong",
+                )
+                .only_remedies([read]),
+        ),
     }
 }
 
 /// The size of counts.
-fn counts(fit: &ForceFit<'_>) -> Option<String> {
+fn counts(fit: &ForceFit<'_>) -> Option<Finding> {
     let unit = &fit.unit;
     (!unit.is_si()).then(|| {
-        let scale = unit.scale;
-        if (9.0..10.5).contains(&scale) {
-            "the accelerometer's readings look like units of g: T carries them to m/s²; read them with --accel-unit g".into()
-        } else {
-            format!(
-                "the accelerometer's readings are raw counts: one is about {scale:.4e} m/s², zero lies \
-                 near {:.0}, {:.0}, {:.0}",
-                unit.zero.x, unit.zero.y, unit.zero.z
-            )
+        let of = |kind| Finding::of(kind).of_sensor(Sensor::Accelerometer);
+        if (9.0..10.5).contains(&unit.scale) {
+            return of(Kind::ReadingsInG);
         }
+        let zero = unit.zero;
+        of(Kind::RawCounts)
+            .number("scale", unit.scale, "m/s^2")
+            .detail(
+                "zero",
+                format!("{:.0}, {:.0}, {:.0}", zero.x, zero.y, zero.z),
+            )
     })
 }

@@ -24,6 +24,7 @@ pub(in crate::calibrate) use field::turned_field;
 pub use readings::{implausible, implausible_base};
 pub use turned::none_is_turned;
 
+use findings::{Finding, Findings, Level};
 use nalgebra::Matrix3;
 
 /// The axes in every order with every sign.
@@ -38,22 +39,23 @@ pub(in crate::calibrate) fn signed_axes() -> Vec<Matrix3<f64>> {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Said {
     /// Reasons not to use a result as it stands.
-    pub gates: Vec<String>,
+    pub gates: Findings,
     /// Findings that a user should know.
-    pub warnings: Vec<String>,
+    pub warnings: Findings,
 }
 
 impl Said {
-    fn gate(&mut self, words: String) {
-        self.gates.push(words);
+    fn gate(&mut self, found: Finding) {
+        self.gates.push(found.at_level(Level::Bad));
     }
 
-    fn warn(&mut self, words: String) {
-        self.warnings.push(words);
+    fn warn(&mut self, found: Finding) {
+        let level = found.level.min(Level::Care);
+        self.warnings.push(found.at_level(level));
     }
 
     /// Adds to the gates and the warnings of a calibration.
-    pub fn add_to(self, gates: &mut Vec<String>, warnings: &mut Vec<String>) {
+    pub fn add_to(self, gates: &mut Findings, warnings: &mut Findings) {
         gates.extend(self.gates);
         warnings.extend(self.warnings);
     }

@@ -1,5 +1,6 @@
 //! How many static intervals the joint problem takes, and which of a recording that has more.
 
+use findings::{Finding, Kind};
 use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
@@ -68,7 +69,7 @@ pub fn within_budget(
     recordings: &[&Recording],
     choices: &mut [Choice],
     most: usize,
-) -> Vec<String> {
+) -> Vec<Finding> {
     let mut said = Vec::new();
     for (recording, choice) in recordings.iter().zip(choices) {
         let statics = &choice.segmentation.statics;
@@ -76,17 +77,18 @@ pub fn within_budget(
             continue;
         };
         let (first, last) = (&statics[stretch.start], &statics[stretch.end - 1]);
-        said.push(format!(
-            "{}: this method uses {most} of {} static intervals, number {} to {} (t = {:.2} to {:.2} s), where the \
-             orientations are spread best: its time grows with the third power of their number. \
-             Intervals and turns are counted from there. `calibrate --method stepwise` takes all of them",
-            recording.name,
-            statics.len(),
-            stretch.start + 1,
-            stretch.end,
-            first.span.from,
-            last.span.to,
-        ));
+        said.push(
+            Finding::of(Kind::IntervalsLeftOut)
+                .in_recording(&recording.name)
+                .count("most", most)
+                .count("all", statics.len())
+                .count("first", stretch.start + 1)
+                .count("last", stretch.end)
+                .detail(
+                    "where",
+                    format!("t = {:.2} to {:.2} s", first.span.from, last.span.to),
+                ),
+        );
         choice.segmentation = choice.segmentation.stretch(stretch);
     }
     said

@@ -1,0 +1,38 @@
+//! Typed findings, the verdict made of them, and the one place with words for both.
+//!
+//! ```text
+//! readers, checks, fits ──► Finding { kind, level, place, numbers, consequence, remedies } ──► Verdict
+//!                                 └──► words: one entry per kind ──► terminal, page, cal.json, batch, Python
+//! ```
+//! A library says what it found as data; nobody decides anything by a text.
+//!
+//! ```
+//! use findings::{Finding, Front, Kind, Level, Verdict};
+//! use sensor::Sensor;
+//!
+//! let found = Finding::of(Kind::GravityAssumed)
+//!     .of_sensor(Sensor::Accelerometer)
+//!     .number("gravity", 9.80665, "m/s^2")
+//!     .number("share", 2.2e-3, "share");
+//! assert_eq!(found.level, Level::Remark);
+//! assert!(found.text(Front::CommandLine).contains("--gravity"));
+//! assert_eq!(Verdict::of(&[found]).level.name(), "good");
+//! ```
+
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+mod document;
+mod finding;
+mod kind;
+mod list;
+mod remedy;
+pub mod texts;
+mod verdict;
+mod words;
+
+pub use finding::{Consequence, Detail, Finding, Level, Number, Place};
+pub use kind::Kind;
+pub use list::Findings;
+pub use remedy::{OptionName, Remedy, Setting};
+pub use verdict::{Grade, Step, Verdict, gravest_first};
+pub use words::{Entry, Front, entries, entry, human, significant};

@@ -1,0 +1,190 @@
+//! Remedies as data: settings to give, things to record, commands to run.
+
+use serde::{Deserialize, Serialize};
+
+/// An option of reading or fitting, whatever a front end calls it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum OptionName {
+    /// Unit of the accelerometer's readings.
+    AccelUnit,
+    /// Height above the sea.
+    Altitude,
+    /// Columns of the axes.
+    Columns,
+    /// Effects in the model.
+    Effects,
+    /// File in an archive.
+    Entry,
+    /// Norm of the magnetic field.
+    Field,
+    /// Axes whose sign is changed.
+    Flip,
+    /// No check of the device.
+    ForceDevice,
+    /// Format of the file.
+    Format,
+    /// Local gravity.
+    Gravity,
+    /// Unit of the gyroscope's readings.
+    GyroUnit,
+    /// Sensor of several of a kind.
+    Instance,
+    /// Latitude.
+    Latitude,
+    /// Intervals that are left out.
+    LeaveOut,
+    /// Unit of the magnetometer's readings.
+    MagUnit,
+    /// Largest number of bytes.
+    MaxBytes,
+    /// Largest number of rows.
+    MaxRows,
+    /// Method of calibration.
+    Method,
+    /// Shortest static interval.
+    MinStatic,
+    /// Threshold of the static detector.
+    Multiplier,
+    /// Missing values.
+    Na,
+    /// Noise of the sensor.
+    Noise,
+    /// Recording of several in a file.
+    Part,
+    /// Sampling rate.
+    Rate,
+    /// Sensor that is calibrated alone.
+    Sensor,
+    /// Damaged rows left out.
+    SkipBadRows,
+    /// Rows sorted by their stamps.
+    SortTime,
+    /// Format of the stamps.
+    TimeFormat,
+    /// Unit of the stamps.
+    TimeUnit,
+    /// Topic of a log.
+    Topic,
+    /// Window of the static detector.
+    Window,
+}
+
+/// An option with the value to give it, where one is known.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub struct Setting {
+    /// Option.
+    pub option: OptionName,
+    /// Value, such as `g` or `az=az*0.5`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub value: Option<String>,
+}
+
+/// A way out of a finding.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum Remedy {
+    /// Give an option, or one of several.
+    Set {
+        /// Options; each alone is a way out.
+        any_of: Vec<Setting>,
+    },
+    /// Search for the missing effect.
+    Discover,
+    /// Add these placements.
+    AddPlacements {
+        /// Placements as a person makes them.
+        placements: Vec<String>,
+    },
+    /// Add these turns.
+    AddTurns {
+        /// Turns as a person makes them.
+        turns: Vec<String>,
+    },
+    /// Plan the next recording.
+    Plan,
+    /// Record the place again, or leave it out of the fit.
+    RecordAgain,
+    /// Leave the place out of the fit.
+    LeaveOut,
+    /// Split the recording at the place.
+    Split,
+    /// Level the device on each face.
+    Level,
+    /// Lay the device down instead of holding it.
+    LayDown,
+    /// Keep the device still for longer in every placement.
+    RestLonger,
+    /// Turn more slowly.
+    TurnSlower,
+    /// Turn between the placements.
+    TurnBetween,
+    /// Record at a higher rate.
+    SampleFaster,
+    /// Record with a larger range of the sensor.
+    LargerRange,
+    /// Record with the stamps of the sensor itself.
+    SensorStamps,
+    /// Record all sensors by one clock.
+    OneClock,
+    /// Record readings without rounding or filtering.
+    RawReadings,
+    /// Record with a thermometer.
+    Thermometer,
+    /// Let the temperature settle before recording.
+    WarmUp,
+    /// Fix the sensor to its case.
+    FixSensor,
+    /// Move away from iron and currents.
+    AwayFromIron,
+    /// Estimate the bias again.
+    UpdateBias,
+    /// Check by a second recording.
+    Validate,
+    /// Look into the file.
+    LookInto,
+    /// Export the file again.
+    ExportAgain,
+    /// Use the calibration of this device.
+    OwnCalibration,
+    /// Use another method.
+    OtherMethod {
+        /// Name of the method.
+        method: String,
+    },
+    /// Report a bug.
+    Report,
+}
+
+impl Remedy {
+    /// An option without a value.
+    pub fn set(option: OptionName) -> Self {
+        Self::Set {
+            any_of: vec![Setting {
+                option,
+                value: None,
+            }],
+        }
+    }
+
+    /// An option with its value.
+    pub fn set_to(option: OptionName, value: impl Into<String>) -> Self {
+        Self::Set {
+            any_of: vec![Setting {
+                option,
+                value: Some(value.into()),
+            }],
+        }
+    }
+
+    /// One of several options.
+    pub fn any_of(options: impl IntoIterator<Item = OptionName>) -> Self {
+        let setting = |option| Setting {
+            option,
+            value: None,
+        };
+        Self::Set {
+            any_of: options.into_iter().map(setting).collect(),
+        }
+    }
+}

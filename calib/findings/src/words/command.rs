@@ -1,0 +1,83 @@
+//! Commands that carry a remedy out.
+
+use crate::finding::Finding;
+use crate::remedy::{OptionName, Remedy};
+
+use super::remedies::names;
+
+/// Characters of a word that no shell changes.
+fn is_plain(c: char) -> bool {
+    c.is_alphanumeric() || "/._-+=:,@%".contains(c)
+}
+
+/// A word as a shell reads it.
+pub(super) fn quoted(word: &str) -> String {
+    if !word.is_empty() && word.chars().all(is_plain) {
+        return word.to_owned();
+    }
+    format!("'{}'", word.replace('\'', r"'\''"))
+}
+
+/// The command line of a remedy; none where no command does it.
+pub fn of(remedy: &Remedy, finding: &Finding, recordings: &[&str]) -> Option<String> {
+    let names = match recordings {
+        [] => "RECORDING".to_owned(),
+        all => all.iter().map(|r| quoted(r)).collect::<Vec<_>>().join(" "),
+    };
+    let calibrate = |options: &str| format!("stillpoint calibrate {names} {options} -o cal.json");
+    Some(match remedy {
+        Remedy::Discover => format!("stillpoint discover {names} -o findings.json"),
+        Remedy::AddPlacements { .. } | Remedy::AddTurns { .. } | Remedy::Plan => {
+            "stillpoint plan cal.json".into()
+        }
+        Remedy::Set { any_of } => {
+            let first = any_of.first()?;
+            let [_, flag, ..] = self::names(first.option);
+            let usual = match first.option {
+                OptionName::Gravity => "9.81",
+                OptionName::Latitude => "DEGREES",
+                OptionName::Altitude => "METRES",
+                OptionName::Rate => "HZ",
+                OptionName::ForceDevice | OptionName::SkipBadRows | OptionName::SortTime => "",
+                _ => first.value.as_deref()?,
+            };
+            let value = first.value.as_deref().unwrap_or(usual);
+            match value {
+                "" => calibrate(flag),
+                value => calibrate(&format!("{flag} {}", quoted(value))),
+            }
+        }
+        Remedy::LeaveOut => {
+            let (t0, t1) = (finding.place.t0?, finding.place.t1?);
+            calibrate(&format!("--leave-out {:.2}", 0.5 * (t0 + t1)))
+        }
+        Remedy::UpdateBias => format!("stillpoint bias cal.json {names} -o cal.json"),
+        Remedy::Validate => "stillpoint evaluate SECOND --calibration cal=cal.json".into(),
+        Remedy::LookInto => format!("stillpoint info {names}"),
+        Remedy::OtherMethod { method } => calibrate(&format!("--method {}", quoted(method))),
+        _ => return None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kind::Kind;
+
+    #[test]
+    fn commands_have_the_names_of_the_recordings_as_a_shell_reads_them() {
+        let found = Finding::of(Kind::Misfit);
+        let command = of(&Remedy::Discover, &found, &["my phone/rec 1"]);
+        let expected = "stillpoint discover 'my phone/rec 1' -o findings.json";
+        assert_eq!(command.as_deref(), Some(expected));
+    }
+
+    #[test]
+    fn a_setting_has_its_value() {
+        let found = Finding::of(Kind::Misfit);
+        let remedy = Remedy::set_to(OptionName::Columns, "az=az*0.5");
+        let command = of(&remedy, &found, &["a.csv"]);
+        let expected = "stillpoint calibrate a.csv --columns 'az=az*0.5' -o cal.json";
+        assert_eq!(command.as_deref(), Some(expected));
+    }
+}

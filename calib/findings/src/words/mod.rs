@@ -1,0 +1,144 @@
+//! The words of findings: one entry per kind, filled with a finding's numbers.
+
+mod axes;
+mod clocks;
+pub(crate) mod command;
+mod device;
+mod fit;
+mod human;
+mod intervals;
+mod magnetic;
+mod other;
+mod part_way;
+mod remedies;
+mod template;
+
+pub use human::{human, significant};
+pub(crate) use remedies::step;
+
+use crate::finding::{Finding, Level};
+use crate::kind::Kind;
+use crate::remedy::Remedy;
+
+/// Who reads the words: options have other names on the command line, in Rust and in Python.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Front {
+    /// Nobody in particular: options in plain English.
+    #[default]
+    Plain,
+    /// The command line: flags.
+    CommandLine,
+    /// The library in Rust: fields of requests.
+    Rust,
+    /// Python: keyword arguments.
+    Python,
+}
+
+/// The words of a kind.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// The kind.
+    pub kind: Kind,
+    /// Usual level.
+    pub level: Level,
+    /// Usual error of a corrected orientation, °, where no consequence is known ([`Finding::severity`]).
+    pub severity: f64,
+    /// The reason in a few words, as a verdict says it.
+    pub reason: &'static str,
+    /// What was found, in sentences.
+    ///
+    /// `{name}` stands for a number or a word, `{sensor}` and `{at}` for the place; what stands between `[` and `]` is left out
+    /// where a name in it is not given.
+    pub text: &'static str,
+    /// Usual ways out.
+    pub remedies: fn() -> Vec<Remedy>,
+}
+
+/// Entries of all kinds.
+pub fn entries() -> impl Iterator<Item = &'static Entry> {
+    [
+        fit::ENTRIES,
+        axes::ENTRIES,
+        clocks::ENTRIES,
+        device::ENTRIES,
+        intervals::ENTRIES,
+        magnetic::ENTRIES,
+        part_way::ENTRIES,
+        other::ENTRIES,
+    ]
+    .into_iter()
+    .flatten()
+}
+
+/// The entry of a kind.
+pub fn entry(kind: Kind) -> &'static Entry {
+    let own = entries().find(|entry| entry.kind == kind);
+    own.unwrap_or(&other::REMARK)
+}
+
+impl Finding {
+    /// The finding in words: where, what, and what to do.
+    pub fn text(&self, front: Front) -> String {
+        self.text_with(front, str::to_owned)
+    }
+
+    /// The same with recordings called by `name`.
+    pub fn text_with(&self, front: Front, name: impl Fn(&str) -> String) -> String {
+        let what = template::filled(entry(self.kind).text, self);
+        let place = self.place.recording.as_deref().map(name);
+        let mut text = match place {
+            Some(place) => format!("{place}: {what}"),
+            None => what,
+        };
+        if let Some(advice) = self.advice(front) {
+            text.push_str("; ");
+            text.push_str(&advice);
+        }
+        text
+    }
+
+    /// The reason in a few words, without its place.
+    pub fn reason(&self) -> String {
+        template::filled(entry(self.kind).reason, self)
+    }
+
+    /// What to do about it; none where nothing helps or nothing has to be done.
+    pub fn advice(&self, front: Front) -> Option<String> {
+        let all = self.remedies.iter();
+        let all: Vec<String> = all.map(|remedy| remedies::words(remedy, front)).collect();
+        (!all.is_empty()).then(|| all.join(", or "))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_kind_has_exactly_one_entry_and_its_own_name() {
+        for kind in Kind::ALL {
+            let count = entries().filter(|entry| entry.kind == *kind).count();
+            assert_eq!(count, 1, "{}", kind.name());
+            assert_eq!(Kind::named(kind.name()), *kind);
+        }
+        assert_eq!(entries().count(), Kind::ALL.len());
+    }
+
+    #[test]
+    fn no_entry_names_a_flag_or_a_command() {
+        for entry in entries() {
+            for words in [entry.reason, entry.text] {
+                assert!(
+                    !words.contains("--") && !words.contains("stillpoint"),
+                    "{words}"
+                );
+                assert!(!words.ends_with(['.', ';']), "{words}");
+            }
+            assert!(
+                entry.reason.split_whitespace().count() <= 14,
+                "{}",
+                entry.reason
+            );
+        }
+    }
+}

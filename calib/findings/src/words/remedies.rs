@@ -1,0 +1,250 @@
+//! Remedies in words.
+
+use crate::remedy::{OptionName, Remedy, Setting};
+
+use super::Front;
+
+/// An option's name in plain English, on the command line, in Rust and in Python.
+pub(super) fn names(option: OptionName) -> [&'static str; 4] {
+    use OptionName as O;
+    match option {
+        O::AccelUnit => [
+            "the accelerometer's unit",
+            "--accel-unit",
+            "ReadOptions::accel_unit",
+            "accel_unit",
+        ],
+        O::Altitude => [
+            "the height above the sea",
+            "--altitude",
+            "Request::altitude",
+            "altitude",
+        ],
+        O::Columns => [
+            "the columns of the axes",
+            "--columns",
+            "ReadOptions::columns",
+            "columns",
+        ],
+        O::Effects => [
+            "the effects of the model",
+            "--effects",
+            "Request::effects",
+            "effects",
+        ],
+        O::Entry => [
+            "the file in the archive",
+            "--entry",
+            "ReadOptions::entry",
+            "entry",
+        ],
+        O::Field => [
+            "the norm of the magnetic field",
+            "--field",
+            "Request::field",
+            "field",
+        ],
+        O::Flip => [
+            "the axes to change the sign of",
+            "--flip",
+            "ReadOptions::flip",
+            "flip",
+        ],
+        O::ForceDevice => [
+            "that the device is the same",
+            "--force-device",
+            "Request::force_device",
+            "force_device",
+        ],
+        O::Format => ["the format", "--format", "ReadOptions::format", "format"],
+        O::Gravity => [
+            "the local gravity",
+            "--gravity",
+            "Request::gravity",
+            "gravity",
+        ],
+        O::GyroUnit => [
+            "the gyroscope's unit",
+            "--gyro-unit",
+            "ReadOptions::gyro_unit",
+            "gyro_unit",
+        ],
+        O::Instance => [
+            "the sensor to take",
+            "--instance",
+            "ReadOptions::device",
+            "instance",
+        ],
+        O::Latitude => [
+            "the latitude",
+            "--latitude",
+            "Request::latitude",
+            "latitude",
+        ],
+        O::LeaveOut => [
+            "what to leave out",
+            "--leave-out",
+            "Request::left_out",
+            "leave_out",
+        ],
+        O::MagUnit => [
+            "the magnetometer's unit",
+            "--mag-unit",
+            "ReadOptions::mag_unit",
+            "mag_unit",
+        ],
+        O::MaxBytes => [
+            "the largest size",
+            "--max-bytes",
+            "ReadOptions::max_bytes",
+            "max_bytes",
+        ],
+        O::MaxRows => [
+            "the largest number of rows",
+            "--max-rows",
+            "ReadOptions::max_rows",
+            "max_rows",
+        ],
+        O::Method => ["the method", "--method", "Request::method", "method"],
+        O::MinStatic => [
+            "the shortest static interval",
+            "--min-static",
+            "DetectorOptions::min_static",
+            "min_static",
+        ],
+        O::Multiplier => [
+            "the threshold of the detector",
+            "--multiplier",
+            "DetectorOptions::multiplier",
+            "multiplier",
+        ],
+        O::Na => [
+            "how missing values are treated",
+            "--na",
+            "ReadOptions::na_drop",
+            "na",
+        ],
+        O::Noise => ["the sensor's noise", "--noise", "Request::walks", "noise"],
+        O::Part => [
+            "the recording to take",
+            "--part",
+            "ReadOptions::part",
+            "part",
+        ],
+        O::Rate => ["the sampling rate", "--rate", "ReadOptions::rate", "rate"],
+        O::Sensor => [
+            "the sensor to calibrate alone",
+            "--sensor",
+            "a recording with only one sensor",
+            "sensor",
+        ],
+        O::SkipBadRows => [
+            "that damaged rows are left out",
+            "--skip-bad-rows",
+            "ReadOptions::skip_bad_rows",
+            "skip_bad_rows",
+        ],
+        O::SortTime => [
+            "that rows are sorted by time",
+            "--sort-time",
+            "ReadOptions::sort_time",
+            "sort_time",
+        ],
+        O::TimeFormat => [
+            "the format of the stamps",
+            "--time-format",
+            "ReadOptions::time_format",
+            "time_format",
+        ],
+        O::TimeUnit => [
+            "the unit of the stamps",
+            "--time-unit",
+            "ReadOptions::time_unit",
+            "time_unit",
+        ],
+        O::Topic => ["the topic", "--topic", "ReadOptions::topics", "topic"],
+        O::Window => [
+            "the window of the detector",
+            "--window",
+            "DetectorOptions::window",
+            "window",
+        ],
+    }
+}
+
+/// A remedy in words for a list of steps.
+pub(crate) fn step(remedy: &Remedy, front: Front) -> String {
+    words(remedy, front)
+}
+
+/// A remedy in words, an imperative.
+pub(super) fn words(remedy: &Remedy, front: Front) -> String {
+    let fixed = match remedy {
+        Remedy::Set { any_of } => {
+            let all: Vec<String> = any_of.iter().map(|s| setting(s, front)).collect();
+            return format!("give {}", all.join(" or "));
+        }
+        Remedy::AddPlacements { placements } => {
+            return format!("add placements: {}", placements.join(", "));
+        }
+        Remedy::AddTurns { turns } => return format!("add turns: {}", turns.join(", ")),
+        Remedy::OtherMethod { method } => return format!("use the method {method}"),
+        Remedy::Discover => "search for the missing effect",
+        Remedy::Plan => "plan the next recording",
+        Remedy::RecordAgain => "record it again",
+        Remedy::LeaveOut => "leave it out",
+        Remedy::Split => "split the recording there",
+        Remedy::Level => "level the device on each face",
+        Remedy::LayDown => "lay the device down",
+        Remedy::RestLonger => "keep the device still for longer",
+        Remedy::TurnSlower => "turn more slowly",
+        Remedy::TurnBetween => "turn the device between the placements",
+        Remedy::SampleFaster => "record at a higher rate",
+        Remedy::LargerRange => "record with a larger range of the sensor",
+        Remedy::SensorStamps => "record with the sensor's own stamps",
+        Remedy::OneClock => "record all sensors by one clock",
+        Remedy::RawReadings => "record readings that are neither rounded nor filtered",
+        Remedy::Thermometer => "record the temperature too",
+        Remedy::WarmUp => "let the device reach a steady temperature first",
+        Remedy::FixSensor => "fix the sensor to its case and record again",
+        Remedy::AwayFromIron => "move away from iron and currents",
+        Remedy::UpdateBias => "estimate the bias again",
+        Remedy::Validate => "check it by a second recording",
+        Remedy::LookInto => "look into the file",
+        Remedy::ExportAgain => "export the file again",
+        Remedy::OwnCalibration => "use the calibration of this device",
+        Remedy::Report => "report it as a bug of ours",
+    };
+    let command = match (front, remedy) {
+        (Front::CommandLine, Remedy::Discover) => " (`stillpoint discover`)",
+        (Front::CommandLine, Remedy::Plan) => " (`stillpoint plan`)",
+        (Front::CommandLine, Remedy::UpdateBias) => " (`stillpoint bias`)",
+        (Front::CommandLine, Remedy::Validate) => " (`stillpoint evaluate`)",
+        (Front::CommandLine, Remedy::LookInto) => " (`stillpoint info`)",
+        (Front::CommandLine, Remedy::LeaveOut) => " (--leave-out)",
+        (Front::Python | Front::Rust, Remedy::Discover) => " (`discover`)",
+        _ => "",
+    };
+    format!("{fixed}{command}")
+}
+
+/// `the local gravity (--gravity 9.81)`.
+fn setting(setting: &Setting, front: Front) -> String {
+    let [plain, flag, field, keyword] = names(setting.option);
+    let value = setting.value.as_deref();
+    let named = match front {
+        Front::Plain => {
+            return value.map_or_else(|| plain.to_owned(), |v| format!("{plain} ({v})"));
+        }
+        Front::CommandLine => match value {
+            Some(v) if v.contains([' ', '*', '\'']) => format!("{flag} '{v}'"),
+            Some(v) => format!("{flag} {v}"),
+            None => flag.to_owned(),
+        },
+        Front::Rust => value.map_or_else(|| format!("`{field}`"), |v| format!("`{field}` {v}")),
+        Front::Python => {
+            value.map_or_else(|| format!("`{keyword}`"), |v| format!("`{keyword}={v}`"))
+        }
+    };
+    format!("{plain} ({named})")
+}
