@@ -152,11 +152,9 @@ fn a_number_of_placements_that_is_no_plan_is_a_wrong_call() {
 }
 
 #[test]
-fn printed_placements_keep_97_percent_of_the_relaxation_by_volume_and_80_by_a_reading() {
+fn printed_placements_keep_97_percent_of_the_relaxation_by_volume_and_95_by_a_reading() {
     let dir = tempfile::tempdir().unwrap();
-    // By a reading the faces come first, which costs up to a tenth of the error: 1/1.1² of its square, a little less without
-    // what the turns tell.
-    for (criterion, least) in [("volume", 0.97), ("reading", 0.80)] {
+    for (criterion, least) in [("volume", 0.97), ("reading", 0.95)] {
         for count in (9..=30).step_by(4) {
             let count = count.to_string();
             let run = stillpoint(

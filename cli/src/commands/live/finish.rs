@@ -27,7 +27,7 @@ impl Finish {
         let calibration = &outcome.calibration;
         let session = calibrate::session(recordings, outcome)?;
         let coverage = covered(&session);
-        let judged = verdict::judged(calibration, Some(&session), coverage.as_ref());
+        let judged = verdict::judged(calibration, coverage.as_ref());
         let figures = verdict::figures(calibration, &session, coverage.as_ref());
         let figures: Vec<[&str; 3]> = figures.iter().map(|figure| figure.parts()).collect();
         Ok(Self {

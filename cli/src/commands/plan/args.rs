@@ -37,9 +37,9 @@ pub struct Args {
     /// Placements by name
     #[arg(long, value_enum, default_value_t = Named::Optimal, conflicts_with = "input")]
     pub(super) protocol: Named,
-    /// What the placements are best for; both efficiencies are printed
-    #[arg(long, value_enum, default_value_t = By::Reading, conflicts_with_all = ["input", "protocol"])]
-    pub(super) criterion: By,
+    /// Take the placements that are best for this, in the order that tells most; without it the faces come first
+    #[arg(long, value_enum, conflicts_with_all = ["input", "protocol"])]
+    pub(super) criterion: Option<By>,
     /// Plan for the accelerometer only: no turns
     #[arg(long)]
     pub(super) accelerometer_only: bool,
@@ -164,7 +164,7 @@ impl Args {
 
     /// Whether the plan is a session from nothing that a person follows, and no protocol or criterion by name.
     pub(super) fn is_for_a_hand(&self) -> bool {
-        self.protocol == Named::Optimal && self.criterion == By::Reading
+        self.protocol == Named::Optimal && self.criterion.is_none()
     }
 
     pub(super) fn words(&self) -> Words {

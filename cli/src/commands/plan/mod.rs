@@ -118,8 +118,8 @@ fn placements(args: &Args, input: Option<&Input>) -> Vec<Vector3<f64>> {
         None => {
             let count = args.placements.unwrap_or(REQUIREMENT.advised);
             match args.criterion {
-                By::Reading => args.protocol.protocol().placements(count),
-                By::Volume => finest(count, &ForceMatrix::zeros(), Criterion::Volume),
+                None | Some(By::Reading) => args.protocol.protocol().placements(count),
+                Some(By::Volume) => finest(count, &ForceMatrix::zeros(), Criterion::Volume),
             }
         }
     }
