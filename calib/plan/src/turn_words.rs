@@ -4,7 +4,6 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::{Rotation3, Unit, Vector3};
 
-use crate::direction::axes_up;
 use crate::turn::{Leg, Speed, Turn, Way};
 
 /// Angles and components closer than this to a whole one are taken for it.
@@ -87,16 +86,17 @@ fn own_axis(axis: &Vector3<f64>) -> Option<&'static str> {
     own.map(|k| ["x", "y", "z"][k])
 }
 
-/// A turn about an axis that has no name.
+/// A turn about an axis that has no name; where it leads is said by the placement.
 fn aslant(way: Way, after: &Vector3<f64>) -> String {
-    let there = match after.map(|c| c.abs() > 0.5) {
-        corner if corner.iter().all(|own| *own) => {
-            format!("onto the corner {}", axes_up(after))
-        }
-        _ => "straight to the next placement".into(),
+    let is_corner = after.iter().all(|c| c.abs() > 0.5);
+    let there = if is_corner {
+        "onto a corner"
+    } else {
+        "the shortest way"
     };
     match way {
-        Way::SpinLeft | Way::SpinRight => format!("spin it half round, {there}"),
+        Way::Round => "turn it once all the way round, end over end".into(),
+        Way::SpinLeft | Way::SpinRight => format!("spin it half round, then turn it {there}"),
         _ => format!("turn it {there}"),
     }
 }
@@ -182,10 +182,7 @@ mod tests {
             first(z, [1.0, 1.0, 0.0]),
             "turn it until x points up, then about z until y points half up"
         );
-        assert_eq!(
-            first(z, [1.0, -1.0, 1.0]),
-            "turn it onto the corner x up, y down and z up"
-        );
+        assert_eq!(first(z, [1.0, -1.0, 1.0]), "turn it onto a corner");
         let all = words_of(z, [0.0, 1.0, 0.0]);
         assert!(
             all.contains(&"turn once round about x, then a quarter more until y points up".into()),

@@ -28,16 +28,17 @@ pub fn text(
         push(&mut text, "", &format!("{}; {unknown}.", found.found()));
         text.push('\n');
     }
+    // What the words mean comes before them.
+    if let Some(legend) = notes.first() {
+        push(&mut text, "", legend);
+        text.push('\n');
+    }
     for (k, step) in plan.steps.iter().enumerate() {
         push(
             &mut text,
             &format!("{:>3}. ", k + 1),
             &instruction(step, force_only),
         );
-    }
-    if let Some(legend) = notes.first() {
-        text.push('\n');
-        push(&mut text, "", legend);
     }
     let _ = writeln!(
         text,
@@ -104,8 +105,11 @@ pub fn legend(plan: &Plan, force_only: bool, words: Words) -> Vec<String> {
     if said("half up") || said("half down") {
         all.push("Half up is 45°: lean it against something.".into());
     }
+    if said("corner") || said("shortest way") {
+        all.push("Where several axes are named, each is as far up or down as the others.".into());
+    }
     if said("spin it") {
-        all.push("To spin it is to turn it on the spot, about the vertical.".into());
+        all.push("Spin it: turn it on the spot, about the vertical.".into());
     }
     vec![all.join(" ")]
 }
