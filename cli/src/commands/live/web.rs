@@ -87,7 +87,7 @@ impl Web {
 
     /// Shows this from now on.
     pub(super) fn publish(&self, view: &View) {
-        let [what, more] = words::instruction(&view.instruction, view.planned);
+        let [what, more] = words::instruction(&view.instruction);
         let candidates: Vec<_> = Direction::all()
             .iter()
             .map(|d| json!({"up": <[f64; 3]>::from(d.unit()), "name": words::axes(d)}))
@@ -97,7 +97,7 @@ impl Web {
             "what": what,
             "more": more,
             "known": words::known(view),
-            "aim": view.wanted.map(|d| <[f64; 3]>::from(d.unit())),
+            "aim": view.wanted.filter(|_| !view.instruction.ends()).map(|d| <[f64; 3]>::from(d.unit())),
             "candidates": candidates,
         });
         self.0.state().document = document;

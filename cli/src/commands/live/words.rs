@@ -5,7 +5,7 @@ use live::{Direction, Errors, Event, Instruction, PROMISE, Shortfall, Verdict, V
 use crate::show;
 
 /// What to do, in a few words, and what more there is to say.
-pub(super) fn instruction(instruction: &Instruction, planned: usize) -> [String; 2] {
+pub(super) fn instruction(instruction: &Instruction) -> [String; 2] {
     let two = |a: &str, b: &str| [a.to_owned(), b.to_owned()];
     match instruction {
         Instruction::Wait => two("Waiting for samples", ""),
@@ -42,7 +42,7 @@ pub(super) fn instruction(instruction: &Instruction, planned: usize) -> [String;
             "Trying again. Keep the phone's screen on and stay in the network.",
         ),
         Instruction::Enough => [
-            format!("Enough: {planned} placements' worth"),
+            "Enough: you can pick it up".to_owned(),
             format!("Both sensors are known as promised: {}.", promise()),
         ],
         Instruction::Short { of } => [
@@ -113,6 +113,7 @@ pub(super) fn axes(direction: &Direction) -> String {
     match all.as_slice() {
         [one] => one.clone(),
         [one, two] => format!("{one} and {two}"),
+        [one, two, three] => format!("{one}, {two} and {three}"),
         _ => all.join(", "),
     }
 }
@@ -134,7 +135,10 @@ pub(super) fn hint(direction: &Direction) -> String {
     match parts.as_slice() {
         [one] => format!("A phone: on {one}."),
         [one, two] => format!("A phone: leant halfway between {one} and {two}."),
-        _ => format!("A phone: leant on the corner between {}.", parts.join(", ")),
+        [one, two, three] => {
+            format!("A phone: leant on the corner between {one}, {two} and {three}.")
+        }
+        _ => String::new(),
     }
 }
 
@@ -206,13 +210,10 @@ mod tests {
             "A phone: leant halfway between its left long edge and its screen."
         );
         for direction in Direction::all() {
-            let said = instruction(
-                &Instruction::Turn {
-                    to: direction,
-                    last: Verdict::Repeated,
-                },
-                12,
-            );
+            let said = instruction(&Instruction::Turn {
+                to: direction,
+                last: Verdict::Repeated,
+            });
             assert!(
                 said.iter().all(|line| line.chars().count() <= 110),
                 "{said:?}"
@@ -224,7 +225,7 @@ mod tests {
     fn what_adds_little_is_worth_little_and_what_is_short_is_said_with_the_promise() {
         let to = Direction { signs: [0, 1, 0] };
         let last = Verdict::Repeated;
-        let said = instruction(&Instruction::Turn { to, last }, 12);
+        let said = instruction(&Instruction::Turn { to, last });
         assert_eq!(said[0], "Worth little: turn it, y up");
         let of = Shortfall {
             gyroscope: true,
@@ -232,7 +233,7 @@ mod tests {
             error: 0.041,
             promised: PROMISE.misalignment,
         };
-        let said = instruction(&Instruction::Short { of }, 12);
+        let said = instruction(&Instruction::Short { of });
         assert!(
             said[1].starts_with(
                 "The misalignment of the gyroscope is known to 41 mrad, not to 5 mrad."
