@@ -134,8 +134,9 @@ pub struct Known {
     pub information: Option<Information>,
     /// What points up now, where the recording goes on.
     pub up: Option<Vector3<f64>>,
-    /// What all scale factors of the accelerometer are off by together whatever is recorded: of gravity, as a share.
-    pub scale: f64,
+    /// What the six elements of the accelerometer's `T`, in the order of their names, are off by together whatever is
+    /// recorded: an unknown share of gravity times each.
+    pub scale: [f64; 6],
 }
 
 /// Puts placements in the best order and says by which turns.
@@ -177,7 +178,7 @@ pub fn follow(
     let then = |k: usize| {
         let (path, turns) = (&path[..=k + skipped], &turns[..k + skipped]);
         let sum = crate::session::session_information(path, turns, &information, noise, timing);
-        predict(&sum, noise).with_scale(known.scale, noise)
+        predict(&sum, noise).with_scale(&known.scale, noise)
     };
     let turn_before = |k: usize| {
         let before = (k + skipped).checked_sub(1)?;
@@ -202,7 +203,7 @@ pub fn follow(
             then: then(k),
         })
         .collect();
-    let before = predict(&information, noise).with_scale(known.scale, noise);
+    let before = predict(&information, noise).with_scale(&known.scale, noise);
     Plan {
         duration: steps.iter().map(|s| s.rest + s.turn_duration).sum(),
         after: steps.last().map_or(&before, |s| &s.then).clone(),

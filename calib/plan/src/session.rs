@@ -269,13 +269,16 @@ pub struct Prediction {
 }
 
 impl Prediction {
-    /// With an error that all scale factors of the accelerometer have together, as a share.
+    /// With an error that the elements of the accelerometer's `T` have together.
     #[must_use]
-    pub(crate) fn with_scale(mut self, share: f64, noise: &Noise) -> Self {
-        for error in self.standard_errors.iter_mut().take(3) {
-            *error = error.hypot(share);
+    pub(crate) fn with_scale(mut self, moved: &[f64; 6], noise: &Noise) -> Self {
+        for (error, moved) in self.standard_errors.iter_mut().zip(moved) {
+            *error = error.hypot(*moved);
         }
-        self.force_error = self.force_error.hypot(share * noise.gravity);
+        let square: f64 = moved.iter().map(|v| v * v).sum();
+        self.force_error = self
+            .force_error
+            .hypot((square / 3.0).sqrt() * noise.gravity);
         self
     }
 }

@@ -10,6 +10,7 @@ use plan::{
     Coverage, ForceMatrix, Information, Known, Noise, Timing, best, coverage, force_part,
     information_of,
 };
+use sensor::{PLACES, Sensor, base_names};
 use serde_json::Value;
 
 use super::args::Args;
@@ -118,23 +119,30 @@ fn left_out(calibration: &Calibration) -> Option<String> {
     })
 }
 
-/// The information of a calibration without what it does not know of gravity, and that as a share: more placements at the same
-/// place do not tell it.
-fn at_one_gravity(calibration: &Calibration) -> Option<(Information, f64)> {
+/// The information of a calibration without what it does not know of gravity, and by how much that moves each element of
+/// `T`, all in proportion (`Calibration::carry_gravity`): more placements at the same place do not tell it.
+fn at_one_gravity(calibration: &Calibration) -> Option<(Information, [f64; 6])> {
     let names = &calibration.parameters;
     let share = calibration.gravity_source.std() / calibration.gravity;
-    let mut covariance = calibration.covariance.clone();
-    let is_scale = |k: &usize| names[*k].starts_with("accel.s_");
-    let scales: Vec<usize> = (0..names.len()).filter(is_scale).collect();
-    for i in &scales {
-        for j in &scales {
-            if let Some(entry) = covariance.get_mut(*i).and_then(|row| row.get_mut(*j)) {
-                *entry -= share * share;
+    let mut moved = vec![0.0; names.len()];
+    if let Some(triad) = &calibration.accelerometer {
+        for (name, (i, j)) in base_names(Sensor::Accelerometer).iter().zip(PLACES) {
+            if let Some(k) = names.iter().position(|own| own == name) {
+                moved[k] = share * triad.t[i][j];
             }
         }
     }
-    let without = information_of(names, &covariance).map(|information| (information, share));
-    without.or_else(|| Some((information_of(names, &calibration.covariance)?, 0.0)))
+    let mut covariance = calibration.covariance.clone();
+    for (row, a) in covariance.iter_mut().zip(&moved) {
+        for (entry, b) in row.iter_mut().zip(&moved) {
+            *entry -= a * b;
+        }
+    }
+    let places = plan::parameter_names();
+    let place = |k: usize| names.iter().position(|own| *own == places[k]);
+    let scale = std::array::from_fn(|k| place(k).map_or(0.0, |k| moved[k]));
+    let without = information_of(names, &covariance).map(|information| (information, scale));
+    without.or_else(|| Some((information_of(names, &calibration.covariance)?, [0.0; 6])))
 }
 
 fn of_calibration(
@@ -151,11 +159,12 @@ fn of_calibration(
     })?;
     let mut notes = ties(document);
     notes.extend(left_out(&calibration));
-    if scale > 0.0 {
+    let share = calibration.gravity_source.std() / calibration.gravity;
+    if scale.iter().any(|moved| *moved != 0.0) {
         notes.push(format!(
             "{:.0} ppm of the accelerometer's scale errors are gravity, which was not given: no placement lowers that. Calibrate with \
              --gravity or --latitude.",
-            1e6 * scale
+            1e6 * share
         ));
     }
     Ok(Input {
@@ -202,7 +211,7 @@ fn of_recording(
         known: Known {
             information,
             up: ups.last().copied(),
-            scale: 0.0,
+            scale: [0.0; 6],
         },
         coverage: Some(found),
         notes: Vec::new(),
