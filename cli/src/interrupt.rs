@@ -4,7 +4,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
 use std::time::{Duration, Instant};
 
+#[cfg(any(unix, windows))]
 use crate::exit::{Failure, INTERRUPTED};
+#[cfg(any(unix, windows))]
 use crate::show;
 
 /// Catches what asks the process to end. Where that cannot be done the system's own handling stays.
@@ -28,6 +30,7 @@ pub fn give_way() {
     }
 }
 
+#[cfg(any(unix, windows))]
 fn end() -> ! {
     // Held until the end: nothing is made any more.
     let mut leftovers = output::leftovers();
@@ -116,9 +119,15 @@ mod system {
     }
 }
 
-#[cfg(not(unix))]
+#[cfg(windows)]
 mod system {
     pub fn install() {
         let _ = ctrlc::set_handler(|| super::end());
     }
+}
+
+/// Nothing asks a program of WebAssembly to end: its host ends it.
+#[cfg(not(any(unix, windows)))]
+mod system {
+    pub fn install() {}
 }

@@ -4,6 +4,7 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+mod call;
 mod commands;
 mod exit;
 mod interrupt;
@@ -15,6 +16,7 @@ mod quoted;
 mod read_args;
 mod report;
 mod show;
+mod steps;
 mod terminal;
 mod threads;
 #[doc(hidden)]
@@ -37,6 +39,7 @@ use exit::{Failure, USAGE};
     name = "stillpoint",
     version,
     max_term_width = terminal::COLUMNS,
+    help_template = commands::HELP,
     after_help = "\
 Example:
   stillpoint demo                              a simulated session, its hidden effect discovered
@@ -70,7 +73,9 @@ pub fn command() -> clap::Command {
 pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
     interrupt::install();
     threads::install();
-    let cli = match parsed(args.into_iter().collect()) {
+    let words: Vec<OsString> = args.into_iter().collect();
+    call::remember(&words);
+    let cli = match parsed(words) {
         Ok(cli) => cli,
         // Help and version go to standard output; one that is closed is no error.
         Err(error) if !error.use_stderr() => {
@@ -81,7 +86,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
     };
     cli.terminal.install();
     let result = std::panic::catch_unwind(AssertUnwindSafe(|| {
-        commands::run(cli.command, Cli::command)
+        steps::told(|| commands::run(cli.command, Cli::command))
     }));
     match result {
         Ok(Ok(())) => 0,

@@ -11,6 +11,9 @@ pub mod report {}
 #[doc = include_str!("../manual/experiment.md")]
 pub mod experiment {}
 
+#[doc = include_str!("../manual/browser.md")]
+pub mod browser {}
+
 #[doc = include_str!("../manual/files.md")]
 pub mod files {}
 
@@ -19,6 +22,9 @@ pub mod noise {}
 
 #[doc = include_str!("../manual/calibration_file.md")]
 pub mod calibration_file {}
+
+#[doc = include_str!("../manual/findings.md")]
+pub mod findings {}
 
 #[doc = include_str!("../manual/simulation.md")]
 pub mod simulation {}

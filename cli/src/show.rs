@@ -120,6 +120,47 @@ pub fn warn_all(texts: &[String]) {
     folded(texts).iter().for_each(|text| warn(text));
 }
 
+/// The first line of a warning or one that goes on below it, as the first screen has them.
+pub fn remark(line: &str) {
+    match line.strip_prefix("warning:") {
+        Some(rest) => {
+            let label = terminal::coloured("warning:", 33);
+            let _ = writeln!(std::io::stderr(), "{label}{}", printable(rest));
+        }
+        None => say(line),
+    }
+}
+
+/// The first sentence of a message, without its odds and without its advice: these are said with `-v`.
+pub fn gist(message: &str) -> String {
+    let end = message.find(". ").unwrap_or(message.len());
+    let sentence = message[..end].trim_end_matches('.');
+    without_odds(sentence.split("; ").next().unwrap_or(sentence))
+}
+
+/// The text without the brackets that hold odds.
+pub fn without_odds(text: &str) -> String {
+    let (mut gist, mut remaining) = (String::new(), text);
+    while let Some((before, inside, after)) = brackets(remaining) {
+        gist.push_str(before);
+        let has_odds = ["p = ", "p < ", "by chance", "degrees of freedom"]
+            .iter()
+            .any(|odds| inside.contains(odds));
+        if !has_odds {
+            gist.push_str(&format!(" ({inside})"));
+        }
+        remaining = after;
+    }
+    gist + remaining
+}
+
+/// What comes before the first brackets, what is in them, and what comes after.
+fn brackets(text: &str) -> Option<(&str, &str, &str)> {
+    let (before, more) = text.split_once(" (")?;
+    let (inside, after) = more.split_once(')')?;
+    Some((before, inside, after))
+}
+
 /// Alike warnings that are all said.
 const ALIKE: usize = 3;
 
@@ -193,6 +234,15 @@ pub fn value(value: f64, std: Option<f64>) -> String {
     format!("{value:.decimals$}")
 }
 
+/// `4300`: a number of which no more than so many figures are other than zero.
+pub fn rounded(value: f64, figures: i32) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return format!("{value}");
+    }
+    let unit = 10f64.powf(value.abs().log10().floor() - f64::from(figures - 1));
+    self::figures((value / unit).round() * unit, figures)
+}
+
 /// A number to so many significant figures, with six decimals at most.
 pub fn figures(value: f64, figures: i32) -> String {
     if value == 0.0 || !value.is_finite() {
@@ -201,6 +251,18 @@ pub fn figures(value: f64, figures: i32) -> String {
     let beyond_the_first = f64::from(figures - 1);
     let decimals = (beyond_the_first - value.abs().log10().floor()).clamp(0.0, 6.0) as usize;
     format!("{value:.decimals$}")
+}
+
+/// `1400 ± 2200`: a value with its standard error, both to two significant figures of the error; alone where it has none.
+pub fn with_error(value: f64, std: Option<f64>) -> String {
+    let Some(std) = std.filter(|s| *s > 0.0 && s.is_finite()) else {
+        return figures(value, 3);
+    };
+    // Figures that mean nothing are zeros.
+    let unit = 10f64.powf(std.log10().floor() - 1.0);
+    let round = |v: f64| (v / unit).round() * unit;
+    let decimals = (1.0 - std.log10().floor()).clamp(0.0, 12.0) as usize;
+    format!("{:.decimals$} ± {:.decimals$}", round(value), round(std))
 }
 
 /// A standard error to two significant figures.
@@ -252,6 +314,33 @@ mod tests {
             ["stretch 1.25 to 3.5 s (and 3 more like this)", "other"]
         );
         assert_eq!(folded(&texts[..4]).len(), 4, "three alike are all said");
+    }
+
+    #[test]
+    fn a_value_has_the_figures_that_its_error_warrants() {
+        let shown = [
+            (1406.8, Some(2215.1)),
+            (-0.294, Some(0.37)),
+            (41.06, Some(2.8)),
+            (0.0123, None),
+        ];
+        let shown = shown.map(|(value, std)| with_error(value, std));
+        assert_eq!(
+            shown,
+            ["1400 ± 2200", "-0.29 ± 0.37", "41.1 ± 2.8", "0.0123"]
+        );
+    }
+
+    #[test]
+    fn the_gist_of_a_message_is_what_happened() {
+        assert_eq!(
+            gist("a misfit: 3 mm/s² (5 times the noise, p = 2e-9). It depends on"),
+            "a misfit: 3 mm/s²"
+        );
+        assert_eq!(
+            gist("turn 7 lasts 21 s (t = 1 to 2 s): no rest; if so, vibrated"),
+            "turn 7 lasts 21 s (t = 1 to 2 s): no rest"
+        );
     }
 
     #[test]

@@ -2,6 +2,10 @@
 
 use std::ffi::OsString;
 use std::io::IsTerminal;
+#[cfg(unix)]
+use std::os::fd::AsFd as Stream;
+#[cfg(windows)]
+use std::os::windows::io::AsHandle as Stream;
 use std::sync::atomic::{AtomicU8, Ordering};
 
 use clap::{ColorChoice, ValueEnum};
@@ -15,10 +19,10 @@ const NARROWEST: usize = 40;
 #[derive(Clone, Copy, Debug, clap::Args)]
 #[command(next_help_heading = "Terminal")]
 pub struct TerminalArgs {
-    /// Say nothing but results and errors
+    /// Say the verdict or the main figure only, and errors
     #[arg(short, long, global = true, conflicts_with = "verbose")]
     quiet: bool,
-    /// Say every warning, also those that are alike
+    /// Say everything: what stands behind the result, and every warning
     #[arg(short, long, global = true)]
     verbose: bool,
     /// Colour of warnings and errors
@@ -114,14 +118,24 @@ pub fn is_verbose() -> bool {
 
 /// Columns of standard output.
 pub fn width() -> usize {
-    let size = terminal_size::terminal_size_of(std::io::stdout());
-    size.map_or(COLUMNS, |(width, _)| usize::from(width.0).max(NARROWEST))
+    columns_of(std::io::stdout()).map_or(COLUMNS, |columns| columns.max(NARROWEST))
 }
 
 /// Columns of standard error; `None` where it is no terminal: a log keeps a message in one line.
 pub fn error_width() -> Option<usize> {
-    let size = terminal_size::terminal_size_of(std::io::stderr());
-    size.map(|(width, _)| usize::from(width.0).max(NARROWEST))
+    columns_of(std::io::stderr()).map(|columns| columns.max(NARROWEST))
+}
+
+#[cfg(any(unix, windows))]
+fn columns_of(stream: impl Stream) -> Option<usize> {
+    let size = terminal_size::terminal_size_of(stream);
+    size.map(|(width, _)| usize::from(width.0))
+}
+
+/// There is no terminal.
+#[cfg(not(any(unix, windows)))]
+fn columns_of<T>(_stream: T) -> Option<usize> {
+    None
 }
 
 /// The first words of a line in a colour of the terminal (ANSI number), where colours are wanted.

@@ -314,6 +314,7 @@ fn a_prior_of_the_type_is_used_and_says_what_it_gave() {
         "prior.json",
         "-o",
         "with.json",
+        "-v",
     ];
     let run = stillpoint(&folder, &call);
     assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));

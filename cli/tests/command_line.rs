@@ -376,15 +376,23 @@ fn raw_counts_in_two_text_files_need_no_first_guess() {
 #[test]
 fn demo_discovers_what_it_hid_and_shows_truth_beside_estimate() {
     let (_dir, folder) = folder();
-    let run = stillpoint(&folder, &["demo", "--out", "demo"]);
+    let run = stillpoint(&folder, &["demo", "-v", "--out", "demo"]);
     assert_eq!(status(&run), 0, "{}", stderr(&run));
     let text = String::from_utf8_lossy(&run.stdout).into_owned();
+    assert!(
+        text.starts_with(
+            "The hidden effect is found: gyro_g_sensitivity. All data here are simulated."
+        ),
+        "{text}"
+    );
     assert!(
         text.contains("lack gyro_g_sensitivity;")
             && text.contains("accel.s_x")
             && text.contains("gyro_g_sensitivity.zz"),
         "{text}"
     );
+    let page = std::fs::read_to_string(folder.join("demo/report.html")).unwrap();
+    assert!(page.contains("truth beside estimate") && page.contains("are simulated"));
     assert_eq!(
         files(&folder.join("demo")),
         ["cal.json", "findings.json", "recording.csv", "report.html"]

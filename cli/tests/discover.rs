@@ -50,12 +50,17 @@ fn a_hidden_effect_is_named_added_and_its_gap_shrinks() {
         "report.html",
         "--plots",
         "plots",
+        "-v",
     ];
     let run = stillpoint(&folder, &args);
     assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
     let said = stdout(&run);
     assert!(
-        said.starts_with("The base models lack gyro_g_sensitivity;"),
+        said.starts_with("The base models lack gyro_g_sensitivity."),
+        "{said}"
+    );
+    assert!(
+        said.contains("The base models lack gyro_g_sensitivity; it takes the gap"),
         "{said}"
     );
     let text = std::fs::read_to_string(folder.join("findings.json")).unwrap();
@@ -143,7 +148,12 @@ fn a_device_that_lacks_nothing_gets_no_name_and_the_document_is_alone_on_standar
     assert!(findings["unexplained"].is_null());
     let table = stdout(&stillpoint(&folder, &["discover", "clean.csv"]));
     assert!(table.starts_with("Nothing is missing"), "{table}");
+    assert!(
+        table.contains("effects could not have shown here"),
+        "{table}"
+    );
     // What has no temperature column cannot show an effect of temperature.
+    let table = stdout(&stillpoint(&folder, &["discover", "clean.csv", "-v"]));
     assert!(table.contains("Not observable") && table.contains("accel_temperature"));
 }
 

@@ -440,3 +440,19 @@ mod unix {
         assert_eq!(files(&folder), ["good.csv", "o.json"]);
     }
 }
+
+#[test]
+fn the_page_for_browsers_is_written_or_the_build_says_where_to_get_it() {
+    let (_dir, folder) = folder();
+    let run = stillpoint(&folder, &["page", "-o", "page.html"]);
+    let page = std::fs::read_to_string(folder.join("page.html"));
+    if cfg!(feature = "page") {
+        assert_eq!(status(&run), 0);
+        let page = page.unwrap();
+        assert!(page.starts_with("<!doctype html>") && page.contains("wasm-unsafe-eval"));
+    } else {
+        assert_eq!(status(&run), 2);
+        assert!(stderr(&run).contains("cli/web/build"), "{}", stderr(&run));
+        assert!(page.is_err());
+    }
+}

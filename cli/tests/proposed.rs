@@ -54,7 +54,7 @@ fn a_hidden_product_is_proposed_and_written_as_source_and_named_with_its_definit
     let again = stillpoint(folder, &discover);
     assert_eq!(again.status.code(), Some(6), "{}", stderr(&again));
     assert!(stderr(&again).contains("exists already"));
-    let forced = stillpoint(folder, &[&discover[..], &["--force"]].concat());
+    let forced = stillpoint(folder, &[&discover[..], &["--force", "-v"]].concat());
     assert_eq!(forced.status.code(), Some(0), "{}", stderr(&forced));
     let table = String::from_utf8_lossy(&forced.stdout).into_owned();
     assert!(
@@ -67,7 +67,7 @@ fn a_hidden_product_is_proposed_and_written_as_source_and_named_with_its_definit
     let named = stillpoint(folder, &[&defined[..], &report].concat());
     let said = String::from_utf8_lossy(&named.stdout).into_owned();
     assert!(
-        said.starts_with("The base models lack gyro_swirl;"),
+        said.starts_with("The base models lack gyro_swirl."),
         "{said}"
     );
     let page = std::fs::read_to_string(folder.join("named.html")).unwrap();

@@ -1,5 +1,5 @@
 //! A pose graph from a file of g2o, solved: `cargo run --release -p stillpoint-solver --features pose-graphs --example pose_graph
-//! -- FILE.g2o [apart|logarithm|quaternion] [file|chordal|better] [repair]`.
+//! -- FILE.g2o [apart|logarithm|quaternion] [file|chordal|better] [repair|moved]`.
 
 use std::time::Instant;
 
@@ -17,9 +17,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         (_, true) => EdgeError::Quaternion,
         _ => EdgeError::Apart,
     };
-    let indefinite = match has("repair") {
-        true => Indefinite::WithoutWrongTerms,
-        false => Indefinite::Refused,
+    let indefinite = match (has("repair"), has("moved")) {
+        (true, _) => Indefinite::WithoutWrongTerms,
+        (_, true) => Indefinite::PlanarTermsMoved,
+        _ => Indefinite::Refused,
     };
     let poses = PoseGraph::read(&std::fs::read_to_string(file)?, indefinite)?;
     let graph = poses.graph(error)?;

@@ -21,7 +21,7 @@ pub struct Mismatch {
     pub parameter: String,
     /// 1 for an entry of the Jacobian, 2 for a second derivative.
     pub order: u8,
-    /// What the problem says.
+    /// The problem's own value.
     pub derivative: f64,
     /// The central difference.
     pub difference: f64,

@@ -14,13 +14,13 @@ mod with {
     pub(crate) struct Moment(Instant);
 
     impl Moment {
-        /// Whether it is over.
+        /// True once it is over.
         pub fn is_past(self) -> bool {
             Instant::now() >= self.0
         }
     }
 
-    /// What `f` gives and the seconds it took.
+    /// Result of `f` and the seconds it took.
     pub(crate) fn timed<T>(f: impl FnOnce() -> T) -> (T, f64) {
         let clock = Instant::now();
         let value = f();
@@ -48,7 +48,7 @@ mod with {
         }
     }
 
-    /// What `f` gives; the time is not a number.
+    /// Result of `f`; the time is not a number.
     pub(crate) fn timed<T>(f: impl FnOnce() -> T) -> (T, f64) {
         (f(), f64::NAN)
     }

@@ -29,6 +29,15 @@ pub fn from_fn<F: Fn(&[Jet], &mut Vec<Jet>)>(f: F) -> impl Problem {
 
 /// A problem from a closure over `f64`, differentiated by central differences: some ten digits of
 /// the Jacobian at twice the evaluations. For residuals that cannot be written over a [`Jet`].
+///
+/// ```
+/// use stillpoint_solver::{Mask, Options, Parameters, from_fn_numeric, solve};
+///
+/// let valley = from_fn_numeric(|x: &[f64], r: &mut Vec<f64>| r.extend([10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0]]));
+/// let fit = solve(&valley, &Parameters::unnamed(&[-1.2, 1.0]), &Mask::all(2), &Options::default())?;
+/// assert!((fit.parameters.values()[1] - 1.0).abs() < 1e-6);
+/// # Ok::<(), stillpoint_solver::Error>(())
+/// ```
 pub fn from_fn_numeric<F: Fn(&[f64], &mut Vec<f64>)>(f: F) -> impl Problem {
     Numeric(f)
 }

@@ -39,7 +39,7 @@ impl Constraints {
         Self::default()
     }
 
-    /// How many there are.
+    /// Their number.
     pub fn len(&self) -> usize {
         self.rows.len()
     }

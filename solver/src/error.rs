@@ -1,4 +1,4 @@
-//! What can be wrong with a problem.
+//! Errors of a problem.
 
 use crate::report::termination::Termination;
 
@@ -14,7 +14,7 @@ pub enum Error {
     NotFinite {
         /// Row of the residual.
         row: usize,
-        /// What it was.
+        /// Its value.
         value: f64,
     },
     /// A Jacobian entry is not finite at the start, or the Jacobian has not the shape of residuals
@@ -77,7 +77,7 @@ pub enum Error {
     Unsupported {
         /// The variant.
         variant: String,
-        /// What it cannot do.
+        /// The ability it lacks.
         what: &'static str,
     },
     /// A scale of a loss that is not a positive number, or whose square is not.
@@ -131,7 +131,7 @@ pub enum Error {
     UnknownBlock {
         /// Number of the block, from 0.
         block: usize,
-        /// How many blocks there are.
+        /// Number of blocks.
         blocks: usize,
     },
     /// A block of a graph whose start has not the length that its manifold stores, or is not finite.
@@ -139,9 +139,9 @@ pub enum Error {
     BlockStart {
         /// Name of the block.
         block: String,
-        /// How many values were given.
+        /// Number of values given.
         found: usize,
-        /// How many the manifold stores.
+        /// Number that the manifold stores.
         numbers: usize,
     },
     /// A block of a graph whose name another one has.
@@ -163,9 +163,9 @@ pub enum Error {
     FactorLength {
         /// Number of the factor, from 0.
         factor: usize,
-        /// How many there are.
+        /// Their number.
         found: usize,
-        /// How many there should be.
+        /// Number that there should be.
         expected: usize,
     },
     /// A factorisation that needs more memory, or longer indices, than there are.

@@ -19,7 +19,7 @@
 //! | compare variants, as a table and a picture | [`compare`] |
 //! | start from many places | [`multi_start`], [`spread`] |
 //! | solve 10⁵ small problems of one shape | [`solve_batch`] |
-//! | watch the steps | [`solve_observed`] |
+//! | watch the steps | [`solve_observed`], of a graph [`solve_graph_observed`] |
 //! | minimise a quadratic cost over cones | [`ConeProgram`] |
 //! | know what the data say | [`Uncertainty`], [`profile_interval`], [`sandwich_covariance`] |
 //! | solve a graph: named blocks, manifolds, sparse, many small blocks with shared ones | [`Graph`], [`Manifold`], [`solve_graph`] |
@@ -78,7 +78,7 @@ pub use feasible::cone_program::{ConeProgram, ConeSolution};
 pub use graph::{
     Block, Direction, Euclidean, Factor, Graph, GraphOptions, GraphReport, Manifold, Method,
     NullVector, PlanarMotion, Products, RigidMotion, Rotation, RotationVector, check_manifold,
-    graph_profile, quaternion, solve_graph,
+    graph_profile, quaternion, solve_graph, solve_graph_observed,
 };
 pub use linear::{Factor as Factorization, LinearMethod, LinearSolver, OwnLinearSolver};
 pub use loss::check::{LossMismatch, check_loss};

@@ -10,10 +10,10 @@ use serde::{Deserialize, Serialize};
 use crate::error::Error;
 use crate::loss::places::places;
 
-/// How near `ρ(0)` and `ρ′(0)` of a loss of one's own are to 0 and 1.
+/// Tolerance of `ρ(0)` and `ρ′(0)` of a loss of one's own are to 0 and 1.
 const SHAPE: f64 = 1e-6;
 
-/// What a residual costs: `½ σ² Σ ρ((rᵢ / σ)²)` with `ρ(s) = s` for the quadratic loss.
+/// Cost of a residual: `½ σ² Σ ρ((rᵢ / σ)²)` with `ρ(s) = s` for the quadratic loss.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
@@ -79,7 +79,7 @@ impl PartialEq for OwnLoss {
 pub struct RowLoss {
     /// The rows.
     pub rows: std::ops::Range<usize>,
-    /// What they cost.
+    /// Their loss.
     pub loss: Loss,
 }
 
@@ -101,7 +101,7 @@ impl Loss {
         Self::Own(OwnLoss(function), scale)
     }
 
-    /// What a loss of one's own must be; the others are.
+    /// Check of a loss of one's own; the others pass.
     ///
     /// # Errors
     /// `ρ(0)` other than 0 or `ρ′(0)` other than 1, to 1e-6: such a loss does not count a small residual by its

@@ -8,6 +8,7 @@ pub(crate) mod point;
 pub(crate) mod scaling;
 pub(crate) mod stop;
 pub(crate) mod system;
+pub(crate) mod unseen;
 pub(crate) mod vanishing;
 
 use crate::clock::after;
@@ -46,7 +47,7 @@ const STAGES: usize = 20;
 /// Scale of the first stage after a fit of least absolute values, in robust standard deviations.
 const WIDE: f64 = 3.0;
 
-/// Where a run ended and what is known there.
+/// End of a run and what is known there.
 pub(crate) struct Solution {
     /// Free parameters with the linearisation there.
     pub point: Point,
@@ -54,11 +55,11 @@ pub(crate) struct Solution {
     pub residuals: Vec<f64>,
     /// Why it stopped.
     pub termination: Termination,
-    /// What the Gauss–Newton step says of the point.
+    /// Judgement of the point by its Gauss–Newton step.
     pub verdict: Verdict,
     /// The steps.
     pub iterations: Vec<Iteration>,
-    /// How often the problem was evaluated.
+    /// Number of evaluations of the problem.
     pub evaluations: Evaluations,
     /// The losses with their scales.
     pub losses: Losses,
@@ -98,7 +99,11 @@ pub(crate) fn minimise(
             if ended == Termination::Stalled {
                 counted.open_reserve();
                 let free = polytope.is_none() && escapes < ESCAPES;
-                if let Some(lower) = free.then(|| vanishing::lower(system, point)).flatten() {
+                let lower = || {
+                    vanishing::lower(system, point)
+                        .or_else(|| unseen::lower(system, point, &verdict))
+                };
+                if let Some(lower) = free.then(lower).flatten() {
                     *point = lower;
                     run.restart(point);
                     continue;
@@ -110,7 +115,9 @@ pub(crate) fn minimise(
             if !ended.converged() || ended == Termination::Zero || polytope.is_some() {
                 return (ended, verdict);
             }
-            match escape(system, point, &verdict, options) {
+            let lower = escape(system, point, &verdict, options)
+                .or_else(|| unseen::lower(system, point, &verdict));
+            match lower {
                 None => return (ended, verdict),
                 Some(_) if escapes == ESCAPES => return (Termination::Saddle, verdict),
                 Some(lower) => {
@@ -166,9 +173,8 @@ fn down(
     loop {
         let stop = run.minimise(point);
         let verdict = match stop {
-            Stop::Near | Stop::Step | Stop::Flat | Stop::Stalled | Stop::Zero => {
-                polish(system, point, polytope)
-            }
+            Stop::Near if !options.last_digits => Verdict::of(point, polytope),
+            Stop::Near | Stop::Step | Stop::Flat | Stop::Stalled => polish(system, point, polytope),
             _ => Verdict::of(point, polytope),
         };
         let done = verdict.offset <= options.gradient_tolerance || is_zero(point);
@@ -328,7 +334,7 @@ fn check_losses(losses: &Losses) -> Result<(), Error> {
     }
 }
 
-/// What the variant can do.
+/// Check that the variant can do what is asked.
 fn supported(options: &Options, polytope: Option<&Polytope>) -> Result<(), Error> {
     let refused = matches!(
         options.variant,

@@ -1,4 +1,4 @@
-//! What a user may choose; the default needs no change.
+//! Options of a user; the default needs no change.
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -16,7 +16,7 @@ use crate::linear::LinearSolver;
 use crate::loss::{Loss, RowLoss};
 use crate::search::{DelayedGratification, LineSearch, Marquardt, Nielsen, Search, TrustRadius};
 
-/// How `λ` moves in Levenberg–Marquardt.
+/// Rule by which `λ` moves in Levenberg–Marquardt.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
@@ -35,14 +35,15 @@ pub enum Damping {
 #[non_exhaustive]
 pub enum Variant {
     /// The best on problems in general: Levenberg–Marquardt with delayed gratification and geodesic
-    /// acceleration where the problem offers second derivatives, with Nielsen's damping elsewhere.
+    /// acceleration where the problem offers second derivatives, with Nielsen's damping elsewhere. Second derivatives are asked for
+    /// only where the straight step does not do what it promises, and the damping falls faster where it does.
     #[default]
     Automatic,
     /// Damped steps, bent along the geodesic if wanted and if second derivatives are there.
     LevenbergMarquardt {
-        /// How `λ` moves.
+        /// Rule by which `λ` moves.
         damping: Damping,
-        /// Whether to add the geodesic acceleration.
+        /// True to add the geodesic acceleration.
         geodesic: bool,
     },
     /// Powell's dogleg in a trust region.
@@ -126,7 +127,7 @@ impl Variant {
         })
     }
 
-    /// Whether second derivatives are asked for where the problem has them.
+    /// True of variants that ask for second derivatives where the problem has them.
     pub(crate) fn uses_second_derivatives(self) -> bool {
         matches!(
             self,
@@ -176,18 +177,16 @@ impl Variant {
 
     /// The descent of the variant, within the constraints where the variant knows how.
     pub(crate) fn descent(self, polytope: Option<&Polytope>) -> Box<dyn Descent> {
-        let damped = |geodesic: bool| -> Box<dyn Descent> {
+        let within = |damped: Damped| -> Box<dyn Descent> {
             match polytope.cloned() {
-                Some(polytope) => Box::new(Constrained {
-                    polytope,
-                    damped: Damped { geodesic },
-                }),
-                None => Box::new(Damped { geodesic }),
+                Some(polytope) => Box::new(Constrained { polytope, damped }),
+                None => Box::new(damped),
             }
         };
+        let damped = |geodesic: bool, sparing: bool| within(Damped { geodesic, sparing });
         match (self, polytope.cloned()) {
-            (Self::Automatic, _) => damped(true),
-            (Self::LevenbergMarquardt { geodesic, .. }, _) => damped(geodesic),
+            (Self::Automatic, _) => damped(true, true),
+            (Self::LevenbergMarquardt { geodesic, .. }, _) => damped(geodesic, false),
             (Self::Dogleg, None) => Box::new(Dogleg),
             (Self::Dogleg, Some(polytope)) => Box::new(ConstrainedDogleg { polytope }),
             (Self::GaussNewton, None) => Box::new(GaussNewton),
@@ -212,7 +211,7 @@ impl Options {
     pub(crate) fn search(&self, scaled_size: f64) -> Box<dyn Search> {
         let lambda = self.first_damping;
         match self.variant {
-            Variant::Automatic => Box::new(DelayedGratification::new(lambda)),
+            Variant::Automatic => Box::new(DelayedGratification::new(lambda).quick()),
             Variant::LevenbergMarquardt { damping, .. } => match damping {
                 Damping::Marquardt => Box::new(Marquardt::new(lambda)),
                 Damping::Nielsen => Box::new(Nielsen::new(lambda)),
@@ -227,22 +226,24 @@ impl Options {
     }
 }
 
-/// How to solve and when to stop. What is missing where it is read is as in the default.
+/// Way to solve and conditions to stop. What is missing where it is read is as in the default.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Options {
     /// The variant; the default is the best on problems in general.
     pub variant: Variant,
-    /// How the linear problem of each step is solved.
+    /// Method for the linear problem of each step.
     pub linear_solver: LinearSolver,
     /// Most steps tried.
     pub max_iterations: usize,
     /// Relative offset `‖P r‖ / ‖r‖` (`P` projects on the columns of the Jacobian) at which the
-    /// residual counts as orthogonal; the last steps go on to what double precision allows.
+    /// residual counts as orthogonal; the last steps go on to `1e-11`, or to what double precision allows.
     ///
     /// Source: Bates and Watts, "A relative offset orthogonality convergence criterion for
     /// nonlinear least squares", 1981.
     pub gradient_tolerance: f64,
+    /// True to take those last steps; `false` ends with the step that reaches `gradient_tolerance`, with as many digits fewer.
+    pub last_digits: bool,
     /// Smallest step `‖D p‖` relative to `‖D x‖`.
     pub step_tolerance: f64,
     /// First damping `λ` of Levenberg–Marquardt; it multiplies unit columns.
@@ -253,11 +254,11 @@ pub struct Options {
     pub max_second_derivatives: usize,
     /// Bounds and linear constraints; every variant but the minimum norm and one's own.
     pub constraints: Constraints,
-    /// What a residual costs.
+    /// Cost of a residual.
     pub loss: Loss,
     /// Other losses for some of the rows; the first that names a row holds.
     pub row_losses: Vec<RowLoss>,
-    /// Whether robust losses start wide, as least squares, and narrow to their scale in at most 20 stages
+    /// If true, robust losses start wide, as least squares, and narrow to their scale in at most 20 stages
     /// (graduated non-convexity: Blake and Zisserman, "Visual Reconstruction", 1987): for starts far
     /// from the solution. Where too few residuals count at the start this happens by itself.
     pub graduated: bool,
@@ -275,6 +276,7 @@ impl Default for Options {
             linear_solver: LinearSolver::default(),
             max_iterations: 5_000,
             gradient_tolerance: 1e-8,
+            last_digits: true,
             step_tolerance: 1e-15,
             first_damping: 1e-3,
             first_radius: 100.0,

@@ -62,7 +62,7 @@ impl Parameters {
         self.values.push(value);
     }
 
-    /// How many there are.
+    /// Their number.
     pub fn len(&self) -> usize {
         self.values.len()
     }
@@ -110,7 +110,7 @@ impl Parameters {
     }
 }
 
-/// Which parameters are free; the others keep their value and cost nothing.
+/// The parameters that are free; the others keep their value and cost nothing.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Mask {
     free: Vec<bool>,
@@ -124,7 +124,7 @@ impl Mask {
         }
     }
 
-    /// How many parameters it speaks of.
+    /// Number of parameters it speaks of.
     pub fn len(&self) -> usize {
         self.free.len()
     }
@@ -134,7 +134,7 @@ impl Mask {
         self.free.is_empty()
     }
 
-    /// Whether parameter `k` is free; `false` where there is none.
+    /// True where parameter `k` is free; `false` where there is none.
     pub fn is_free(&self, k: usize) -> bool {
         self.free.get(k).is_some_and(|&free| free)
     }

@@ -1,4 +1,4 @@
-//! How a fit ended.
+//! Report of a fit.
 
 mod display;
 pub(crate) mod termination;
@@ -22,7 +22,7 @@ pub struct Iteration {
     /// Length of the scaled step.
     #[serde(with = "crate::infinite")]
     pub step: f64,
-    /// Whether the step was taken.
+    /// True where the step was taken.
     pub accepted: bool,
 }
 
@@ -31,7 +31,7 @@ pub struct Iteration {
 pub struct Report {
     /// The best parameters found.
     pub parameters: Parameters,
-    /// What was minimised, there: `½ ‖r‖²`, or half the sum of the losses.
+    /// Value of the minimised cost there: `½ ‖r‖²`, or half the sum of the losses.
     #[serde(with = "crate::infinite")]
     pub cost: f64,
     /// The residuals there, as the problem gives them.
@@ -75,7 +75,33 @@ pub struct Report {
 
 impl Report {
     /// Standard error of free parameter `k` (as in `uncertainty.names`), with the noise as the
-    /// residuals show it; `None` without a spare residual or such a parameter.
+    /// residuals show it: `s √((JᵀJ)⁻¹)ₖₖ`, `s² = ‖r‖² / (m − rank)` ([`variance`](Self::variance)); `None` without a spare
+    /// residual or such a parameter.
+    ///
+    /// | the residuals | the standard error |
+    /// |---|---|
+    /// | have one unknown spread | this one: in 68 of 100 repetitions the truth lies within it, in 95 within twice it |
+    /// | are divided by their known spread | `uncertainty.standard_error(k, 1.0)` |
+    /// | are few, `m − rank` below some 20 | this one times Student's `t` for intervals |
+    /// | bend much within it | [`profile_interval`](crate::profile_interval) |
+    /// | spread more where the signal is larger | [`sandwich_covariance`](crate::sandwich_covariance) |
+    ///
+    /// It means nothing for a parameter that [`Uncertainty::unobservable`] names, and is 0 for one held by a constraint.
+    ///
+    /// ```
+    /// use stillpoint_solver::{Jet, Mask, Options, Parameters, from_fn, solve};
+    ///
+    /// // A mean: the standard error is the spread over √m.
+    /// let data = [9.8, 10.1, 10.0, 10.3];
+    /// let mean = from_fn(|x: &[Jet], r: &mut Vec<Jet>| r.extend(data.iter().map(|y| x[0] - *y)));
+    /// let report = solve(&mean, &Parameters::unnamed(&[0.0]), &Mask::all(1), &Options::default())?;
+    /// let spread = (0.13f64 / 3.0).sqrt(); // Σ (y − 10.05)² / (4 − 1)
+    /// assert!((report.parameters.values()[0] - 10.05).abs() < 1e-12);
+    /// assert!(report.standard_error(0).is_some_and(|error| (error - spread / 2.0).abs() < 1e-12));
+    /// // Had every value been read to ±0.2:
+    /// assert!((report.uncertainty.standard_error(0, 0.2) - 0.1).abs() < 1e-12);
+    /// # Ok::<(), stillpoint_solver::Error>(())
+    /// ```
     pub fn standard_error(&self, k: usize) -> Option<f64> {
         let sigma = self.variance?.sqrt();
         (k < self.uncertainty.names.len()).then(|| self.uncertainty.standard_error(k, sigma))

@@ -1,4 +1,4 @@
-//! What is minimised: `½ ‖r(x)‖²`, written once over any scalar.
+//! Residuals of the minimised cost `½ ‖r(x)‖²`, written once over any scalar.
 
 use faer::Mat;
 
@@ -13,7 +13,7 @@ pub trait Residual<D: Scalar> {
     fn residuals(&self, x: &[D], out: &mut Vec<D>);
 }
 
-/// What the solver asks of a residual: values, and derivatives for the free columns only.
+/// Questions of the solver to a residual: values, and derivatives for the free columns only.
 ///
 /// Derived for every [`Residual`]; implement it by hand where the Jacobian has a faster form than
 /// dual numbers through the whole computation.

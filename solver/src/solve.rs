@@ -59,6 +59,22 @@ pub fn solve(
 ///
 /// # Errors
 /// As [`solve`].
+///
+/// # Examples
+/// ```
+/// use std::ops::ControlFlow;
+/// use stillpoint_solver::{Jet, Mask, Options, Parameters, Termination, from_fn, solve_observed};
+///
+/// let valley = from_fn(|x: &[Jet], r: &mut Vec<Jet>| r.extend([(x[1] - x[0] * x[0]) * 10.0, x[0] - 1.0]));
+/// let (start, mask) = (Parameters::unnamed(&[-1.2, 1.0]), Mask::all(2));
+/// let mut costs = Vec::new();
+/// let report = solve_observed(&valley, &start, &mask, &Options::default(), &mut |step, _| {
+///     costs.push(step.cost);
+///     if costs.len() < 3 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+/// })?;
+/// assert_eq!((costs.len(), report.termination), (3, Termination::Cancelled));
+/// # Ok::<(), stillpoint_solver::Error>(())
+/// ```
 pub fn solve_observed(
     problem: &dyn Problem,
     start: &Parameters,

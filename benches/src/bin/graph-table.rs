@@ -5,7 +5,9 @@
 //! … --bin graph-table -- make FOLDER [small]                                    files to compare on
 //! … --bin graph-table -- bal FILE auto|analytic fixed|free                      one line
 //! … --bin graph-table -- bal FILE auto fixed|free turned                         one line, cameras step by turns
-//! … --bin graph-table -- g2o FILE [apart|logarithm|quaternion] [file|chordal] [repair]   one line, of the error and start named
+//! … --bin graph-table -- g2o FILE [apart|logarithm|quaternion] [file|chordal] [repair|moved]   one line, of the error and start named
+//! … --bin graph-table -- start FILE OUT [file|chordal] [repair|moved]           writes the start, for others to begin at
+//! … --bin graph-table -- cost FILE [apart|logarithm|quaternion]                 ½ eᵀΩe of the file's poses
 //! … --bin graph-table -- shared NUMBERS BLOCKS                                  one line
 //! ```
 //! A line: cost at the start and the end (½ ‖r‖²), steps, seconds of the processor from the problem in
@@ -45,34 +47,79 @@ fn main() -> Outcome<()> {
             line(build, &options())
         }
         ["g2o", file, ref words @ ..] => pose_graph(file, words),
+        ["start", file, out, ref words @ ..] => start(file, out, words),
+        ["cost", file, ref words @ ..] => cost(file, words),
         ["shared", numbers, blocks] => shared(numbers.parse()?, blocks.parse()?),
         _ => Err("see the first lines of graph-table.rs".into()),
     }
 }
 
-/// A pose graph: the time includes that of its start.
-fn pose_graph(file: &str, words: &[&str]) -> Outcome<()> {
-    let (mut error, mut start, mut indefinite) = (EdgeError::Apart, "better", Indefinite::Refused);
-    for word in words {
-        match *word {
-            "apart" => error = EdgeError::Apart,
-            "logarithm" => error = EdgeError::Logarithm,
-            "quaternion" => error = EdgeError::Quaternion,
-            "repair" => indefinite = Indefinite::WithoutWrongTerms,
-            "file" | "chordal" => start = word,
-            _ => return Err(format!("{word}: see the first lines of graph-table.rs").into()),
+/// How a pose graph is read, where it starts and what is its error.
+struct Asked<'a> {
+    error: EdgeError,
+    start: &'a str,
+    indefinite: Indefinite,
+}
+
+impl<'a> Asked<'a> {
+    fn new(words: &[&'a str]) -> Outcome<Self> {
+        let mut asked = Self {
+            error: EdgeError::Apart,
+            start: "better",
+            indefinite: Indefinite::Refused,
+        };
+        for word in words {
+            match *word {
+                "apart" => asked.error = EdgeError::Apart,
+                "logarithm" => asked.error = EdgeError::Logarithm,
+                "quaternion" => asked.error = EdgeError::Quaternion,
+                "repair" => asked.indefinite = Indefinite::WithoutWrongTerms,
+                "moved" => asked.indefinite = Indefinite::PlanarTermsMoved,
+                "file" | "chordal" => asked.start = word,
+                _ => return Err(format!("{word}: see the first lines of graph-table.rs").into()),
+            }
         }
+        Ok(asked)
     }
-    let poses = PoseGraph::read(&std::fs::read_to_string(file)?, indefinite)?;
-    let build = || {
-        let poses = match start {
+
+    fn read(&self, file: &str) -> Outcome<PoseGraph> {
+        let text = std::fs::read_to_string(file)?;
+        Ok(PoseGraph::read(&text, self.indefinite)?)
+    }
+
+    fn started(&self, poses: &PoseGraph) -> Outcome<PoseGraph> {
+        Ok(match self.start {
             "file" => poses.clone(),
             "chordal" => poses.chordal_start()?,
             _ => poses.clone().better_start()?,
-        };
-        Ok(poses.graph(error)?)
-    };
+        })
+    }
+}
+
+/// A pose graph: the time includes that of its start.
+fn pose_graph(file: &str, words: &[&str]) -> Outcome<()> {
+    let asked = Asked::new(words)?;
+    let poses = asked.read(file)?;
+    let build = || Ok(asked.started(&poses)?.graph(asked.error)?);
     line(build, &options())
+}
+
+/// Writes a pose graph with its start, and prints the seconds that the start took.
+fn start(file: &str, out: &str, words: &[&str]) -> Outcome<()> {
+    let asked = Asked::new(words)?;
+    let poses = asked.read(file)?;
+    let clock = Clock::start();
+    let started = asked.started(&poses)?;
+    println!("{:.6}", clock.seconds());
+    Ok(std::fs::write(out, started.write())?)
+}
+
+/// Prints the cost of a file's poses.
+fn cost(file: &str, words: &[&str]) -> Outcome<()> {
+    let asked = Asked::new(words)?;
+    let graph = asked.read(file)?.graph(asked.error)?;
+    println!("{:.12e}", graph.cost(graph.values()));
+    Ok(())
 }
 
 /// Time of this thread on a processor, which leaves out what else the machine does.

@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! cargo run --release -p stillpoint-benches --bin scaling [-- --repeat 3]
-//! cargo run --release -p stillpoint-benches --bin scaling -- --recordings [--repeat 3]
+//! cargo run --release -p stillpoint-benches --bin scaling -- --recordings [--missing] [--repeat 3]
 //! ```
 //! Each length and number runs in a process of its own. Memory is what a calibration holds at its peak besides the
 //! recording, counted by the allocator; the least of the repeated runs.
@@ -36,6 +36,9 @@ struct Arguments {
     /// Against the number of recordings, by the joint estimate.
     #[arg(long)]
     recordings: bool,
+    /// A gyroscope that feels the specific force, which the model does not know.
+    #[arg(long)]
+    missing: bool,
     /// Runs so many recordings and prints seconds and bytes.
     #[arg(long)]
     count: Option<u64>,
@@ -46,8 +49,10 @@ fn main() -> ExitCode {
     let repeat = arguments.repeat;
     let outcome = match (arguments.length, arguments.count) {
         (Some(length), _) => one(length, repeat),
-        (None, Some(count)) => several(count, repeat),
-        (None, None) if arguments.recordings => of_recordings(repeat).map(|t| t.to_string()),
+        (None, Some(count)) => several(count, arguments.missing, repeat),
+        (None, None) if arguments.recordings => {
+            of_recordings(arguments.missing, repeat).map(|t| t.to_string())
+        }
         (None, None) => all(repeat).map(|table| table.to_string()),
     };
     match outcome {
@@ -76,19 +81,26 @@ fn one(length: usize, repeat: usize) -> Result<String, Error> {
 }
 
 /// Seconds, and bytes at the peak beyond those before the calibration, of so many recordings of one device.
-fn several(count: u64, repeat: usize) -> Result<String, Error> {
+fn several(count: u64, missing: bool, repeat: usize) -> Result<String, Error> {
     let truth = Spec::hand_held(1).run()?.truth;
     let sensors = [Sensor::Accelerometer, Sensor::Gyroscope].map(|s| truth.parameters(s));
     let named = sensors
         .iter()
         .flat_map(|p| p.names().iter().cloned().zip(p.values().to_vec()));
     let device: BTreeMap<String, f64> = named.collect();
+    let mut effects = BTreeMap::new();
+    if missing {
+        let sizes = [("xx", 1e-4), ("yy", -1.5e-4), ("zz", 2e-4)];
+        let sizes: BTreeMap<String, f64> = sizes.map(|(k, v)| (k.to_owned(), v)).into();
+        effects.insert("gyro_g_sensitivity".to_owned(), sizes);
+    }
     let spec = |seed: u64| Spec {
         motion: Motion::HandHeld(HandHeld {
             placements: Some(37),
             ..HandHeld::default()
         }),
         parameters: device.clone(),
+        effects: effects.clone(),
         ..Spec::hand_held(seed)
     };
     let recordings = (1..=count).map(|seed| Ok(spec(seed).run()?.recording));
@@ -118,12 +130,17 @@ fn measured<T>(repeat: usize, work: impl Fn() -> Result<T, Error>) -> Result<(f6
 }
 
 /// A table of all numbers of recordings.
-fn of_recordings(repeat: usize) -> Result<Table, Error> {
+fn of_recordings(missing: bool, repeat: usize) -> Result<Table, Error> {
     let mut table = Table::new();
     table.load_style(UTF8_FULL_CONDENSED);
     table.set_header(["recordings", "s", "s each", "MB", "MB each"]);
     for count in [1, 2, 4, 8, 16, 32] {
-        let [seconds, bytes] = of_process(["--count", &count.to_string()], repeat)?;
+        let count_text = count.to_string();
+        let mut arguments = vec!["--count", &count_text];
+        if missing {
+            arguments.push("--missing");
+        }
+        let [seconds, bytes] = of_process(&arguments, repeat)?;
         let each = f64::from(count);
         table.add_row([
             format!("{count}"),
@@ -137,7 +154,7 @@ fn of_recordings(repeat: usize) -> Result<Table, Error> {
 }
 
 /// What this program prints, run by itself.
-fn of_process<const N: usize>(arguments: [&str; 2], repeat: usize) -> Result<[f64; N], Error> {
+fn of_process<const N: usize>(arguments: &[&str], repeat: usize) -> Result<[f64; N], Error> {
     let this = std::env::current_exe().map_err(|e| Error::Input(e.to_string()))?;
     let output = Command::new(this)
         .args(arguments)
@@ -165,7 +182,7 @@ fn all(repeat: usize) -> Result<Table, Error> {
     ]);
     for length in [1, 10, 100] {
         let arguments = ["--length", &length.to_string()];
-        let [samples, seconds, bytes] = of_process(arguments, repeat)?;
+        let [samples, seconds, bytes] = of_process(&arguments, repeat)?;
         table.add_row([
             format!("{length} ×"),
             format!("{samples:.0}"),

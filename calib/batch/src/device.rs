@@ -203,6 +203,7 @@ pub(crate) fn empty(device: &Device, index: usize, key: String) -> Record {
         warnings: 0,
         verdict: None,
         findings: Vec::new(),
+        calibration_verdict: None,
         belongs: None,
     }
 }
@@ -282,6 +283,7 @@ fn recorded(record: Record, calibration: &Calibration, findings: Option<&Finding
         warnings: calibration.warnings.len(),
         verdict: findings.map(|f| f.verdict.name().to_owned()),
         findings: findings.map_or_else(Vec::new, |f| f.effects.iter().map(finding).collect()),
+        calibration_verdict: Some(calibration.verdict()),
         belongs,
         ..record
     };

@@ -170,6 +170,9 @@ pub fn to_csv(records: &[Record]) -> String {
         "verdict",
         "findings",
         "belongs",
+        "calibration_verdict",
+        "calibration_reasons",
+        "calibration_next",
     ];
     let mut header: Vec<String> = fixed.map(str::to_owned).to_vec();
     header.extend(
@@ -203,6 +206,11 @@ pub fn to_csv(records: &[Record]) -> String {
             as_text(&findings.join(";")),
             r.belongs.map_or(String::new(), |b| b.to_string()),
         ];
+        let judged = r.calibration_verdict.as_ref();
+        let next = judged.and_then(|verdict| verdict.next.first());
+        row.push(judged.map_or(String::new(), |verdict| verdict.level.name().into()));
+        row.push(judged.map_or(String::new(), |verdict| verdict.reasons.join(";")));
+        row.push(next.map_or(String::new(), |step| as_text(&step.text)));
         for name in &names {
             let found = r.parameter(name);
             row.push(number(found.map(|(v, _)| v)));

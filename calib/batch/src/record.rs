@@ -1,5 +1,6 @@
 //! What a batch says of one device: one line of JSON, the same bytes whenever it is computed.
 
+use ::findings::Verdict;
 use calib::limits::LimitLine;
 use serde::{Deserialize, Serialize};
 
@@ -137,6 +138,9 @@ pub struct Record {
     /// What it named.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub findings: Vec<Finding>,
+    /// The verdict on its calibration, where there is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub calibration_verdict: Option<Verdict>,
     /// Whether the device belongs to the type whose prior was given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub belongs: Option<bool>,

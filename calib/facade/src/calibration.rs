@@ -1,5 +1,6 @@
 //! The result, and what it makes of readings.
 
+use findings::{Findings, Verdict};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -227,6 +228,37 @@ impl Calibration {
     /// ```
     pub fn warnings(&self) -> Vec<String> {
         words::all_of_the_library(&self.inner.warnings)
+    }
+
+    /// The verdict on it: good, with care or not to be used, with the reasons in order and what to do next.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, _) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, None)?;
+    /// # let calibration = stillpoint::calibrate(&[recording], &stillpoint::Request::default())?;
+    /// let verdict = calibration.verdict();
+    /// assert_ne!(verdict.level, stillpoint::finding::Grade::Bad);
+    /// assert!(!verdict.next.is_empty());
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
+    pub fn verdict(&self) -> Verdict {
+        self.inner.verdict()
+    }
+
+    /// Everything that was found, each with its kind, place, numbers and ways out.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, _) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, None)?;
+    /// # let calibration = stillpoint::calibrate(&[recording], &stillpoint::Request::default())?;
+    /// let assumed = |found: &stillpoint::finding::Finding| found.kind == stillpoint::finding::Kind::GravityAssumed;
+    /// assert!(calibration.findings().iter().any(assumed));
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
+    pub fn findings(&self) -> Findings {
+        self.inner.findings()
     }
 
     /// Reasons not to use it as it stands, a sentence each; none where it is good.

@@ -68,6 +68,14 @@ pub use sensor::Sensor;
 pub use simulate::{Simulated, simulate, simulate_with};
 pub use watch::Watch;
 
+/// Findings of recordings and calibrations as data, and the verdict made of them.
+pub mod finding {
+    pub use findings::{
+        Consequence, Detail, Finding, Findings, Front, Grade, Kind, Level, Number, OptionName,
+        Place, Remedy, Setting, Step, Verdict,
+    };
+}
+
 /// What an effect of one's own is written with.
 ///
 /// See [`Catalogue`] for an example from the equation to the corrected recording.

@@ -48,6 +48,174 @@ kinds! {
     GravityAssumed = "gravity_assumed",
     /// The height was assumed.
     AltitudeAssumed = "altitude_assumed",
+    // Readings of a sensor.
+    /// Readings end at the limit of the sensor's range.
+    Saturated = "saturated",
+    /// The steps of the readings are wider than the noise.
+    Quantised = "quantised",
+    /// Small signals read as exactly zero.
+    DeadZone = "dead_zone",
+    /// Rows repeat one reading for longer than chance makes it.
+    Frozen = "frozen",
+    /// All readings from a row on repeat one pattern: memory that was never written.
+    ErasedTail = "erased_tail",
+    /// The device sets its zero anew while it rests.
+    Rezeroed = "rezeroed",
+    /// Single readings stand far from their neighbours on both sides.
+    Spikes = "spikes",
+    /// Some static intervals are far noisier than the others.
+    Vibration = "vibration",
+    /// From one static interval on the readings are far noisier, or up to one.
+    NoiseChanged = "noise_changed",
+    /// The rate wavers in the quietest stretches as in a hand.
+    HandHeld = "hand_held",
+    /// A sensor is slower than the rows, and its readings are held between.
+    SlowerSensor = "slower_sensor",
+    /// The recording lacks a sensor.
+    OneSensorOnly = "one_sensor_only",
+    /// The recording has no sensor at all.
+    NoSensor = "no_sensor",
+    /// The accelerometer's sign was turned to the usual one.
+    SignTurned = "sign_turned",
+    /// Another system had corrected the readings before.
+    CorrectedBySystem = "corrected_by_system",
+    /// What another system had corrected was taken off again.
+    CorrectionUndone = "correction_undone",
+    /// Another system had filtered the readings and taken a mean off.
+    FilteredBefore = "filtered_before",
+    /// The accelerometer is the sum of gravity and the acceleration without it.
+    GravityAdded = "gravity_added",
+    /// A column that seemed to lack gravity has it.
+    GravityNotAdded = "gravity_not_added",
+    /// A fast sensor was read as means over blocks of samples.
+    Averaged = "averaged",
+    // Stamps and clocks.
+    /// Rows repeat earlier ones.
+    RowsRepeated = "rows_repeated",
+    /// Rows have the stamp of another, and other values.
+    StampsEqual = "stamps_equal",
+    /// The stamps are coarser than the rate.
+    StampsCoarse = "stamps_coarse",
+    /// The stamps are those of arrival: they come in bursts.
+    StampsOfArrival = "stamps_of_arrival",
+    /// Samples are missing.
+    SamplesLost = "samples_lost",
+    /// The logger could not keep up and dropped samples.
+    LogDropouts = "log_dropouts",
+    /// The recording was paused.
+    Paused = "paused",
+    /// The clock of a log jumps back.
+    ClockBack = "clock_back",
+    /// The time counter overflows and starts again.
+    CounterWraps = "counter_wraps",
+    /// A short recording before or after the one that is read was left out.
+    SessionLeftOut = "session_left_out",
+    /// A file holds several recordings.
+    SeveralRecordings = "several_recordings",
+    /// The unit of the stamps follows from the stamps.
+    TimeUnitTold = "time_unit_told",
+    /// The stamps go up by one and may count the rows.
+    StampsCountRows = "stamps_count_rows",
+    /// A rate was given, and the stamps are not used.
+    StampsIgnored = "stamps_ignored",
+    /// The stamps tell another rate than the one that was given.
+    RateContradicted = "rate_contradicted",
+    /// A sensor with a clock of its own was interpolated.
+    ClockJoined = "clock_joined",
+    /// The thermometer begins late or ends early.
+    TemperaturePartlyKnown = "temperature_partly_known",
+    /// The thermometer's stamps are of another clock.
+    TemperatureOfAnotherClock = "temperature_of_another_clock",
+    // Units.
+    /// The accelerometer's unit follows from the size of gravity.
+    UnitByGravity = "unit_by_gravity",
+    /// The gyroscope's unit follows from the turns that the accelerometer saw.
+    UnitByTurns = "unit_by_turns",
+    /// The gyroscope's unit is a guess from its largest reading.
+    UnitBySize = "unit_by_size",
+    /// The readings are raw counts and kept as they are.
+    ReadAsCounts = "read_as_counts",
+    /// A given unit is another than the file states.
+    UnitOverridden = "unit_overridden",
+    /// The units are those that such files usually have.
+    UnitsOfFormat = "units_of_format",
+    /// Temperatures are so high that they may be °F.
+    TemperatureDoubtful = "temperature_doubtful",
+    /// Temperatures are counts of the sensor and no °C.
+    TemperatureInCounts = "temperature_in_counts",
+    /// Temperatures are beyond what a sensor stands.
+    TemperatureImpossible = "temperature_impossible",
+    // Files and formats.
+    /// The text is in another encoding than UTF-8.
+    TextEncoding = "text_encoding",
+    /// The name of a file is that of another format.
+    NameMisleads = "name_misleads",
+    /// Numbers are spelt in a way of their own.
+    NumberSpelling = "number_spelling",
+    /// The first or the last row is cut.
+    RowCut = "row_cut",
+    /// Broken rows were left out.
+    RowsBroken = "rows_broken",
+    /// Rows lack numbers and were left out.
+    RowsWithoutNumbers = "rows_without_numbers",
+    /// Columns were taken by the units in their names.
+    ColumnsByUnit = "columns_by_unit",
+    /// Columns without names were taken by their readings.
+    ColumnsByReadings = "columns_by_readings",
+    /// The magnetometer could not be read.
+    FieldLeftOut = "field_left_out",
+    /// Columns look like a magnetometer's and are not read.
+    FieldNotRead = "field_not_read",
+    /// Of several sensors in an app's recording some were taken.
+    StreamsChosen = "streams_chosen",
+    /// The file ends too early.
+    FileCut = "file_cut",
+    /// The recording program did not close the file.
+    FileNotClosed = "file_not_closed",
+    /// A part of the file is damaged.
+    FileDamaged = "file_damaged",
+    /// A chunk of a log is damaged and left out.
+    ChunkDamaged = "chunk_damaged",
+    /// Bytes of a log are no messages.
+    BytesSkipped = "bytes_skipped",
+    /// A variable is of a class that is not read.
+    VariableNotRead = "variable_not_read",
+    /// No variable is called as a sensor is.
+    VariablesUnknown = "variables_unknown",
+    /// A hidden sheet of a workbook was left out.
+    SheetHidden = "sheet_hidden",
+    /// An entry of an archive lies outside of it.
+    EntryOutside = "entry_outside",
+    // Calibrations of other tools.
+    /// The file states no errors of its parameters.
+    ErrorsNotStated = "errors_not_stated",
+    /// The file states no biases.
+    BiasNotStated = "bias_not_stated",
+    /// Of several units in a file the first was read.
+    FirstImuTaken = "first_imu_taken",
+    /// An entry of the file is not known.
+    EntryUnknown = "entry_unknown",
+    /// The places of the accelerometer's axes are not read.
+    PlacesNotRead = "places_not_read",
+    // Noise.
+    /// Nothing can be said of the noise of an axis.
+    NoiseUnknown = "noise_unknown",
+    /// The five noise terms do not describe the Allan variance.
+    NoiseModelMisses = "noise_model_misses",
+    /// Single samples of a rest are missing.
+    NoiseSamplesMissing = "noise_samples_missing",
+    /// A rest is interrupted.
+    NoiseGaps = "noise_gaps",
+    /// The mean of a sensor steps during a rest.
+    MeanSteps = "mean_steps",
+    /// The mean of a sensor drifts during a rest.
+    MeanDrifts = "mean_drifts",
+    /// The readings stand still for a while during a rest.
+    ReadingsHeld = "readings_held",
+    /// Rows repeat the readings before, for the sensor is slower.
+    RowsFasterThanSensor = "rows_faster_than_sensor",
+    /// The gyroscope's deviation does not turn flat.
+    SettlingUnknown = "settling_unknown",
     // Static intervals and turns.
     /// Placements disagree with each other though nothing shook.
     PlacementsApart = "placements_apart",

@@ -7,7 +7,7 @@
 //! A library says what it found as data; nobody decides anything by a text.
 //!
 //! ```
-//! use findings::{Finding, Front, Kind, Level, Verdict};
+//! use stillpoint_findings::{Finding, Front, Kind, Level, Verdict};
 //! use sensor::Sensor;
 //!
 //! let found = Finding::of(Kind::GravityAssumed)
@@ -35,4 +35,4 @@ pub use kind::Kind;
 pub use list::Findings;
 pub use remedy::{OptionName, Remedy, Setting};
 pub use verdict::{Grade, Step, Verdict, gravest_first};
-pub use words::{Entry, Front, entries, entry, human, significant};
+pub use words::{Entry, Front, entries, entry, human, manual_table, significant};

@@ -54,6 +54,8 @@ pub enum OptionName {
     Part,
     /// Sampling rate.
     Rate,
+    /// Stretch of a rest that is analysed.
+    Rest,
     /// Sensor that is calibrated alone.
     Sensor,
     /// Damaged rows left out.
@@ -88,6 +90,16 @@ pub enum Remedy {
     Set {
         /// Options; each alone is a way out.
         any_of: Vec<Setting>,
+    },
+    /// Give an option where what was decided is wrong.
+    IfWrong {
+        /// Options; each alone is a way out.
+        any_of: Vec<Setting>,
+    },
+    /// Write the unit into a column's name.
+    NameUnit {
+        /// Such a name, as `temp [K]`.
+        example: String,
     },
     /// Search for the missing effect.
     Discover,
@@ -129,6 +141,10 @@ pub enum Remedy {
     OneClock,
     /// Record readings without rounding or filtering.
     RawReadings,
+    /// Record what the sensor reads, without the device's own corrections.
+    Uncalibrated,
+    /// Write a folder, which has a clock per sensor.
+    WriteFolder,
     /// Record with a thermometer.
     Thermometer,
     /// Let the temperature settle before recording.
@@ -179,12 +195,28 @@ impl Remedy {
 
     /// One of several options.
     pub fn any_of(options: impl IntoIterator<Item = OptionName>) -> Self {
-        let setting = |option| Setting {
-            option,
-            value: None,
-        };
         Self::Set {
-            any_of: options.into_iter().map(setting).collect(),
+            any_of: without_values(options),
         }
     }
+
+    /// One of several options where what was decided is wrong.
+    pub fn if_wrong(options: impl IntoIterator<Item = OptionName>) -> Self {
+        Self::IfWrong {
+            any_of: without_values(options),
+        }
+    }
+
+    /// Whether it is a step only for who knows better.
+    pub fn is_if_wrong(&self) -> bool {
+        matches!(self, Self::IfWrong { .. })
+    }
+}
+
+fn without_values(options: impl IntoIterator<Item = OptionName>) -> Vec<Setting> {
+    let setting = |option| Setting {
+        option,
+        value: None,
+    };
+    options.into_iter().map(setting).collect()
 }

@@ -130,7 +130,8 @@ fn next(level: Grade, sorted: &[&Finding], recordings: &[&str]) -> Vec<Step> {
     };
     for finding in sorted {
         // With several remedies the first is the best.
-        if let Some(remedy) = finding.remedies.first() {
+        let first = finding.remedies.first();
+        if let Some(remedy) = first.filter(|remedy| !remedy.is_if_wrong()) {
             let text = finding.step(remedy);
             add(text, command::of(remedy, finding, recordings));
         }
@@ -184,6 +185,14 @@ mod tests {
         let verdict = Verdict::of(&[small, large]);
         assert_eq!(verdict.reasons, ["weak_parameter", "misfit"]);
         assert_eq!(verdict.level, Grade::Care);
+    }
+
+    #[test]
+    fn what_was_decided_without_harm_asks_for_nothing() {
+        let told = Finding::of(Kind::UnitByGravity).detail("unit", "g");
+        let verdict = Verdict::of(&[told]);
+        assert_eq!(verdict.level, Grade::Good);
+        assert_eq!(verdict.next, Verdict::of(&[]).next);
     }
 
     #[test]

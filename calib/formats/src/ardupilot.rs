@@ -1,11 +1,13 @@
 //! ArduPilot's dataflash logs: self-describing binary messages (libraries/AP_Logger/LogStructure.h).
 
+use findings::{Finding, Kind as Cause};
 use std::collections::HashMap;
 use std::io::Read;
 
 use crate::bytes::{Bytes, Fields};
 use crate::format::Format;
 use crate::stream::Recorder;
+use crate::stream::cut_at;
 use crate::{Content, Correction, Error, Limits, Quantity, Wanted};
 
 /// `.BIN` logs: raw batches `ACC` and `GYR` where they are, else `IMU`, which is corrected.
@@ -60,17 +62,15 @@ impl Format for ArduPilot {
                 continue;
             };
             let Some(message) = bytes.take(length as u64)? else {
-                file.recorder.content.cut = Some(format!(
-                    "byte {at}: the log ends within a message; what is before it is read"
-                ));
+                file.recorder.content.cut = Some(cut_at(at, "a message"));
                 break;
             };
             file.message(kind, &message[3..])?;
         }
         if let Some(first) = first_skipped {
-            let words =
-                format!("{skipped} bytes from byte {first} on are no messages and are skipped");
-            file.recorder.content.warnings.push(words);
+            let skipped = Finding::of(Cause::BytesSkipped).count("count", skipped as usize);
+            let skipped = skipped.count("byte", first as usize);
+            file.recorder.content.warnings.push(skipped);
         }
         Ok(file.finish())
     }
@@ -308,23 +308,26 @@ impl File {
             stream.correction = Some(correction);
             undone = true;
         }
-        let words = match (undone, complete) {
-            (true, true) => {
-                "IMU is what ArduPilot has corrected; INS_ACC*OFFS, INS_ACC*SCAL and INS_GYR*OFFS of the log are taken off again"
-            }
+        let kind = match (undone, complete) {
+            (true, true) => Cause::CorrectionUndone,
             (false, true) => return,
-            _ => {
-                "IMU is what ArduPilot has corrected by parameters that the log does not tell in full: the calibration is on top of ArduPilot's own"
-            }
+            _ => Cause::CorrectedBySystem,
         };
-        self.recorder.content.warnings.push(words.to_owned());
+        let found = Finding::of(kind)
+            .detail("system", "ArduPilot")
+            .detail("columns", "IMU")
+            .detail(
+                "parameters",
+                "INS_ACC*OFFS, INS_ACC*SCAL and INS_GYR*OFFS are",
+            );
+        self.recorder.content.warnings.push(found);
     }
 
     fn finish(mut self) -> Content {
         self.undo();
         if self.backwards > 0 {
-            let words = format!("TimeUS jumps back {} times", self.backwards);
-            self.recorder.content.warnings.push(words);
+            let back = Finding::of(Cause::ClockBack).count("count", self.backwards as usize);
+            self.recorder.content.warnings.push(back);
         }
         let mut listed: Vec<String> = self
             .kinds

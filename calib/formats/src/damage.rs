@@ -269,7 +269,7 @@ fn dropouts_of_a_log_are_told_with_their_time() {
             .warnings
             .texts(findings::Front::CommandLine)
             .iter()
-            .any(|w| w.contains("1 dropouts") && w.contains("0.120 s")),
+            .any(|w| w.contains("1 dropout") && w.contains("0.120 s")),
         "{:?}",
         content.warnings
     );

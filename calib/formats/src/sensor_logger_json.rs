@@ -2,6 +2,7 @@
 
 mod choice;
 
+use findings::{Finding, Kind};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -61,10 +62,8 @@ impl Format for SensorLoggerJson {
                     error.column()
                 )));
             }
-            file.recorder.content.cut = Some(format!(
-                "line {}: the JSON ends within an entry; what is before it is read",
-                error.line()
-            ));
+            let cut = Finding::of(Kind::FileCut).detail("within", "an entry");
+            file.recorder.content.cut = Some(cut.count("line", error.line()));
         }
         file.finish()
     }

@@ -1,5 +1,5 @@
 //! What a file holds: streams of samples, each on its clock, in SI units.
-use findings::Findings;
+use findings::{Finding, Findings, Kind};
 
 /// What three values are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -75,6 +75,18 @@ pub struct Correction {
     pub undone: bool,
 }
 
+/// A file that ends within something.
+pub(crate) fn cut_at(byte: u64, within: &str) -> Finding {
+    Finding::of(Kind::FileCut)
+        .detail("within", within)
+        .count("byte", byte as usize)
+}
+
+/// A chunk of a log that is damaged.
+pub(crate) fn chunk_damaged(byte: u64) -> Finding {
+    Finding::of(Kind::ChunkDamaged).count("byte", byte as usize)
+}
+
 /// What a file holds.
 #[derive(Clone, Debug, Default)]
 pub struct Content {
@@ -87,7 +99,7 @@ pub struct Content {
     /// What was noticed.
     pub warnings: Findings,
     /// Why reading ended before the file did.
-    pub cut: Option<String>,
+    pub cut: Option<Finding>,
 }
 
 impl Content {

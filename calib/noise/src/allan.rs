@@ -265,7 +265,7 @@ fn quarter_octaves() -> impl Iterator<Item = usize> {
         .map_while(|k: usize| {
             let octave = 1_usize
                 .checked_shl((k / PER_OCTAVE) as u32)
-                .filter(|&m| m < 1 << 40)?;
+                .filter(|&m| (m as u64) < 1 << 40)?;
             let part = (k % PER_OCTAVE) as f64 / PER_OCTAVE as f64;
             Some((octave as f64 * part.exp2()).round() as usize)
         })

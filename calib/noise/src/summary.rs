@@ -1,6 +1,6 @@
 //! The result of an Allan analysis, as written to `noise.json`.
 
-use findings::Findings;
+use findings::{Finding, Findings, Kind};
 use recording::Error;
 use recording::intervals::Span;
 use sensor::Sensor;
@@ -160,10 +160,7 @@ impl NoiseSummary {
             .filter(|times| !times.is_empty())
             .map(|times| times.into_iter().fold(0.0, f64::max));
         if gyroscope.is_some() && initial_static_time.is_none() {
-            warnings.push(
-                "the gyroscope's deviation does not turn flat: record a longer rest to learn how long \
-                 the initial one must be",
-            );
+            warnings.push(Finding::of(Kind::SettlingUnknown).of_sensor(Sensor::Gyroscope));
         }
         Ok(Self {
             schema: NOISE_SCHEMA.into(),
@@ -368,18 +365,12 @@ mod tests {
             (step[0] - 305.0).abs() < 2.5 && (step[1] - 4.0).abs() < 0.8,
             "{step:?}"
         );
-        let said = found.warnings.texts(findings::Front::CommandLine);
-        let said = said.iter().find(|w| w.contains("steps by")).unwrap();
+        let step = found.warnings.iter().find(|f| f.kind == Kind::MeanSteps);
+        let said = step.unwrap().text(findings::Front::CommandLine);
         assert!(
-            said.starts_with("accel x steps by") && said.contains("--rest 0,30"),
+            said.starts_with("accelerometer x steps by") && said.contains("--rest 0,30"),
             "{said}"
         );
-        assert!(
-            summary("m/s^2", 0.0)
-                .warnings
-                .texts(findings::Front::CommandLine)
-                .iter()
-                .all(|w| !w.contains("steps by"))
-        );
+        assert!(!summary("m/s^2", 0.0).warnings.has(Kind::MeanSteps));
     }
 }

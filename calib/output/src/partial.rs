@@ -60,14 +60,14 @@ impl Partial {
         let _turn = turn(folder);
         let mut leftovers = leftovers();
         if let Some(process) = holder(folder, &stem) {
-            let is_own = process == std::process::id().to_string();
+            let is_own = process == own_process().to_string();
             let reason = match is_own {
                 true => Reason::Twice,
                 false => Reason::Held(process),
             };
             return Err(reason.of(named));
         }
-        let prefix = format!(".{stem}{MARK}{}-", std::process::id());
+        let prefix = format!(".{stem}{MARK}{}-", own_process());
         let mut builder = tempfile::Builder::new();
         builder.prefix(&prefix).suffix(ENDING).rand_bytes(RANDOM);
         if replaced.is_none() {
@@ -160,6 +160,14 @@ fn stem(name: &std::ffi::OsStr) -> String {
     let kept = safe.char_indices().map(|(at, c)| at + c.len_utf8());
     let end = kept.take_while(|end| *end <= LONGEST_STEM).last();
     format!("{}~{:016x}", &safe[..end.unwrap_or(0)], hasher.finish())
+}
+
+/// The number of this process; 0 where a program is the only one that sees its files, as in WebAssembly.
+fn own_process() -> u32 {
+    if cfg!(target_family = "wasm") {
+        return 0;
+    }
+    std::process::id()
 }
 
 /// A lock on the folder itself; `None` where that cannot be had in time.

@@ -97,6 +97,16 @@ class Calibration:
         return frame(self.parameters, Parameter._fields)
 
     @property
+    def verdict(self) -> dict[str, Any]:
+        """The verdict: ``level`` (good, care or bad), ``reasons`` in order, ``reason`` in words, ``next`` steps."""
+        return self.to_dict()["verdict"]
+
+    @property
+    def findings(self) -> list[dict[str, Any]]:
+        """Everything that was found: ``kind``, ``level``, place, ``numbers``, ``consequence``, ``remedy``, ``text``."""
+        return self.to_dict()["findings"]
+
+    @property
     def warnings(self) -> list[str]:
         """What one should know."""
         return self._native.warnings

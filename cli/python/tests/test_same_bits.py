@@ -86,3 +86,11 @@ def test_the_command_of_the_wheel_is_the_command(command):
     assert command("--version").stdout.split()[0] == "stillpoint"
     assert "no_such.csv" in command("calibrate", "no_such.csv", status=3).stderr
     command("calibrate", status=2)
+
+
+def test_the_verdict_is_that_of_the_document(calibrated):
+    verdict = calibrated.verdict
+    assert verdict["level"] in ("good", "care", "bad")
+    assert verdict == calibrated.to_dict()["verdict"]
+    kinds = [found["kind"] for found in calibrated.findings]
+    assert all(reason in kinds for reason in verdict["reasons"])

@@ -1,6 +1,7 @@
 //! `allan`: Allan deviation, noise terms, and how long to rest before a calibration.
 
 mod args;
+mod first_screen;
 mod source;
 
 use ::findings::Front;
@@ -33,7 +34,6 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let pictures = args.pictures.claim(&PLOTS, args.replace, &inputs)?;
     args.replace.end_if_all_exist()?;
     let summary = summary(args)?;
-    show::warn_all(&summary.warnings.texts(Front::CommandLine));
     let json = show::json(&summary)?;
     if let Some(output) = output {
         output.write(json.as_bytes())?;
@@ -47,12 +47,11 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         let plots = named(names, plots);
         pictures.write(&plots, &report(&summary, &args.recording, &plots))?;
     }
-    show::print(&if args.json {
-        json
-    } else {
-        show::wrapped(&text(&summary))
-    })?;
-    Ok(())
+    if args.json {
+        show::warn_all(&summary.warnings.texts(Front::CommandLine));
+        return show::print(&json);
+    }
+    first_screen::screen(args, &summary).show(|| text(&summary))
 }
 
 /// The noise of the recording, or of the rest in it that is asked for or the longest.

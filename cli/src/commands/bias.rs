@@ -14,7 +14,10 @@ use calib::methods::online_bias::{
     LONG_ENOUGH, Stretch, gyroscope_stretches, update_accelerometer, update_gyroscope,
 };
 
+use crate::commands::convert::command_line;
+use crate::commands::shared::first_screen::{Screen, Step};
 use crate::commands::shared::inputs::{DetectorArgs, DeviceArgs, load, read};
+use crate::commands::shared::names::Names;
 use crate::commands::shared::pictures::{PictureArgs, named};
 use crate::exit::Failure;
 use crate::output::{Output, Replace};
@@ -72,19 +75,13 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     args.replace.end_if_all_exist()?;
     let old = load(&args.calibration)?;
     let recording = read(&args.recording, &args.read)?;
-    recording
-        .warnings
-        .texts(Front::CommandLine)
-        .iter()
-        .for_each(|warning| show::warn(warning));
+    let mut remarks = recording.warnings.clone();
     args.device.check(&old, &[&recording])?;
     let (detector, _) = args.detector.detector()?;
     let segmentation = segment(&recording, &detector)?;
     let said = implausible(&recording, &segmentation, Some(&old), old.gravity);
-    said.gates
-        .iter()
-        .chain(&said.warnings)
-        .for_each(|found| show::warn(&found.text(Front::CommandLine)));
+    remarks.extend(said.gates);
+    remarks.extend(said.warnings);
     let mut new = old.of_recording(&recording).into_owned();
     new.seal_again(&old);
     let mut stretches = Vec::new();
@@ -112,12 +109,61 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         );
         pictures.write(&plots, &page)?;
     }
-    show::print(&if args.json {
-        json
-    } else {
-        show::wrapped(&text(&new, &stretches))
-    })?;
-    Ok(())
+    let remarks = remarks.texts(Front::CommandLine);
+    if args.json {
+        show::warn_all(&remarks);
+        return show::print(&json);
+    }
+    let names = Names::of([&recording]);
+    screen(args, &new, &names.all_short(&remarks)).show(|| text(&new, &stretches))
+}
+
+/// The first screen: how far the biases moved, then each of them.
+fn screen(args: &Args, new: &Calibration, remarks: &[String]) -> Screen {
+    let moved = |sensor: &str, factor: f64, unit: &str| {
+        let update = new
+            .history
+            .iter()
+            .rev()
+            .find(|update| update.sensor == sensor)?;
+        let change = (0..3).map(|k| (update.bias[k] - update.bias_before[k]).abs());
+        let change = show::rounded(factor * change.fold(0.0, f64::max), 2);
+        Some(format!("{change} {unit}"))
+    };
+    let gyroscope = moved("gyro", 3600.0 * 1f64.to_degrees(), "°/h")
+        .map(|by| format!("gyroscope's bias moved by up to {by}"));
+    let accelerometer =
+        moved("accel", 1e3, "mm/s²").map(|by| format!("accelerometer's bias moved by up to {by}"));
+    let moved: Vec<String> = gyroscope.into_iter().chain(accelerometer).collect();
+    let recording = command_line(&args.recording);
+    let next = match &args.output {
+        Some(path) => Step::new(
+            "correct a recording",
+            format!(
+                "stillpoint apply {} {recording} -o corrected.csv",
+                command_line(path)
+            ),
+        ),
+        None => Step::new(
+            "keep the calibration",
+            format!(
+                "stillpoint bias {} {recording} -o today.json",
+                command_line(&args.calibration)
+            ),
+        ),
+    };
+    Screen {
+        verdict: vec![format!("The {}.", moved.join("; the "))],
+        tables: vec![updates::brief(new)],
+        next: vec![next],
+        written: args
+            .output
+            .iter()
+            .map(|path| format!("Wrote {}.", show::path(path)))
+            .collect(),
+        remarks: remarks.to_vec(),
+        ..Screen::default()
+    }
 }
 
 fn text(new: &Calibration, stretches: &[Stretch]) -> String {

@@ -2,14 +2,19 @@
 
 mod arguments;
 pub mod clocks;
+pub mod compact;
+mod first_screen;
 pub mod joint;
+mod judgement;
 mod leave_out;
 pub mod left_out;
 pub mod limits;
 pub mod methods;
 pub mod prior;
+pub mod reading_error;
 mod request;
 mod six_position;
+mod steps;
 pub mod tables;
 
 use ::findings::Front;
@@ -20,9 +25,12 @@ use calib::calibrate::{Outcome, Request, calibrate};
 use calib::gravity::Gravity;
 use calib::methods::cut;
 use calib::prior::Prior;
+use first_screen::Shown;
 use limits::gate;
 
+use crate::commands::shared::first_screen::say;
 use crate::commands::shared::inputs::{as_paths, read, spinner};
+use crate::commands::shared::names::Names;
 use crate::commands::shared::pictures::Pictures;
 use crate::exit::{Failure, INPUT, NOT_CONVERGED, NOT_ENOUGH, USAGE};
 use crate::output::Output;
@@ -32,6 +40,7 @@ use crate::report::{Picture, Report};
 use crate::show;
 
 pub use arguments::Args;
+pub use first_screen::residual;
 
 use arguments::Method;
 use request::{request, sections};
@@ -91,6 +100,7 @@ pub(super) fn run_and_show(args: &Args, shown: Shown<'_>) -> Result<(), Failure>
         let (first_order, json) = (args.first_order, args.json);
         let recordings = &recordings;
         return six_position::run(six_position::Call {
+            args,
             recordings,
             detector,
             gravity,
@@ -116,7 +126,12 @@ pub(super) fn run_and_show(args: &Args, shown: Shown<'_>) -> Result<(), Failure>
             let warnings = recordings
                 .iter()
                 .flat_map(|r| r.warnings.texts(Front::CommandLine));
-            show::warn_all(&warnings.collect::<Vec<_>>());
+            let warnings: Vec<String> =
+                Names::of(&recordings).all_short(&warnings.collect::<Vec<_>>());
+            match args.json {
+                true => show::warn_all(&warnings),
+                false => say(&warnings),
+            }
             return Err(refused(error.into(), pictures, &recordings, &request));
         }
     };
@@ -129,7 +144,7 @@ pub(super) fn run_and_show(args: &Args, shown: Shown<'_>) -> Result<(), Failure>
         draw(pictures, &recordings, &outcome)?;
     }
     shown(&recordings, &outcome)?;
-    finish(args, output, &outcome)
+    finish(args, output, &recordings, &outcome)
 }
 
 /// Names of the plots that this call draws.
@@ -218,23 +233,37 @@ fn refused(
     }
 }
 
-fn finish(args: &Args, output: Option<Output>, outcome: &Outcome) -> Result<(), Failure> {
+fn finish(
+    args: &Args,
+    output: Option<Output>,
+    recordings: &[Recording],
+    outcome: &Outcome,
+) -> Result<(), Failure> {
     let calibration = &outcome.calibration;
     let json = show::json(&calibration)?;
-    show::warn_all(&calibration.warnings.texts(Front::CommandLine));
     if let Some(output) = output {
         output.write(json.as_bytes())?;
     }
     if args.json {
+        show::warn_all(&calibration.warnings.texts(Front::CommandLine));
         show::print(&json)?;
-    } else {
-        let verdict = limits::text(&calibration.limits);
+        return gate(calibration);
+    }
+    let session = session(recordings, outcome)?;
+    let shown = Shown {
+        args,
+        recordings,
+        calibration,
+        session: Some(&session),
+        residual: first_screen::residual(outcome),
+    };
+    first_screen::screen(&shown).show(|| {
         let shares = calibration
             .prior
             .as_ref()
             .map_or_else(String::new, prior::text);
-        let text = verdict + &tables::text(outcome) + &shares;
-        show::print(&show::wrapped(&text))?;
-    }
+        let text = limits::text(&calibration.limits) + &tables::text(outcome);
+        Names::of(recordings).short(&text) + &shares
+    })?;
     gate(calibration)
 }

@@ -3,16 +3,21 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use calib::calibrate::{Method, Outcome, Request as CalibrationRequest, calibrate};
+use calib::calibrate::{
+    Method, Outcome, Request as CalibrationRequest, STANDARD_GRAVITY, calibrate,
+};
 use calib::discover::{Discovery, Request};
 use calib::effects::force_sensitivity;
-use calib::recording::averages::root_mean_square;
 use calib::simulate::{Session, Spec};
 
-use super::discover::{json, look, page, plots, verdict};
+use super::calibrate::residual;
+use super::convert::command_line;
+use super::discover::{gaps, json, look, page_after, plots, verdict};
+use crate::commands::shared::first_screen::{Screen, Step};
 use crate::commands::shared::inputs::spinner;
 use crate::exit::Failure;
 use crate::output::{Filled, Folder, Output, Replace};
+use crate::report::{Report, ReportTable};
 use crate::show;
 
 /// The demonstration is the same for everybody.
@@ -69,7 +74,11 @@ impl Files {
         let calibration = show::json(&discovery.findings.calibration)?;
         let plots = plots(discovery);
         let recordings = [session.recording.clone()];
-        let page = page(discovery, &recordings, request, &plots)?.html()?;
+        let rows = estimates(session, discovery);
+        let page = page_after(discovery, &recordings, request, &plots, |report| {
+            compared_on_page(report, &rows)
+        })?;
+        let page = page.html()?;
         let csv = calib::recording::to_csv(&mut session.recording);
         let findings = json(&discovery.findings)?;
         let mut filled = Vec::new();
@@ -109,14 +118,151 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     if let Some(files) = files {
         files.write(&mut session, &discovery, &request)?;
     }
-    let mut text = simulated(&session, &outcome);
-    text.push_str(&discovered(&discovery));
-    text.push_str(&compared(&session, &discovery));
-    if let Some(dir) = dir {
-        let report = dir.join("report.html");
-        let _ = writeln!(text, "The report is in {}.", show::path(&report));
+    screen(dir, &session, &outcome, &discovery).show(|| {
+        let mut text = simulated(&session, &outcome);
+        text.push_str(&discovered(&discovery));
+        text.push_str(&compared(&session, &discovery));
+        text
+    })
+}
+
+/// The first screen: that it is simulated, whether the hidden effect is named, and its truth beside the estimate.
+fn screen(
+    dir: Option<&Path>,
+    session: &Session,
+    outcome: &Outcome,
+    discovery: &Discovery,
+) -> Screen {
+    let findings = &discovery.findings;
+    let found = findings
+        .effects
+        .iter()
+        .find(|effect| effect.name == hidden_effect());
+    let verdict = match found {
+        Some(effect) => format!(
+            "The hidden effect is found: {}. All data here are simulated.",
+            effect.name
+        ),
+        None => "The hidden effect is not found. All data here are simulated.".into(),
+    };
+    let samples = session
+        .recording
+        .accelerometer
+        .as_ref()
+        .map_or(0, |s| s.len());
+    let rests = outcome
+        .choices
+        .first()
+        .map_or(0, |c| c.segmentation.statics.len());
+    let mut figures = vec![[
+        "simulated".to_owned(),
+        format!("{rests} placements by hand, {samples} samples, one hidden effect"),
+    ]];
+    figures.push(["base models".into(), residual(outcome)]);
+    if let Some(effect) = found {
+        let [before, after] = gaps(effect.gap_before, effect.gap_after);
+        let [left, then] = gaps(effect.held_out_gap_before, effect.held_out_gap_after);
+        figures.push([
+            "gap with the effect".into(),
+            format!("{before} → {after}, on intervals left out {left} → {then}"),
+        ]);
     }
-    show::print(&show::wrapped(&text))
+    let rows = estimates(session, discovery);
+    let within = rows.iter().filter(|row| row.ratio().abs() < WITHIN).count();
+    figures.push([
+        "estimates".into(),
+        format!(
+            "{within} of {} within {WITHIN} standard errors of the truth",
+            rows.len()
+        ),
+    ]);
+    let (next, written) = match dir {
+        Some(dir) => {
+            let file = |name: &str| command_line(&dir.join(name));
+            let recording = file("recording.csv");
+            (
+                vec![
+                    Step::new(
+                        "calibrate it yourself",
+                        format!("stillpoint calibrate {recording} -o cal.json"),
+                    ),
+                    Step::new(
+                        "find the effect",
+                        format!("stillpoint discover {recording} -o findings.json"),
+                    ),
+                ],
+                format!(
+                    "The report is in {}; beside it are recording, calibration and findings.",
+                    show::path(&dir.join("report.html"))
+                ),
+            )
+        }
+        None => (
+            vec![Step::new("get the report", "stillpoint demo --out demo")],
+            String::new(),
+        ),
+    };
+    Screen {
+        verdict: vec![verdict],
+        figures,
+        tables: vec![hidden(&rows)],
+        next,
+        written,
+        ..Screen::default()
+    }
+}
+
+/// An estimate lies within so many standard errors of the truth in nineteen cases of twenty.
+const WITHIN: f64 = 1.96;
+
+/// A parameter with its truth and its estimate.
+struct Estimate {
+    name: String,
+    truth: f64,
+    value: f64,
+    std: f64,
+}
+
+impl Estimate {
+    fn ratio(&self) -> f64 {
+        (self.value - self.truth) / self.std
+    }
+}
+
+/// Everything that the model with what was named estimates.
+fn estimates(session: &Session, discovery: &Discovery) -> Vec<Estimate> {
+    let fitted = discovery.search.last.fit.all_fitted();
+    let estimate = |name: &String| {
+        Some(Estimate {
+            name: name.clone(),
+            truth: session.truth.get(name)?,
+            value: fitted.parameters.get(name)?,
+            std: fitted.standard_error(name)?,
+        })
+    };
+    fitted.free.iter().filter_map(estimate).collect()
+}
+
+/// Truth beside estimate of the hidden effect, in the units that people use.
+fn hidden(rows: &[Estimate]) -> String {
+    // 1 (rad/s)/(m/s²) in °/h per g.
+    let factor = 3600.0 * 1f64.to_degrees() * STANDARD_GRAVITY;
+    let own = rows
+        .iter()
+        .filter(|row| row.name.starts_with(hidden_effect()));
+    let mut lines = vec![format!(
+        "  {:<24}  {:>8}  {:>16}",
+        "°/h per g", "truth", "estimate"
+    )];
+    lines.extend(own.map(|row| {
+        let value = show::with_error(factor * row.value, Some(factor * row.std));
+        format!(
+            "  {:<24}  {:>8.1}  {value:>16}",
+            row.name,
+            factor * row.truth
+        )
+    }));
+    lines.join("\n")
 }
 
 /// What was simulated, and what the base models make of it.
@@ -129,16 +275,7 @@ fn simulated(session: &Session, outcome: &Outcome) -> String {
         "A simulated device, held by hand in {rests} placements: {samples} samples of both sensors, consumer grade.\n\
          It has an effect that the analysis is not told of.\n\n"
     );
-    if let Some(fit) = &outcome.joint {
-        let _ = writeln!(
-            text,
-            "calibrate: gravity's norm holds to {:.2} mm/s² rms; its direction is predicted through a turn\n\
-             to {:.4}° rms (raw: {:.2}°).",
-            1e3 * root_mean_square(&fit.norms),
-            root_mean_square(&fit.chords).to_degrees(),
-            root_mean_square(&fit.chords_before).to_degrees()
-        );
-    }
+    let _ = writeln!(text, "calibrate: gravity is met {}.", residual(outcome));
     text
 }
 
@@ -158,30 +295,47 @@ fn discovered(discovery: &Discovery) -> String {
 /// Truth beside the estimates of the model with everything that was named.
 fn compared(session: &Session, discovery: &Discovery) -> String {
     let mut table = show::table(&["parameter", "truth", "estimate", "std error", "error / std"]);
-    let (mut within, mut count) = (0, 0);
-    let fitted = discovery.search.last.fit.all_fitted();
-    for name in &fitted.free {
-        let (Some(truth), Some(estimate), Some(std)) = (
-            session.truth.get(name),
-            fitted.parameters.get(name),
-            fitted.standard_error(name),
-        ) else {
-            continue;
-        };
-        let ratio = (estimate - truth) / std;
-        count += 1;
-        within += usize::from(ratio.abs() < 1.96);
+    let rows = estimates(session, discovery);
+    for row in &rows {
+        let std = Some(row.std);
         table.add_row([
-            name.clone(),
-            show::value(truth, Some(std)),
-            show::value(estimate, Some(std)),
-            show::error(Some(std)),
-            format!("{ratio:+.2}"),
+            row.name.clone(),
+            show::value(row.truth, std),
+            show::value(row.value, std),
+            show::error(std),
+            format!("{:+.2}", row.ratio()),
         ]);
     }
+    let within = rows.iter().filter(|row| row.ratio().abs() < WITHIN).count();
+    let count = rows.len();
     format!(
         "\nHidden was {}. Truth beside the estimates of the model with what was named:\n\n{table}\n\
-         {within} of {count} estimates lie within 1.96 standard errors of the truth.\n",
+         {within} of {count} estimates lie within {WITHIN} standard errors of the truth.\n",
         hidden_effect()
     )
+}
+
+/// The same on the page, and that nothing on it was measured.
+fn compared_on_page(report: Report, rows: &[Estimate]) -> Report {
+    let mut table =
+        ReportTable::new(["parameter", "truth", "estimate", "std error", "error / std"]);
+    for row in rows {
+        let std = Some(row.std);
+        table.row([
+            row.name.clone(),
+            show::value(row.truth, std),
+            show::value(row.value, std),
+            show::error(std),
+            format!("{:+.2}", row.ratio()),
+        ]);
+    }
+    let within = rows.iter().filter(|row| row.ratio().abs() < WITHIN).count();
+    report
+        .section("Simulated: truth beside estimate")
+        .text(format!(
+            "All data on this page are simulated, so that the truth is known. The hidden effect is {}; the analysis was not told of it.",
+            hidden_effect()
+        ))
+        .table(table)
+        .text(format!("{within} of {} estimates lie within {WITHIN} standard errors of the truth.", rows.len()))
 }

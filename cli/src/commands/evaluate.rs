@@ -12,9 +12,12 @@ use calib::{Calibration, Evaluation, evaluate};
 use serde_json::json;
 
 use crate::commands::calibrate::limits::{self, LimitArgs};
+use crate::commands::convert::command_line;
+use crate::commands::shared::first_screen::{Screen, Step};
 use crate::commands::shared::inputs::{
     DetectorArgs, DeviceArgs, as_paths, check_gravity, load, read, spinner,
 };
+use crate::commands::shared::names::Names;
 use crate::commands::shared::pictures::PictureArgs;
 use crate::exit::{Failure, USAGE};
 use crate::output::Replace;
@@ -102,7 +105,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         .iter()
         .chain(&spikes)
     {
-        warnings.push(format!("{}: {found}", recording.name));
+        warnings.push(found.in_recording(&recording));
     }
     let measure = |c, gravity| evaluate(&recording, &choice.segmentation, c, gravity);
     let mut rows: Vec<(String, Evaluation)> = vec![("raw".into(), measure(None, gravities.raw)?)];
@@ -128,7 +131,6 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     warnings.extend(said.gates);
     warnings.extend(said.warnings);
     let warnings = warnings.texts(Front::CommandLine);
-    show::warn_all(&warnings);
     if pictures.wanted() {
         let named: Vec<_> = calibrations
             .iter()
@@ -150,6 +152,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         .filter_map(|((name, c), (_, e))| Some((name.clone(), judge_on(limits.as_ref()?, c, e))))
         .collect();
     if args.json {
+        show::warn_all(&warnings);
         let row = |((name, e), gravity): (&(String, Evaluation), f64)| {
             let own = judged.iter().find(|(judged, _)| judged == name);
             match own {
@@ -167,9 +170,58 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             format!("{}: {}", show::name(name), limits::text(lines))
         };
         let verdicts: String = judged.iter().map(verdict).collect();
-        show::print(&(verdicts + &table(&rows).to_string() + &fields(&rows)))?;
+        let names = Names::of([&recording]);
+        let (_, sentence, next) = evaluation::judged(&rows, &warnings);
+        let named = args
+            .calibration
+            .iter()
+            .filter_map(|named| named.split_once('='));
+        let files: Vec<(&str, &str)> = named.collect();
+        let screen = Screen {
+            verdict: vec![sentence],
+            tables: [verdicts, table(&rows).to_string(), fields(&rows)]
+                .into_iter()
+                .map(|table| table.trim_matches('\n').to_owned())
+                .filter(|table| !table.is_empty())
+                .collect(),
+            next: steps(args, &files, &next),
+            remarks: names.all_short(&warnings),
+            reserved: judged
+                .iter()
+                .map(|(_, lines)| lines.iter().filter(|line| !line.pass).count())
+                .sum(),
+            ..Screen::default()
+        };
+        screen.show(String::new)?;
     }
     limits::gate_of(&judged)
+}
+
+/// The commands behind what is said to be done next.
+fn steps(args: &Args, files: &[(&str, &str)], next: &[String]) -> Vec<Step> {
+    let recording = command_line(&args.recording) + &args.read.command_line();
+    let step = |words: &String| {
+        if words.starts_with("Name a calibration") {
+            let command = format!("stillpoint evaluate {recording} --calibration cal=cal.json");
+            return Step::new("name a calibration", command);
+        }
+        let used = words
+            .strip_prefix("Use ")
+            .and_then(|rest| rest.split_once(':'));
+        let file = |name: &str| files.iter().find(|(own, _)| show::name(own) == name);
+        if let Some((name, file)) = used.and_then(|(name, _)| Some((name, file(name)?.1))) {
+            let file = command_line(file.as_ref());
+            let command = format!("stillpoint apply {file} {recording} -o corrected.csv");
+            return Step::new(format!("use {name}"), command);
+        }
+        if let (true, Some((_, file))) = (words.contains("stillpoint bias"), files.first()) {
+            let file = command_line(file.as_ref());
+            let command = format!("stillpoint bias {file} {recording} -o today.json");
+            return Step::new("renew the gyroscope's bias", command);
+        }
+        Step::words(words.clone())
+    };
+    next.iter().map(step).collect()
 }
 
 /// The gravity that each row is compared with.

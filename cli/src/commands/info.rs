@@ -1,5 +1,6 @@
 //! `info`: what is in a file, and the command that would calibrate it.
 
+mod clock;
 mod log;
 mod ours;
 
@@ -13,16 +14,18 @@ use calib::gravity::Gravity;
 use calib::intervals::{Detector, Rejected};
 use calib::methods::{Choice, cut};
 use calib::readings::findings;
-use calib::recording::{Described, FieldUnit, Stream, UnitBy};
+use calib::recording::{Described, FieldUnit, UnitBy};
+use clock::Clock;
 use log::Log;
 use ours::Ours;
 use sensor::Sensor;
 use serde_json::{Value, json};
 
 use crate::commands::shared::inputs::read_all;
+use crate::commands::shared::names::Names;
 use crate::exit::Failure;
 use crate::read_args::ReadArgs;
-use crate::show;
+use crate::{pages, show, terminal};
 
 /// Shows what is in a file: format, sensors, columns, units and what decided them, clocks, gaps, rests.
 #[derive(Debug, clap::Args)]
@@ -53,10 +56,15 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             Ok(recordings) => {
                 for recording in recordings {
                     let facts = Facts::of(path, &recording, &args.read);
-                    match args.json {
-                        true => documents.push(facts.document()),
-                        false => pages.push(facts.page()),
+                    if args.json {
+                        documents.push(facts.document());
+                        continue;
                     }
+                    pages.push(match terminal::is_verbose() {
+                        true => format!("{}\n\n{}", facts.screen(), facts.page()),
+                        false if terminal::is_quiet() => facts.headline(),
+                        false => facts.screen(),
+                    });
                 }
             }
             Err(refused) => {
@@ -74,72 +82,15 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     show::print(&show::wrapped(&pages.join("\n")))
 }
 
+/// Notes that are said without asking.
+const NOTES: usize = 4;
+
 /// What is said of a file.
 struct Facts<'a> {
     recording: &'a Recording,
     choice: Option<Choice>,
     remarks: Vec<String>,
     command: String,
-}
-
-/// A clock in figures.
-struct Clock {
-    samples: usize,
-    start: f64,
-    duration: f64,
-    rate: f64,
-    /// Root mean square of the steps about their median, s.
-    jitter: f64,
-    gaps: usize,
-    longest_gap: f64,
-}
-
-impl Clock {
-    fn of(stream: &Stream) -> Option<Self> {
-        let (first, last) = stream.t.first().zip(stream.t.last())?;
-        let step = stream.median_step().unwrap_or(0.0);
-        let gaps = stream.gaps();
-        let lost: f64 = gaps.iter().map(|gap| gap.t1 - gap.t0).sum();
-        let usual = stream
-            .t
-            .windows(2)
-            .map(|pair| pair[1] - pair[0])
-            .filter(|s| *s < 5.0 * step.max(1e-9));
-        let (count, squares) = usual.fold((0usize, 0.0), |(n, sum), s| {
-            (n + 1, sum + (s - step).powi(2))
-        });
-        let steps = stream.len().saturating_sub(1 + gaps.len());
-        let duration = last - first;
-        Some(Self {
-            samples: stream.len(),
-            start: *first,
-            duration,
-            rate: if duration > lost {
-                steps as f64 / (duration - lost)
-            } else {
-                0.0
-            },
-            jitter: (squares / count.max(1) as f64).sqrt(),
-            gaps: gaps.len(),
-            longest_gap: gaps.iter().map(|gap| gap.t1 - gap.t0).fold(0.0, f64::max),
-        })
-    }
-
-    /// The row of a table for people.
-    fn row(&self, sensor: &str, unit: &str) -> [String; 7] {
-        [
-            sensor.to_owned(),
-            unit.to_owned(),
-            self.samples.to_string(),
-            format!("{:.2}", self.duration),
-            format!("{:.2}", self.rate),
-            format!("{:.3}", 1e3 * self.jitter),
-            match self.gaps {
-                0 => "none".to_owned(),
-                count => format!("{count}, to {:.3} s", self.longest_gap),
-            },
-        ]
-    }
 }
 
 fn decided(by: UnitBy) -> &'static str {
@@ -276,6 +227,74 @@ impl<'a> Facts<'a> {
         Some(pair.0.t == pair.1.t)
     }
 
+    /// What it is, in a sentence.
+    fn headline(&self) -> String {
+        let recording = self.recording;
+        let streams = [&recording.accelerometer, &recording.gyroscope];
+        let clock = streams.into_iter().flatten().find_map(Clock::of);
+        let clock = clock.or_else(|| Clock::of(&recording.magnetometer.as_ref()?.stream));
+        let length = clock.map_or_else(String::new, |clock| {
+            format!(", {:.1} s at {:.2} Hz", clock.duration, clock.rate)
+        });
+        let rests = match self.rests() {
+            Some((count, length)) => {
+                format!(
+                    ", {} ({length:.0} s)",
+                    show::counted(count, "static interval")
+                )
+            }
+            None if recording.is_magnetometer_only() => String::new(),
+            None => ", no static interval found".into(),
+        };
+        let format = &recording.description.format;
+        format!("{}: {format}{length}{rests}", self.name())
+    }
+
+    /// The name that it is called by.
+    fn name(&self) -> String {
+        let name = self.recording.name.as_str();
+        pages::session::short_names(&[name])
+            .pop()
+            .unwrap_or_default()
+    }
+
+    /// What a person sees first: the headline, the sensors, notes and the next command.
+    fn screen(&self) -> String {
+        let mut text = format!("{}\n\n{}\n", self.headline(), self.sensors());
+        let names = Names::of([self.recording]);
+        for sensor in &self.recording.description.sensors {
+            let columns = sensor
+                .columns
+                .iter()
+                .map(|(role, column)| format!("{role}={}", show::name(column)));
+            let turned = if sensor.turned {
+                ", turned to +g up"
+            } else {
+                ""
+            };
+            let _ = writeln!(
+                text,
+                "{}: {}; unit by {}{turned}",
+                sensor.sensor.name(),
+                columns.collect::<Vec<_>>().join(", "),
+                decided(sensor.unit_by)
+            );
+        }
+        let folded = show::folded(&self.remarks);
+        for remark in folded.iter().take(NOTES) {
+            let _ = writeln!(text, "note: {}", names.short(&show::gist(remark)));
+        }
+        match folded.len().saturating_sub(NOTES) {
+            0 => {}
+            1 => text.push_str("1 more note with -v\n"),
+            more => {
+                let _ = writeln!(text, "{more} more notes with -v");
+            }
+        }
+        let _ = writeln!(text, "\nto calibrate: {}", self.command);
+        text
+    }
+
     fn page(&self) -> String {
         let description = &self.recording.description;
         let mut text = format!(
@@ -283,28 +302,7 @@ impl<'a> Facts<'a> {
             show::name(&self.recording.name),
             description.format
         );
-        let mut table = show::table(&[
-            "sensor",
-            "unit",
-            "rows",
-            "for s",
-            "rate Hz",
-            "jitter ms",
-            "gaps",
-        ]);
-        for sensor in &description.sensors {
-            let Some(clock) = self.recording.stream(sensor.sensor).and_then(Clock::of) else {
-                continue;
-            };
-            table.add_row(clock.row(sensor.sensor.name(), sensor.unit));
-        }
-        if let Some(field) = &self.recording.magnetometer
-            && let Some(clock) = Clock::of(&field.stream)
-        {
-            let unit = field.unit.map_or("not stated", FieldUnit::name);
-            table.add_row(clock.row(Sensor::Magnetometer.name(), unit));
-        }
-        let _ = writeln!(text, "{table}\n");
+        let _ = writeln!(text, "{}\n", self.sensors());
         for sensor in &description.sensors {
             let columns: Vec<String> = sensor
                 .columns
@@ -364,5 +362,31 @@ impl<'a> Facts<'a> {
         }
         let _ = writeln!(text, "\nto calibrate: {}", self.command);
         text
+    }
+
+    /// The sensors with their clocks.
+    fn sensors(&self) -> comfy_table::Table {
+        let mut table = show::table(&[
+            "sensor",
+            "unit",
+            "rows",
+            "for s",
+            "rate Hz",
+            "jitter ms",
+            "gaps",
+        ]);
+        for sensor in &self.recording.description.sensors {
+            let Some(clock) = self.recording.stream(sensor.sensor).and_then(Clock::of) else {
+                continue;
+            };
+            table.add_row(clock.row(sensor.sensor.name(), sensor.unit));
+        }
+        if let Some(field) = &self.recording.magnetometer
+            && let Some(clock) = Clock::of(&field.stream)
+        {
+            let unit = field.unit.map_or("not stated", FieldUnit::name);
+            table.add_row(clock.row(Sensor::Magnetometer.name(), unit));
+        }
+        table
     }
 }

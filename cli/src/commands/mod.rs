@@ -5,7 +5,7 @@ mod apply;
 mod batch;
 mod bias;
 pub mod calibrate;
-mod convert;
+pub mod convert;
 mod demo;
 mod discover;
 mod effects;
@@ -15,6 +15,7 @@ mod generate;
 mod import;
 mod info;
 mod live;
+mod page;
 mod plan;
 mod reckon;
 mod segment;
@@ -24,6 +25,40 @@ mod simulate;
 use clap::Subcommand;
 
 use crate::exit::Failure;
+
+/// The help of the program: its commands by what a person wants.
+pub const HELP: &str = "\
+{about-with-newline}
+{usage-heading} {usage}
+
+Look at a recording
+  info       what is in a file, and the command that calibrates it
+  segment    when the device was still and when it turned
+  allan      the noise of a device at rest
+  evaluate   calibrations side by side on another recording
+Record
+  plan       which placements and turns to record next
+  live       a session that is guided while it is recorded
+Calibrate
+  calibrate  the calibration of a device from its recordings
+  discover   what the model of the sensors lacks
+  demo       all of it on a simulated session, truth beside estimate
+  simulate   a recording whose truth is known
+  effects    the catalogue of effects
+Use a calibration
+  apply      corrects a recording
+  bias       renews the biases, keeps everything else
+  reckon     position from a recording, with each calibration
+  export     writes a calibration as another tool reads it
+  import     reads a calibration of another tool
+  convert    writes a recording as plain CSV
+Many devices
+  batch      calibrates many devices, in parts that can be resumed
+
+`stillpoint COMMAND --help` explains a command.
+
+Options:
+{options}{after-help}";
 
 /// The commands.
 #[derive(Debug, Subcommand)]
@@ -46,6 +81,7 @@ pub enum Command {
     Plan(Box<plan::Args>),
     Export(Box<export::Args>),
     Import(import::Args),
+    Page(page::Args),
     #[command(hide = true)]
     Generate(generate::Args),
 }
@@ -71,6 +107,7 @@ pub fn run(command: Command, whole: fn() -> clap::Command) -> Result<(), Failure
         Command::Plan(args) => plan::run(&args),
         Command::Export(args) => export::run(&args),
         Command::Import(args) => import::run(&args),
+        Command::Page(args) => page::run(&args),
         Command::Generate(args) => generate::run(&args, whole()),
     }
 }

@@ -1,5 +1,7 @@
 //! `segment`: the static and dynamic intervals of a recording.
 
+mod first_screen;
+
 use ::findings::Front;
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -75,9 +77,8 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let progress = spinner("finding static intervals");
     let choice = cut(&recording, &detector, choose, gravity)?;
     progress.finish_and_clear();
-    let mut warnings = recording.warnings.clone();
+    let mut warnings = recording.warnings.texts(Front::CommandLine);
     warnings.extend(remarks(&recording, &choice));
-    show::warn_all(&warnings.texts(Front::CommandLine));
     let document = document(&recording, &choice);
     let json = show::json(&document)?;
     if let Some(output) = output {
@@ -91,12 +92,12 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         let page = report(&recording, &choice, &plots[0].1, gravity)?;
         pictures.write(&plots, &page)?;
     }
-    show::print(&if args.json {
-        json
-    } else {
-        show::wrapped(&text(&recording, &choice))
-    })?;
-    Ok(())
+    if args.json {
+        show::warn_all(&warnings);
+        return show::print(&json);
+    }
+    let screen = first_screen::screen(args, &recording, &choice, gravity, &warnings)?;
+    screen.show(|| text(&recording, &choice))
 }
 
 /// How the recording was cut, and what its readings show.

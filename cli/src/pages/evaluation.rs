@@ -134,7 +134,7 @@ pub const PLOTS: [&str; 10] = [
 ];
 
 /// The best calibration against the raw readings.
-fn judged(rows: &[(String, Evaluation)], warnings: &[String]) -> (Level, String, Vec<String>) {
+pub fn judged(rows: &[(String, Evaluation)], warnings: &[String]) -> (Level, String, Vec<String>) {
     let Some((raw, calibrated)) = rows.split_first().filter(|(_, rest)| !rest.is_empty()) else {
         let what = "Only the raw readings were measured: no calibration was named.";
         let next = "Name a calibration: stillpoint evaluate RECORDING --calibration cal=cal.json";
@@ -156,21 +156,27 @@ fn judged(rows: &[(String, Evaluation)], warnings: &[String]) -> (Level, String,
     let part = |what: &str, left: Option<f64>, raw: Option<f64>, factor: f64, unit: &str| {
         let (left, raw) = (left?, raw?);
         Some(format!(
-            "{:.2}{unit} of the {what} (raw {:.2}{unit})",
+            "to {:.2}{unit} {what} (raw {:.2})",
             factor * left,
             factor * raw
         ))
     };
     let parts: Vec<String> = [
-        part("norm", e.modulus_rms, raw.1.modulus_rms, 1e3, " mm/s²"),
-        part("direction", e.direction_rms, raw.1.direction_rms, 1.0, "°"),
+        part("at rest", e.modulus_rms, raw.1.modulus_rms, 1e3, " mm/s²"),
+        part(
+            "after a turn",
+            e.direction_rms,
+            raw.1.direction_rms,
+            1.0,
+            "°",
+        ),
     ]
     .into_iter()
     .flatten()
     .collect();
     let name = show::name(name);
     let sentence = format!(
-        "On this recording {name} leaves {} rms.",
+        "With {name} this recording meets gravity {}.",
         parts.join(" and ")
     );
     if share(e) > OF_USE {

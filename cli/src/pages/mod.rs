@@ -8,7 +8,7 @@
 
 pub mod calibration;
 pub mod coverage;
-mod direction;
+pub mod direction;
 pub mod evaluation;
 mod intervals_plot;
 mod noise;

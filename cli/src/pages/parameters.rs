@@ -173,7 +173,7 @@ pub fn weakest(calibration: &Calibration) -> Option<Figure> {
                 let (parameter, text) = if i == j {
                     (
                         format!("s_{axis}"),
-                        format!("± {} ppm", show::figures(HALF * 1e6 * std, 2)),
+                        format!("± {} ppm", show::rounded(HALF * 1e6 * std, 2)),
                     )
                 } else {
                     (
@@ -185,7 +185,7 @@ pub fn weakest(calibration: &Calibration) -> Option<Figure> {
             }
             if let Some(std) = triad.bias_std[i] {
                 let (unit, factor) = bias;
-                let text = format!("± {} {unit}", show::figures(HALF * factor * scale * std, 2));
+                let text = format!("± {} {unit}", show::rounded(HALF * factor * scale * std, 2));
                 all.push((scale * std / at, format!("{name} b_{}", AXES[i]), text));
             }
         }

@@ -273,26 +273,15 @@ pub fn in_si(calibration: &Calibration) -> bool {
         .all(near_one)
 }
 
-/// Names without folders and endings, made unique by numbers.
+/// Names without folders and endings; where two are the same with the folder before them, and if these are too with numbers.
 pub fn short_names(names: &[&str]) -> Vec<String> {
+    let stems: Vec<String> = names.iter().map(|name| ending(name, 1)).collect();
     let mut all: Vec<String> = Vec::new();
-    for name in names {
-        let last = name
-            .trim_end_matches(['/', '\\'])
-            .rsplit(['/', '\\'])
-            .next()
-            .unwrap_or(name);
-        let stem = last.rsplit_once('.').map_or(last, |(stem, _)| stem);
-        let stem = show::name(if stem.is_empty() { last } else { stem });
-        let letters: Vec<char> = stem.chars().collect();
-        let short: String = if letters.len() > LETTERS {
-            let (head, tail) = (
-                &letters[..LETTERS / 2],
-                &letters[letters.len() - LETTERS / 2 + 1..],
-            );
-            head.iter().chain(['…'].iter()).chain(tail).collect()
-        } else {
-            stem
+    for (name, stem) in names.iter().zip(&stems) {
+        let is_alone = stems.iter().filter(|other| *other == stem).count() < 2;
+        let short = match is_alone {
+            true => stem.clone(),
+            false => ending(name, 2),
         };
         let numbered = (2..).map(|k| format!("{short} ({k})"));
         let free = std::iter::once(short.clone())
@@ -301,6 +290,46 @@ pub fn short_names(names: &[&str]) -> Vec<String> {
         all.push(free.unwrap_or(short));
     }
     all
+}
+
+/// The last parts of a path without the ending of the file, in letters that fit into a table.
+fn ending(name: &str, parts: usize) -> String {
+    let path = name.trim_end_matches(['/', '\\']);
+    let folders: Vec<&str> = path
+        .split(['/', '\\'])
+        .filter(|part| !part.is_empty())
+        .collect();
+    let Some((last, before)) = folders.split_last() else {
+        return cut(&show::name(name));
+    };
+    // A recording of several in a file has its number behind the ending.
+    let (file, number) = last
+        .split_once('#')
+        .map_or((*last, ""), |(file, n)| (file, n));
+    let plain = file.strip_suffix(".gz").unwrap_or(file);
+    let stem = plain.rsplit_once('.').map_or(plain, |(stem, _)| stem);
+    let stem = if stem.is_empty() { file } else { stem };
+    let number = if number.is_empty() {
+        String::new()
+    } else {
+        format!("#{number}")
+    };
+    let before = before.iter().rev().take(parts - 1).rev();
+    let folders: String = before.map(|part| cut(&show::name(part)) + "/").collect();
+    folders + &cut(&show::name(stem)) + &number
+}
+
+/// At most [`LETTERS`] of a name.
+fn cut(name: &str) -> String {
+    let letters: Vec<char> = name.chars().collect();
+    if letters.len() <= LETTERS {
+        return name.to_owned();
+    }
+    let (head, tail) = (
+        &letters[..LETTERS / 2],
+        &letters[letters.len() - LETTERS / 2 + 1..],
+    );
+    head.iter().chain(['…'].iter()).chain(tail).collect()
 }
 
 #[cfg(test)]
@@ -330,6 +359,8 @@ mod tests {
             "session/",
             "a_very_long_name_of_a_recording.csv",
         ]);
-        assert_eq!(names, ["run", "run (2)", "session", "a_very_lo…ecording"]);
+        assert_eq!(names, ["a/run", "b/run", "session", "a_very_lo…ecording"]);
+        assert_eq!(short_names(&["run.csv", "run.csv"]), ["run", "run (2)"]);
+        assert_eq!(short_names(&["r.csv#1", "r.csv#2"]), ["r#1", "r#2"]);
     }
 }

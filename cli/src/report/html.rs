@@ -86,8 +86,8 @@ impl Figure {
         }
     }
 
-    /// What it is, how much, and what to think of it.
-    pub fn parts(&self) -> [&str; 3] {
+    /// The same three for a terminal.
+    pub fn words(&self) -> [&str; 3] {
         [&self.label, &self.value, &self.note]
     }
 }

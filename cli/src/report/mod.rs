@@ -16,6 +16,8 @@ mod html;
 mod matrix;
 mod picture;
 mod plot;
+#[cfg_attr(target_family = "wasm", path = "no_png.rs")]
+mod png;
 mod sphere;
 mod svg;
 mod theme;

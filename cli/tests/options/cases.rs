@@ -52,6 +52,7 @@ pub fn bases(command: &str, option: &str) -> Vec<&'static str> {
             "export cal.json --to c -o OUT",
         ],
         "import" => vec!["import imu.yaml -o OUT"],
+        "page" => vec!["page -o OUT"],
         "generate" => vec!["generate --completions bash"],
         _ => Vec::new(),
     }

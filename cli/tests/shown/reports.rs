@@ -203,7 +203,7 @@ fn an_evaluation_has_a_report_that_compares_with_the_raw_readings() {
     assert!(output.status.success(), "{}", stderr(&output));
     let page = std::fs::read_to_string(dir.path().join("e.html")).unwrap();
     for words in [
-        "own leaves",
+        "With own this recording meets gravity",
         "What to do next",
         "calibrated, mm/s²",
         "SHA-256",
@@ -291,7 +291,7 @@ fn what_the_page_says_of_a_touched_device_mends_the_calibration() {
     let made = stillpoint(dir.path(), &["simulate", "run.toml", "-o", "run"]);
     assert!(made.status.success(), "{}", stderr(&made));
     let calibrate = |more: &[&str]| {
-        let args = ["calibrate", "run", "--gravity", "9.80665", "--force"];
+        let args = ["calibrate", "run", "-v", "--gravity", "9.80665", "--force"];
         let outputs = ["-o", "cal.json", "--report", "cal.html"];
         let output = stillpoint(dir.path(), &[&args[..], &outputs, more].concat());
         let page = std::fs::read_to_string(dir.path().join("cal.html")).unwrap();

@@ -6,7 +6,7 @@ mod common;
 
 use common::{files, folder, status, stderr, stdout, stillpoint};
 
-const COMMANDS: [&str; 18] = [
+const COMMANDS: [&str; 19] = [
     "batch",
     "live",
     "plan",
@@ -25,6 +25,7 @@ const COMMANDS: [&str; 18] = [
     "effects",
     "export",
     "import",
+    "page",
 ];
 
 /// No line is wider than a terminal of 80 columns.
@@ -49,7 +50,14 @@ fn the_help_of_every_command_fits_into_80_columns() {
     }
     let run = stillpoint(dir.path(), &["--help"]);
     let listed = stdout(&run);
-    assert!(COMMANDS.iter().all(|command| listed.contains(command)));
+    // By what a person wants, a line each.
+    for group in ["Look at", "Record", "Calibrate", "Use a", "Many devices"] {
+        assert!(listed.contains(&format!("\n{group}")), "{group}: {listed}");
+    }
+    for command in COMMANDS {
+        let is_its = |line: &&str| line.starts_with(&format!("  {command} "));
+        assert_eq!(listed.lines().filter(is_its).count(), 1, "{command}");
+    }
 }
 
 #[test]
@@ -100,9 +108,18 @@ fn every_table_fits_into_80_columns() {
         &["effects"],
     ];
     for call in calls {
-        let run = stillpoint(&folder, call);
-        assert!(!stdout(&run).is_empty(), "{call:?}: {}", stderr(&run));
-        fits(&stdout(&run), &call.join(" "));
+        for more in [&[][..], &["-v", "--force"]] {
+            // What lists what there is has no more to say, and nothing to replace.
+            let takes_force = !more.is_empty() && !["info", "effects"].contains(&call[0]);
+            let more = if takes_force {
+                more
+            } else {
+                &more[..more.len().min(1)]
+            };
+            let run = stillpoint(&folder, &[call, more].concat());
+            assert!(!stdout(&run).is_empty(), "{call:?}: {}", stderr(&run));
+            fits(&stdout(&run), &call.join(" "));
+        }
     }
 }
 

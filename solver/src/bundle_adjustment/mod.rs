@@ -53,9 +53,9 @@ pub enum ReadError {
     Index {
         /// Its place among the words, from 1.
         place: usize,
-        /// What was found.
+        /// The value found.
         found: f64,
-        /// How many there are.
+        /// Their number.
         count: u32,
     },
 }
@@ -153,7 +153,7 @@ impl Bundle {
         self.graph_on(Euclidean(9), analytic, fixed)
     }
 
-    /// As [`graph`](Self::graph), with cameras on a manifold of nine numbers and steps. The own Jacobian
+    /// Like [`graph`](Self::graph), with cameras on a manifold of nine numbers and steps. The own Jacobian
     /// is by the numbers, as a flat one steps.
     ///
     /// # Errors

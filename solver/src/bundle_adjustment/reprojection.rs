@@ -8,7 +8,7 @@ use crate::graph::Factor;
 use crate::residual::Residual;
 use crate::scalar::Scalar;
 
-/// Where a point was seen, in pixels: over a camera `(ω, t, f, k₁, k₂)` and a point `X`.
+/// Place at which a point was seen, in pixels: over a camera `(ω, t, f, k₁, k₂)` and a point `X`.
 #[derive(Clone, Copy, Debug)]
 pub struct Reprojection(pub [f64; 2]);
 

@@ -15,7 +15,7 @@ use crate::parameters::{Mask, Parameters};
 use crate::residual::Problem;
 use crate::solve::solve;
 
-/// What a comparison may know of its problem; the default knows nothing.
+/// Knowledge of a problem that a comparison may use; the default knows nothing.
 #[derive(Clone, Debug, Default)]
 pub struct Comparison {
     /// Name of the problem.

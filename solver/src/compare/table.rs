@@ -19,9 +19,9 @@ pub struct ComparedRun {
     pub start: usize,
     /// Name of the variant.
     pub variant: String,
-    /// Whether the cost is the least: to 1e-6 of it, or to 1e-12 of the cost at the start.
+    /// True where the cost is the least: to 1e-6 of it, or to 1e-12 of the cost at the start.
     pub success: bool,
-    /// Whether the solver says that it converged.
+    /// True where the solver says that it converged.
     pub converged: bool,
     /// Residuals evaluated alone.
     pub residuals: usize,
@@ -31,7 +31,7 @@ pub struct ComparedRun {
     pub second_derivatives: usize,
     /// Time taken, s; not a number where there is no clock.
     pub seconds: f64,
-    /// What was minimised, at the end.
+    /// Value of the minimised cost at the end.
     #[serde(with = "crate::infinite")]
     pub cost: f64,
     /// `½ ‖r‖²` at the start.
@@ -51,7 +51,7 @@ pub struct Table {
     pub runs: Vec<ComparedRun>,
 }
 
-/// What a performance profile counts.
+/// Effort that a performance profile counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Measure {
@@ -74,7 +74,7 @@ impl ComparedRun {
         }
     }
 
-    /// What a measure says of it.
+    /// Value of a measure for it.
     pub(super) fn measured(&self, measure: Measure) -> f64 {
         match measure {
             Measure::Evaluations => (self.residuals + self.jacobians) as f64,

@@ -1,4 +1,4 @@
-//! Where to step from a point, given a size by the search: one file per way.
+//! Steps from a point, given a size by the search: one file per way.
 
 mod constrained;
 mod damped;
@@ -21,7 +21,7 @@ use crate::minimise::system::System;
 pub struct Local<'a> {
     /// The problem.
     pub(crate) system: &'a dyn System,
-    /// Where it stands.
+    /// The point where it stands.
     pub(crate) point: &'a Point,
     /// `J D⁻¹` factored.
     pub(crate) factor: &'a dyn Factor,
@@ -29,6 +29,8 @@ pub struct Local<'a> {
     pub(crate) scale: &'a [f64],
     /// The relative offset there, `‖P r‖ / ‖r‖`.
     pub(crate) offset: f64,
+    /// Steps from there that were not taken.
+    pub(crate) refused: usize,
 }
 
 /// A proposed step.
@@ -68,7 +70,7 @@ impl Local<'_> {
         &self.point.at.residuals
     }
 
-    /// What is minimised, here.
+    /// Value here of the minimised cost.
     pub fn cost(&self) -> f64 {
         self.point.at.cost
     }

@@ -27,7 +27,7 @@ pub struct ConeProgram<'a> {
     pub cones: &'a [SupportedConeT<f64>],
 }
 
-/// Where the interior point of a [`ConeProgram`] ended.
+/// End of the interior point method on a [`ConeProgram`].
 #[derive(Clone, Debug)]
 pub struct ConeSolution {
     /// `x` (`n`).

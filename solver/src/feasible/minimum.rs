@@ -75,7 +75,7 @@ impl Model<'_> {
         }
     }
 
-    /// Whether multipliers of the right signs balance the gradient after a step.
+    /// True where multipliers of the right signs balance the gradient after a step.
     fn is_minimum(&self, p: &[f64]) -> bool {
         let after = add(self.residuals, 1.0, &multiply(self.jacobian, p));
         let mut gradient = transpose_multiply(self.jacobian, &after);

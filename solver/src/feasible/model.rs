@@ -8,7 +8,7 @@ use super::Polytope;
 pub(crate) struct Model<'a> {
     /// The feasible set.
     pub polytope: &'a Polytope,
-    /// Where the step starts (`n`).
+    /// Start of the step (`n`).
     pub z: &'a [f64],
     /// `J` (`m × n`).
     pub jacobian: MatRef<'a, f64>,

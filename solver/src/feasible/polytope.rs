@@ -28,9 +28,9 @@ pub(crate) struct Row {
     pub upper: f64,
     /// The only free parameter, where there is only one.
     single: Option<usize>,
-    /// What the fixed parameters contribute.
+    /// Contribution of the fixed parameters.
     fixed: f64,
-    /// As the user wrote it.
+    /// The constraint as the user wrote it.
     source: Constraint,
 }
 
@@ -48,7 +48,7 @@ pub(crate) enum Side {
 /// A constraint held at a limit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Active {
-    /// Which constraint.
+    /// Number of the constraint.
     pub row: usize,
     /// At which limit.
     pub side: Side,
@@ -113,7 +113,7 @@ impl Row {
         self.is_met_within(z, ROUNDING * self.size(z))
     }
 
-    /// Whether the end `z` of a step of scaled length `‖D p‖` meets it; near a limit of zero the
+    /// True where the end `z` of a step of scaled length `‖D p‖` meets it; near a limit of zero the
     /// rounding is that of the step, all of whose entries may have gone into each.
     fn is_met_after(&self, z: &[f64], scale: &[f64], length: f64) -> bool {
         let rounding = STEP_ROUNDING * self.reach(scale, length);
@@ -179,7 +179,7 @@ impl Polytope {
         }
     }
 
-    /// Whether `z` meets every constraint, to rounding.
+    /// True where `z` meets every constraint, to rounding.
     pub fn contains(&self, z: &[f64]) -> bool {
         self.rows.iter().all(|row| row.is_met(z))
     }

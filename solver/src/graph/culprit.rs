@@ -1,4 +1,4 @@
-//! Which coordinate a derivative that is not finite belongs to.
+//! Search for the coordinate by which a derivative is not finite.
 
 use super::evaluate::gather;
 use super::factor::{At, Part, Work};
@@ -30,7 +30,7 @@ impl Equations<'_> {
         names.into_iter().nth(place).unwrap_or_default()
     }
 
-    /// Whether the derivative of a row of a factor by one coordinate, asked for alone, is not finite.
+    /// True where the derivative of a row of a factor by one coordinate, asked for alone, is not finite.
     fn is_infinite_alone(
         &self,
         factor: usize,

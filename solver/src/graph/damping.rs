@@ -1,4 +1,4 @@
-//! How the damping moves: as in the dense solver, but for its quick fall where steps do what is promised.
+//! Rules of the damping: as in the dense solver, but for its quick fall where steps do what is promised.
 
 use crate::options::Damping;
 
@@ -6,7 +6,7 @@ use crate::options::Damping;
 const LEAST: f64 = 1e-20;
 const MOST: f64 = 1e20;
 
-/// How near to 1 the gain ratio is where a step did what the linearised problem said, and by what the damping falls
+/// Nearness to 1 of the gain ratio where a step did what the linearised problem said, and by what the damping falls
 /// then under Nielsen's rule, which by itself takes a third: from 1e-4 it would hold back the slow directions of a
 /// long chain for as many steps as it has to fall by powers of three. A second failure shows that it fell too far; from then on
 /// it falls by a third at most.
@@ -23,9 +23,9 @@ pub(crate) struct Lambda {
     pub value: f64,
     rule: Damping,
     rise: f64,
-    /// What the damping begins at once a step has failed, until then.
+    /// First damping once a step has failed, until then.
     first: Option<f64>,
-    /// Whether it may fall by [`FALL`].
+    /// True where it may fall by [`FALL`].
     quick: bool,
 }
 
@@ -71,7 +71,7 @@ impl Lambda {
         };
     }
 
-    /// Whether a step is shorter than rounding.
+    /// True where a step is shorter than rounding.
     pub fn exhausted(&self) -> bool {
         self.value > MOST
     }

@@ -1,4 +1,4 @@
-//! What the last point of a graph is.
+//! Judgement of the last point of a graph.
 
 use super::bounds::Held;
 use super::options::GraphReport;
@@ -13,7 +13,7 @@ const FOLLOWED: usize = 32;
 const SMALL_STEP: f64 = 1e-7;
 
 impl Run<'_> {
-    /// Whether the losses count fewer residuals than there are unknowns to determine.
+    /// True where the losses count fewer residuals than there are unknowns to determine.
     fn is_weightless(&self) -> bool {
         let held = self.held().map_or(0, |held| held.count);
         let unknowns = self.equations.structure.unknowns() - held;
@@ -21,7 +21,7 @@ impl Run<'_> {
         counted.is_some_and(|counted| counted < unknowns)
     }
 
-    /// Whether the residuals are no larger than what rounding of the values makes of them, as in the dense solver.
+    /// True where the residuals are no larger than what rounding of the values makes of them, as in the dense solver.
     fn is_zero(&self) -> bool {
         self.normal.square.sqrt() <= f64::EPSILON * self.size()
     }

@@ -9,17 +9,17 @@ use crate::graph::elimination::structure::NONE;
 #[derive(Default)]
 pub(crate) struct Bases {
     entries: Vec<f64>,
-    /// Where a block's basis begins; [`NONE`] for the unit matrix.
+    /// Begin of a block's basis; [`NONE`] for the unit matrix.
     first: Vec<u32>,
 }
 
-/// What a thread works with.
+/// Memory of a thread.
 #[derive(Default)]
 pub(crate) struct Bench<'a> {
     pub work: Work,
     pub x: Vec<f64>,
     pub parts: Vec<Part<'a>>,
-    /// Whether someone else looks for what is not finite.
+    /// True where someone else looks for what is not finite.
     pub unchecked: bool,
 }
 

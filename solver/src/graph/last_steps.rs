@@ -1,6 +1,7 @@
 //! The last steps of a graph: undamped, to what double precision allows.
 
-use super::solve::{Run, TELLING};
+use super::offset::TELLING;
+use super::solve::Run;
 use crate::linear::vector::dot;
 
 /// Damping of the last steps: what is not determined stays where it is.
@@ -77,7 +78,7 @@ impl Run<'_> {
             && self.normal.cost <= cost * (1.0 + ROUNDING)
             && self.solve(damping)
             && self.offset * self.normal.square.sqrt() < offset * square.sqrt();
-        self.record(self.normal.cost, damping, length, better);
+        let tried = self.normal.cost;
         if !better {
             self.values = before;
             if offset > self.options.gradient_tolerance || self.bounded.is_some() {
@@ -87,6 +88,7 @@ impl Run<'_> {
             self.normal.cost = cost;
             (self.offset, self.relative_step) = (offset, relative_step);
         }
+        self.record(tried, damping, length, better);
         better
     }
 }

@@ -1,4 +1,4 @@
-//! What a user of a graph may choose, and what comes out.
+//! Options of a graph, and its report.
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -14,11 +14,11 @@ use crate::minimise::system::Evaluations;
 use crate::options::Damping;
 use crate::report::{Iteration, Termination};
 
-/// How to solve a graph and when to stop. What is missing where it is read is as in the default.
+/// Way to solve a graph and conditions to stop. What is missing where it is read is as in the default.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(default)]
 pub struct GraphOptions {
-    /// How the damping moves; Nielsen's falls by a hundred where the cost fell as promised, to a tenth, until
+    /// Rule of the damping; Nielsen's falls by a hundred where the cost fell as promised, to a tenth, until
     /// a second step has failed.
     pub damping: Damping,
     /// The damping once a step has failed, relative to the squared column norms; the steps before are those of Gauss and
@@ -31,13 +31,13 @@ pub struct GraphOptions {
     pub gradient_tolerance: f64,
     /// Smallest step `‖D p‖` relative to `‖D x‖`.
     pub step_tolerance: f64,
-    /// Whether to go on from there, undamped, to what double precision allows; `false` ends with the
+    /// True to go on from there, undamped, to what double precision allows; `false` ends with the
     /// step that reaches `gradient_tolerance`.
     pub last_digits: bool,
-    /// Whether to look at the end for what the factors do not determine: a factorisation more, and where
+    /// True to look at the end for what the factors do not determine: a factorisation more, and where
     /// there is something, the time of a few steps.
     pub rank: bool,
-    /// Whether robust losses start wide, as least squares, and narrow to their scales in at most 20 stages: for
+    /// If true, robust losses start wide, as least squares, and narrow to their scales in at most 20 stages: for
     /// starts far from the solution, as [`Options::graduated`](crate::Options::graduated). Where too few
     /// residuals count at the start this happens by itself.
     pub graduated: bool,
@@ -76,7 +76,7 @@ pub struct GraphReport {
     pub values: Vec<f64>,
     /// First value of every block, and the number of values.
     pub(crate) first: Vec<usize>,
-    /// What was minimised, there: `½ ‖r‖²`, or half the sum of the losses.
+    /// Value of the minimised cost there: `½ ‖r‖²`, or half the sum of the losses.
     #[serde(with = "crate::infinite")]
     pub cost: f64,
     /// Number of residuals.
@@ -97,7 +97,7 @@ pub struct GraphReport {
     /// column norms.
     #[serde(with = "crate::infinite")]
     pub relative_step: f64,
-    /// How the linear equations were solved.
+    /// Method by which the linear equations were solved.
     pub method: Method,
     /// The bounds that hold there, by the names of the coordinates, with their multipliers.
     #[serde(default)]
@@ -107,7 +107,7 @@ pub struct GraphReport {
     /// directions are free than are followed, 32.
     #[serde(default)]
     pub rank: Option<usize>,
-    /// What no factor determines there, by name: the solution is one of many. The first 32 directions.
+    /// Directions that no factor determines there, by name: the solution is one of many. The first 32.
     #[serde(default)]
     pub null_space: Vec<NullVector>,
 }

@@ -29,7 +29,7 @@ impl Block {
 /// one by one (bundle adjustment, groups with shared parameters), the others by a sparse Cholesky
 /// factorisation in a fill-reducing order, dense where little of it is zero.
 ///
-/// The numbers of plain blocks may have bounds ([`Graph::bound`]); linear constraints over several are not
+/// Numbers of blocks may have bounds ([`Graph::bound`]); linear constraints over several are not
 /// offered here, see [`solve`](crate::solve()) for those.
 ///
 /// ```
@@ -67,7 +67,7 @@ pub struct Graph<'a> {
     /// Blocks of the factors, one factor after the other.
     pub(crate) touched: Vec<u32>,
     pub(crate) losses: Vec<Loss>,
-    /// Bounds of plain blocks.
+    /// Bounds by block and coordinate.
     pub(crate) ranges: Ranges,
     /// Blocks by name.
     numbers: HashMap<Arc<str>, u32>,
@@ -77,7 +77,7 @@ pub struct Graph<'a> {
 pub(crate) struct Variable {
     pub name: Arc<str>,
     pub manifold: Arc<dyn AnyManifold>,
-    /// Where its stored values begin.
+    /// Begin of its stored values.
     pub first: usize,
     pub numbers: u32,
     pub dimension: u32,
@@ -98,6 +98,12 @@ impl Variable {
     /// The free coordinates.
     pub fn free_coordinates(&self) -> impl Iterator<Item = usize> {
         (0..self.width()).map(|k| self.free.as_ref().map_or(k, |free| free[k] as usize))
+    }
+
+    /// The stored number of the block to which a coordinate of every step is added.
+    pub fn plain(&self, coordinate: usize) -> Option<usize> {
+        let number = self.manifold.plain(coordinate)?;
+        (number < self.numbers as usize).then_some(number)
     }
 
     /// Name of a coordinate.
@@ -269,7 +275,7 @@ impl<'a> Graph<'a> {
         all
     }
 
-    /// What is minimised, at stored values of all blocks: `½ ‖r‖²`, or half the sum of the losses.
+    /// Value of the minimised cost at stored values of all blocks: `½ ‖r‖²`, or half the sum of the losses.
     pub fn cost(&self, values: &[f64]) -> f64 {
         let (mut x, mut out, mut sum) = (Vec::new(), Vec::new(), 0.0);
         for (factor, entry) in self.factors.iter().enumerate() {
@@ -340,7 +346,7 @@ impl<'a> Graph<'a> {
         self.losses.get(index as usize - 1)
     }
 
-    /// What can be wrong before anything is evaluated.
+    /// Checks before anything is evaluated.
     pub(crate) fn check(&self) -> Result<(), Error> {
         for factor in 0..self.factors.len() {
             let blocks = self.blocks_of(factor);

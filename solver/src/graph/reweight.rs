@@ -1,11 +1,11 @@
-//! What a loss does to the residuals and the rows of a factor.
+//! Rewriting of a factor's residuals and rows for its loss.
 
 use crate::loss::Loss;
 
 /// Least curvature of a loss relative to its slope: keeps outliers' rows positive.
 const LEAST_CURVATURE: f64 = 1e-2;
 
-/// What a factor costs.
+/// Cost of a factor.
 pub(crate) fn cost_of(loss: Option<&Loss>, residuals: &[f64]) -> f64 {
     let square: f64 = residuals.iter().map(|r| r * r).sum();
     match loss {

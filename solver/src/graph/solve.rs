@@ -1,11 +1,13 @@
 //! From a graph and its start to a report: Levenberg–Marquardt over sparse normal equations.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 use super::bounds::Bounds;
 use super::bounds::step::{BoundedStep, Model};
 use super::damping::Lambda;
+use super::offset::TELLING;
 use super::options::{GraphOptions, GraphReport};
 use super::problem::Graph;
 use crate::clock::{Moment, after};
@@ -13,7 +15,7 @@ use crate::error::Error;
 use crate::graph::elimination::Factored;
 use crate::graph::elimination::equations::{Equations, Failure, Normal};
 use crate::graph::elimination::structure::Structure;
-use crate::linear::vector::{dot, scaled_norm};
+use crate::linear::vector::scaled_norm;
 use crate::minimise::scaling::Scaling;
 use crate::minimise::system::Evaluations;
 use crate::report::{Iteration, Termination};
@@ -22,22 +24,11 @@ use crate::report::{Iteration, Termination};
 /// judged by the gradient.
 const NEAR: f64 = 1e-5;
 
-/// How near to 1 the last gain ratio is if the next step is linearised before its cost is known.
+/// Nearness to 1 of the last gain ratio if the next step is linearised before its cost is known.
 const PREDICTED: f64 = 0.25;
-
-/// Damping up to which the damped step tells the offset.
-pub(super) const TELLING: f64 = 1e-3;
-
-/// Share of the offset sought that a step by the factor at hand has to stay below: the offset that
-/// it tells is not exact.
-const SURE: f64 = 0.5;
 
 /// Steps by a factor at hand that may be tried in vain.
 pub(super) const TRIES: usize = 2;
-
-/// Unknowns that a residual depends on: where they are more, [`Run::steepness`] says too much, and a
-/// factorisation that could be spared is done.
-const TOUCHED: f64 = 12.0;
 
 /// Falls of the cost in a row, each below rounding, after which it counts as flat.
 const FLAT_STEPS: usize = 3;
@@ -49,6 +40,49 @@ const FLAT_STEPS: usize = 3;
 /// A factor that reads a block that is not there or one twice, a start outside its bounds or at which something
 /// is not finite, nothing free, a loss of estimated scale, and a factorisation that does not fit in memory.
 pub fn solve_graph(graph: &Graph<'_>, options: &GraphOptions) -> Result<GraphReport, Error> {
+    solve_graph_observed(graph, options, &mut |_, _| ControlFlow::Continue(()))
+}
+
+/// [`solve_graph`] with a callback after every step tried, which sees the step and the stored values of all blocks after it (those
+/// before it, if it was not taken), and may stop the run before the next step by `ControlFlow::Break`:
+/// [`Termination::Cancelled`] then.
+///
+/// Where a loss is graduated, the costs that it sees are those of the stages.
+///
+/// # Errors
+/// As [`solve_graph`].
+///
+/// # Examples
+/// ```
+/// use std::ops::ControlFlow;
+/// use stillpoint_solver::{Euclidean, Graph, GraphOptions, Residual, Scalar, solve_graph_observed};
+///
+/// /// Rosenbrock's valley.
+/// struct Valley;
+///
+/// impl<D: Scalar> Residual<D> for Valley {
+///     fn residuals(&self, x: &[D], out: &mut Vec<D>) {
+///         out.extend([(x[1] - x[0] * x[0]) * 10.0, -x[0] + 1.0]);
+///     }
+/// }
+///
+/// let mut graph = Graph::new();
+/// let block = graph.add("x", Euclidean(2), &[-1.2, 1.0])?;
+/// graph.add_factor(&[block], Valley);
+/// let mut path = Vec::new();
+/// let report = solve_graph_observed(&graph, &GraphOptions::default(), &mut |step, values| {
+///     path.push((step.cost, values.to_vec()));
+///     ControlFlow::Continue(())
+/// })?;
+/// assert_eq!(path.len(), report.iterations.len());
+/// assert_eq!(path.last().map(|(_, values)| values), Some(&report.values));
+/// # Ok::<(), stillpoint_solver::Error>(())
+/// ```
+pub fn solve_graph_observed(
+    graph: &Graph<'_>,
+    options: &GraphOptions,
+    observer: &mut dyn FnMut(&Iteration, &[f64]) -> ControlFlow<()>,
+) -> Result<GraphReport, Error> {
     graph.check()?;
     let structure = Arc::new(Structure::new(graph)?);
     let mut normal = Normal::default();
@@ -57,7 +91,8 @@ pub fn solve_graph(graph: &Graph<'_>, options: &GraphOptions) -> Result<GraphRep
     bounds.check(graph, values)?;
     let equations = Equations::start(graph, &structure, options.threads, values, &mut normal)?;
     let few = (equations.counted(values)).is_some_and(|counted| counted < structure.unknowns());
-    let mut run = Run::new(equations, Factored::new(&structure)?, normal, options);
+    let factored = Factored::new(&structure)?;
+    let mut run = Run::new(equations, factored, normal, options, observer);
     run.bounded = (!bounds.is_empty()).then(|| BoundedStep::new(bounds));
     let stop = match options.graduated || few {
         true => run.descend_graduated(),
@@ -94,18 +129,24 @@ pub(super) struct Run<'a> {
     pub deadline: Option<Moment>,
     pub offset: f64,
     pub relative_step: f64,
-    /// Whether the last step did what the linearised problem said.
+    /// True where the last step did what the linearised problem said.
     pub as_predicted: bool,
     /// Damping of the factor at hand; infinite where there is none.
     pub factor_damping: f64,
-    /// How often a step by the last factor may still be tried in vain: where steps fall slowly in
+    /// Number of steps by the last factor that may still be tried in vain: where steps fall slowly in
     /// directions that are hardly determined, it would be so again and again.
     pub tries: usize,
-    /// Where there are bounds.
+    /// The bounded step; `None` without bounds.
     pub bounded: Option<BoundedStep>,
     pub more: Vec<f64>,
     pub step: Vec<f64>,
+    observer: Observer<'a>,
+    /// True where the observer has asked to stop.
+    cancelled: bool,
 }
+
+/// Called after every step tried.
+type Observer<'a> = &'a mut dyn FnMut(&Iteration, &[f64]) -> ControlFlow<()>;
 
 impl<'a> Run<'a> {
     fn new(
@@ -113,6 +154,7 @@ impl<'a> Run<'a> {
         factored: Factored,
         normal: Normal,
         options: &'a GraphOptions,
+        observer: Observer<'a>,
     ) -> Self {
         let unknowns = equations.structure.unknowns();
         let values = equations.graph.values.clone();
@@ -135,6 +177,8 @@ impl<'a> Run<'a> {
             bounded: None,
             more: vec![0.0; unknowns],
             step: vec![0.0; unknowns],
+            observer,
+            cancelled: false,
         };
         run.evaluations.jacobians = 1;
         run.update_scaling();
@@ -188,12 +232,6 @@ impl<'a> Run<'a> {
             .factor_and_solve(&self.normal.h, &self.more, &mut self.step)
     }
 
-    /// Twice what the model promises, but for the damping: `−gᵀp`, less what bounds take up.
-    fn decrement(&self) -> f64 {
-        let pressed = self.bounded.as_ref().map_or(0.0, |b| b.pressed);
-        -dot(&self.normal.gradient, &self.step) - pressed
-    }
-
     /// All stored values after the step at hand.
     pub(super) fn stepped(&self) -> Vec<f64> {
         let mut next = self.equations.stepped(&self.values, &self.step);
@@ -201,77 +239,6 @@ impl<'a> Run<'a> {
             bounded.bounds.cut(&mut next);
         }
         next
-    }
-
-    /// Whether the offset is small by the factor at hand, that of the equations before the last step:
-    /// where that did what the linearised problem said, they have hardly changed, and the last
-    /// factorisation is spared. Leaves the step by this factor in `self.step`.
-    fn is_near_by_last_factor(&mut self, near: f64) -> bool {
-        // Which bounds hold a new factorisation tells.
-        let alike = self.tries > 0
-            && self.as_predicted
-            && self.factor_damping <= TELLING
-            && self.bounded.is_none();
-        if !alike || self.steepness() > SURE * near {
-            return false;
-        }
-        let known = (self.offset, self.relative_step);
-        for (p, g) in self.step.iter_mut().zip(&self.normal.gradient) {
-            *p = -g;
-        }
-        self.factored.solve(&self.normal.h, &mut self.step);
-        self.judge_step();
-        let finite = self.step.iter().all(|v| v.is_finite());
-        if !(finite && self.offset <= SURE * near) {
-            (self.offset, self.relative_step) = known;
-            self.tries -= 1;
-            return false;
-        }
-        true
-    }
-
-    /// Hardly more than the offset, and quickly known: where a residual depends on `c` unknowns,
-    /// `H ≤ c D²`, so that `gᵀ H⁻¹ g ≥ gᵀ D⁻² g / c`.
-    fn steepness(&self) -> f64 {
-        let scale = self.scaling.diagonal();
-        let sum: f64 = (self.normal.gradient.iter().zip(scale))
-            .map(|(g, d)| (g / d).powi(2))
-            .sum();
-        (sum / (TOUCHED * self.normal.square)).sqrt()
-    }
-
-    /// Updates offset and relative step.
-    fn judge_step(&mut self) {
-        let scale = self.scaling.diagonal();
-        let decrement = self.decrement();
-        self.offset = if decrement > 0.0 {
-            (decrement / self.normal.square).sqrt()
-        } else {
-            0.0
-        };
-        let length = scaled_norm(&self.step, scale);
-        let size = self.size();
-        self.relative_step = if length > 0.0 { length / size } else { 0.0 };
-    }
-
-    /// `‖D x‖`, where a coordinate of a curved block counts as 1.
-    pub(super) fn size(&self) -> f64 {
-        let structure = self.equations.structure;
-        let scale = self.scaling.diagonal();
-        let mut sum = 0.0;
-        for (position, &block) in structure.order.iter().enumerate() {
-            let variable = &self.equations.graph.variables[block as usize];
-            let first = structure.first[position];
-            for (k, coordinate) in variable.free_coordinates().enumerate() {
-                let x = if variable.manifold.is_flat() {
-                    self.values[variable.first + coordinate]
-                } else {
-                    1.0
-                };
-                sum += (scale[first + k] * x).powi(2);
-            }
-        }
-        sum.sqrt()
     }
 
     /// Damped steps until the offset is small.
@@ -394,16 +361,22 @@ impl<'a> Run<'a> {
         }
     }
 
+    /// Writes the trace and shows it to the observer, whose wish to stop is met before the next step.
     pub(super) fn record(&mut self, cost: f64, lambda: f64, step: f64, accepted: bool) {
-        self.iterations.push(Iteration {
+        let iteration = Iteration {
             cost,
             lambda,
             step,
             accepted,
-        });
+        };
+        self.cancelled |= (self.observer)(&iteration, &self.values).is_break();
+        self.iterations.push(iteration);
     }
 
     pub(super) fn limit(&self) -> Option<Termination> {
+        if self.cancelled {
+            return Some(Termination::Cancelled);
+        }
         if self.iterations.len() >= self.options.max_iterations {
             return Some(Termination::IterationLimit);
         }

@@ -1,4 +1,4 @@
-//! What stands in place of robust losses for a while.
+//! Stand-ins for robust losses.
 
 use crate::loss::{Loss, LossScale};
 
@@ -10,7 +10,7 @@ const NARROWER: f64 = 10.0;
 /// Most stages.
 const STAGES: usize = 20;
 
-/// What stands in place of the losses of a graph for a while.
+/// Stand-in for the losses of a graph for a while.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Stage {
     /// Nothing does.
@@ -33,7 +33,7 @@ impl Stage {
         stages
     }
 
-    /// What stands in place of a loss.
+    /// Stand-in for a loss.
     pub fn of(self, loss: Loss) -> Loss {
         match (self, loss.scale()) {
             (Self::Wide(widening), Some(LossScale::Given(scale))) => {

@@ -1,4 +1,4 @@
-//! What every way to solve the damped linear problem answers.
+//! Questions that every way to solve the damped linear problem answers.
 
 /// A factorisation that solves damped linear least squares for many dampings and right sides.
 pub trait Factor {

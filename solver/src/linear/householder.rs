@@ -16,7 +16,7 @@ pub(crate) struct Householder {
     rows: usize,
     /// Column after column: `R` above the diagonal, `v` (its first entry 1) from the diagonal on.
     columns: Vec<f64>,
-    /// Of every reflection, the diagonal entry of `R` that it leaves, and `τ`.
+    /// For every reflection, the diagonal entry of `R` that it leaves, and `τ`.
     reflections: Vec<(f64, f64)>,
 }
 
@@ -85,7 +85,7 @@ impl Householder {
 }
 
 /// Turns `x` into the `v` of the reflection that maps `x` to `(d, 0, …)`; returns `d` and `τ`.
-fn reflection(x: &mut [f64]) -> (f64, f64) {
+pub(super) fn reflection(x: &mut [f64]) -> (f64, f64) {
     let length = norm(x);
     let first = std::mem::replace(&mut x[0], 1.0);
     if length == 0.0 {
@@ -133,7 +133,7 @@ mod tests {
 
     use super::*;
 
-    /// Of full rank.
+    /// A matrix of full rank.
     fn waves(m: usize, n: usize) -> Mat<f64> {
         Mat::from_fn(m, n, |i, k| (1.7 * (i * (k + 1) + k * k) as f64).cos())
     }

@@ -22,7 +22,7 @@ const SWEEPS: usize = 40;
 
 /// Singular values, descending, with the right vectors as the columns of `V` (`n × n`).
 pub(crate) struct Singular {
-    /// As many as columns; zeros where the matrix has fewer rows.
+    /// One for every column; zeros where the matrix has fewer rows.
     pub values: Vec<f64>,
     /// Orthonormal.
     pub vectors: Mat<f64>,

@@ -14,7 +14,7 @@ use super::vector::norm;
 pub(crate) struct Linearization {
     /// `r` (`m`), corrected for the loss.
     pub residuals: Vec<f64>,
-    /// What is minimised: `½ ‖r‖²`, or half the sum of the losses.
+    /// Minimised cost: `½ ‖r‖²`, or half the sum of the losses.
     pub cost: f64,
     /// `∂r/∂x` (`m × n`), free columns only.
     pub jacobian: Jacobian,

@@ -1,11 +1,11 @@
-//! Which way the damped linear problem is solved.
+//! Choice of a method for the damped linear problem.
 
 use faer::MatRef;
 use serde::{Deserialize, Serialize};
 
 use super::factor::Factor;
 
-/// How the damped linear problem is solved.
+/// Method by which the damped linear problem is solved.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]

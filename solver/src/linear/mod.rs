@@ -12,6 +12,7 @@ mod method;
 mod minimum_norm;
 mod product;
 mod qr;
+mod tall;
 mod triangle;
 
 pub use factor::Factor;

@@ -14,6 +14,7 @@ use faer::{Conj, Mat, MatMut, MatRef, Par};
 use super::damped_triangle::damped_triangle;
 use super::factor::Factor;
 use super::householder::Householder;
+use super::tall::Tall;
 use super::triangle::Triangle;
 use crate::linear::vector::{divide, dot, norm};
 
@@ -22,6 +23,13 @@ const ROTATED_COLUMNS: usize = 32;
 
 /// Most entries of a Jacobian that is factored on slices; beyond, faer's blocks are worth their set-up.
 const SMALL: usize = 1 << 14;
+
+/// Last entry of the diagonal of a pivoted `R`, relative to the first, up to which a direction is hardly seen.
+const FAINT: f64 = 1e-6;
+
+/// Most columns that are eliminated block of rows after block of rows, and how many times as many rows there have to be.
+const SLENDER: usize = 32;
+const TALL: usize = 64;
 
 /// `J D⁻¹ P = Q R`, factored once; a damping then costs a QR of `2n × n` only.
 ///
@@ -42,6 +50,7 @@ pub(crate) struct QrFactor {
 /// `Q` as reflections.
 enum Orthogonal {
     Small(Householder),
+    Tall(Tall),
     Large(ColPivQr<f64>),
 }
 
@@ -51,6 +60,8 @@ impl QrFactor {
         let (m, n) = jacobian.shape();
         let (q, r, order) = if m * n <= SMALL {
             small(jacobian, scale)
+        } else if (1..=SLENDER).contains(&n) && m >= TALL * n {
+            tall(jacobian, scale)
         } else {
             large(jacobian, scale)
         };
@@ -80,6 +91,7 @@ impl QrFactor {
         let mut rotated = b.to_vec();
         match &self.q {
             Orthogonal::Small(qr) => qr.rotate(&mut rotated),
+            Orthogonal::Tall(qr) => qr.rotate(&mut rotated),
             Orthogonal::Large(qr) => rotate(qr, &mut rotated),
         }
         rotated.truncate(self.r.rows());
@@ -110,6 +122,14 @@ impl QrFactor {
         }
         let length = norm(&w);
         self.restore(|k| w[k] / length)
+    }
+
+    /// [`least_seen`](Self::least_seen) where the Jacobian sees next to nothing of it.
+    pub fn unseen(&self) -> Option<Vec<f64>> {
+        let last = self.scale.len().checked_sub(1)?;
+        let short = self.r.rows() <= last
+            || self.r.diagonal(last).abs() <= FAINT * self.r.diagonal(0).abs();
+        short.then(|| self.least_seen()).flatten()
     }
 
     /// Undoes pivoting and scaling: `p = D⁻¹ P w`.
@@ -183,6 +203,16 @@ fn small(jacobian: MatRef<'_, f64>, scale: &[f64]) -> (Orthogonal, Triangle, Vec
     (Orthogonal::Small(qr), r, order)
 }
 
+fn tall(jacobian: MatRef<'_, f64>, scale: &[f64]) -> (Orthogonal, Triangle, Vec<usize>) {
+    let contiguous = jacobian.try_as_col_major();
+    let Some(jacobian) = contiguous else {
+        return large(jacobian, scale);
+    };
+    let (qr, order) = Tall::new(|k| jacobian.col(k).as_slice(), scale);
+    let r = qr.triangle();
+    (Orthogonal::Tall(qr), r, order)
+}
+
 fn large(jacobian: MatRef<'_, f64>, scale: &[f64]) -> (Orthogonal, Triangle, Vec<usize>) {
     let (m, n) = jacobian.shape();
     let qr = Mat::from_fn(m, n, |i, k| jacobian[(i, k)] / scale[k]).col_piv_qr();
@@ -228,7 +258,8 @@ fn numerical_rank(r: &Triangle, m: usize) -> usize {
     if size == 0 {
         return 0;
     }
-    let floor = 10.0 * f64::EPSILON * m.max(r.columns()) as f64 * r.diagonal(0).abs();
+    let floor =
+        10.0 * f64::EPSILON * (m as f64).sqrt().max(r.columns() as f64) * r.diagonal(0).abs();
     (0..size)
         .take_while(|&k| r.diagonal(k).abs() > floor)
         .count()
@@ -296,17 +327,19 @@ mod tests {
             svd: OnceCell::new(),
             first: OnceCell::new(),
         };
-        let fast = factor(small(j.as_ref(), &scale));
         let simple = factor(large(j.as_ref(), &scale));
-        assert!((fast.tangential(&b) / simple.tangential(&b) - 1.0).abs() < 1e-12);
-        let pairs = [
-            (fast.undamped(&b), simple.undamped(&b)),
-            (fast.damped(&b, 0.1), simple.damped(&b, 0.1)),
-        ];
-        for (fast, simple) in pairs {
-            for (a, b) in fast.unwrap().iter().zip(&simple.unwrap()) {
-                // Columns of sines are nearly orthogonal: the condition is near 1.
-                assert!((a - b).abs() < 1e-13, "{a} {b}");
+        for fast in [small(j.as_ref(), &scale), super::tall(j.as_ref(), &scale)] {
+            let fast = factor(fast);
+            assert!((fast.tangential(&b) / simple.tangential(&b) - 1.0).abs() < 1e-12);
+            let pairs = [
+                (fast.undamped(&b), simple.undamped(&b)),
+                (fast.damped(&b, 0.1), simple.damped(&b, 0.1)),
+            ];
+            for (fast, simple) in pairs {
+                for (a, b) in fast.unwrap().iter().zip(&simple.unwrap()) {
+                    // Columns of sines are nearly orthogonal: the condition is near 1.
+                    assert!((a - b).abs() < 1e-13, "{a} {b}");
+                }
             }
         }
     }

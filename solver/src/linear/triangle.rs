@@ -46,7 +46,7 @@ impl Triangle {
         self.entries[i * self.columns + i]
     }
 
-    /// As a matrix.
+    /// The triangle as a matrix.
     pub fn to_mat(&self) -> Mat<f64> {
         Mat::from_fn(self.rows(), self.columns, |i, k| self.row(i)[k])
     }

@@ -11,16 +11,16 @@ const STEP: f64 = 6.055_454_452_393_343e-6;
 /// Rounding of a value that a difference may show.
 const ROUNDING: f64 = 1e-14;
 
-/// What a loss says, and what it should have said.
+/// Value that a loss gives, and the one it should give.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LossMismatch {
     /// Squared residual over squared scale, `s = (r / σ)²`.
     pub s: f64,
     /// 0 for `ρ`, 1 for `ρ′`, 2 for `ρ″`.
     pub order: u8,
-    /// What the loss says there.
+    /// The loss's own value there.
     pub value: f64,
-    /// What it should be: 0 and 1 of `ρ(0)` and `ρ′(0)`, the central difference elsewhere, and 0 for a
+    /// Value that it should be: 0 and 1 of `ρ(0)` and `ρ′(0)`, the central difference elsewhere, and 0 for a
     /// slope below 0.
     pub expected: f64,
 }

@@ -36,7 +36,7 @@ impl Losses {
         }
     }
 
-    /// Whether every row counts by its square.
+    /// True where every row counts by its square.
     pub fn is_quadratic(&self) -> bool {
         self.rest.0 == Loss::Quadratic && self.groups.iter().all(|g| g.1 == Loss::Quadratic)
     }
@@ -158,7 +158,7 @@ impl Losses {
         )
     }
 
-    /// What multiplies `(Jᵀ C J)⁻¹`, `C` the curvatures `ρ′ + 2 s ρ″`, to give the covariance of
+    /// Factor of `(Jᵀ C J)⁻¹`, `C` the curvatures `ρ′ + 2 s ρ″`, to give the covariance of
     /// the parameters: `K² · Σ (ρ′ r)² / (m − p) / c̄`, with the mean curvature `c̄` and the
     /// correction `K = 1 + (p / m) var(c) / c̄²` for few residuals.
     ///
@@ -255,5 +255,9 @@ impl System for Robust<'_> {
 
     fn refuses_second_derivatives(&self) -> bool {
         self.inner.refuses_second_derivatives()
+    }
+
+    fn offers_second_derivatives(&self) -> bool {
+        self.inner.offers_second_derivatives()
     }
 }

@@ -26,6 +26,22 @@ use crate::residual::Problem;
 ///
 /// # Errors
 /// A mask of another length than the parameters, and a fit without a spare residual.
+///
+/// # Examples
+/// ```
+/// use stillpoint_solver::{Jet, Mask, Options, Parameters, from_fn, sandwich_covariance, solve};
+///
+/// // Errors that grow with the signal.
+/// let line = from_fn(|x: &[Jet], r: &mut Vec<Jet>| {
+///     let y = |t: f64| t + 0.1 * t * (40.0 * t).sin();
+///     r.extend((1..=200).map(|k| 0.1 * f64::from(k)).map(|t| x[0] * t - y(t)));
+/// });
+/// let (mask, options) = (Mask::all(1), Options::default());
+/// let report = solve(&line, &Parameters::unnamed(&[0.5]), &mask, &options)?;
+/// let covariance = sandwich_covariance(&line, &report, &mask, &options)?;
+/// assert!(report.standard_error(0).is_some_and(|classical| covariance[0][0].sqrt() > 1.2 * classical));
+/// # Ok::<(), stillpoint_solver::Error>(())
+/// ```
 pub fn sandwich_covariance(
     problem: &dyn Problem,
     report: &Report,

@@ -25,7 +25,7 @@ const COLLINEAR: f64 = 1e-11;
 /// A step shorter than this, relative to the parameters, changes nothing.
 const SHORT: f64 = 1e-14;
 
-/// How [`solve_batch`] solves.
+/// Options of [`solve_batch`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BatchOptions {
     /// Most steps tried in one problem before [`solve`](crate::solve()) takes it over.
@@ -46,7 +46,7 @@ impl Default for BatchOptions {
     }
 }
 
-/// What [`solve_batch`] found: of `N` problems with `n` parameters each.
+/// Result of [`solve_batch`]: for `N` problems with `n` parameters each.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Batch {
     /// Parameters at the minima, `n` of every problem one after the other (`N n`).
@@ -412,7 +412,7 @@ impl Work {
         true
     }
 
-    /// Whether the step changes no parameter.
+    /// True where the step changes no parameter.
     #[inline(always)]
     fn is_short(&self) -> bool {
         let of = |v: &[f64]| -> f64 { v.iter().zip(&self.scale).map(|(v, d)| d * v * v).sum() };

@@ -21,7 +21,7 @@ pub struct Minimum {
     pub starts: Vec<usize>,
 }
 
-/// What many starts lead to.
+/// Minima that many starts lead to.
 #[derive(Clone, Debug)]
 pub struct MultiStart {
     /// Minima that differ, the lowest first.
@@ -109,6 +109,11 @@ fn is_same(a: &Report, b: &Report, mask: &Mask, scale: &[f64]) -> bool {
 
 /// `count` points spread evenly between `lower` and `upper` (Halton's sequence: no seed, the same points
 /// every time). Source: Halton, "On the efficiency of certain quasi-random sequences", 1960.
+///
+/// ```
+/// let points = stillpoint_solver::spread(&[0.0, -1.0], &[1.0, 1.0], 50);
+/// assert!(points.len() == 50 && points.iter().all(|p| (0.0..=1.0).contains(&p[0]) && (-1.0..=1.0).contains(&p[1])));
+/// ```
 pub fn spread(lower: &[f64], upper: &[f64], count: usize) -> Vec<Vec<f64>> {
     let bases = primes(lower.len().min(upper.len()));
     let point = |i: usize| {

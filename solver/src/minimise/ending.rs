@@ -1,4 +1,4 @@
-//! What the last point is: a minimum, a zero, a saddle, or none of these.
+//! Judgement of the last point: a minimum, a zero, a saddle, or none of these.
 
 use crate::linear::Factor;
 use crate::linear::vector::{add, dot, norm, scaled_norm};
@@ -71,26 +71,26 @@ fn rounding(point: &Point) -> (f64, f64) {
     (f64::EPSILON * from_parameters, size)
 }
 
-/// Whether the residuals are no larger than what rounding of the parameters makes of them.
+/// True where the residuals are no larger than what rounding of the parameters makes of them.
 pub(crate) fn is_zero(point: &Point) -> bool {
     let (rounding, size) = rounding(point);
     size <= rounding
 }
 
-/// Whether the fall of the cost that the linear model promises, `½ ‖P r‖²`, is below the rounding
+/// True where the fall of the cost that the linear model promises, `½ ‖P r‖²`, is below the rounding
 /// of the cost.
 fn promises_nothing(point: &Point, verdict: &Verdict) -> bool {
     is_below_rounding(point, 0.5 * verdict.tangential * verdict.tangential)
 }
 
-/// Whether a fall of the cost is below what rounding of residuals and parameters makes of it.
+/// True where a fall of the cost is below what rounding of residuals and parameters makes of it.
 pub(crate) fn is_below_rounding(point: &Point, fall: f64) -> bool {
     let (rounding, size) = rounding(point);
     let of_cost = size * (f64::EPSILON * size + rounding) + rounding * rounding;
     fall <= ROUNDING * of_cost
 }
 
-/// Whether no damped step and no step along one parameter leads lower, and the parabola along each, with the gradient's slope here and
+/// True where no damped step and no step along one parameter leads lower, and the parabola along each, with the gradient's slope here and
 /// the cost found after it, promises less than rounding: `(g·p)² / 4 (rise − g·p)`. Where a column of
 /// the Jacobian vanishes at a minimum, the linear model promises much and these nothing.
 pub(crate) fn is_flat_all_around(system: &dyn System, point: &Point, verdict: &Verdict) -> bool {

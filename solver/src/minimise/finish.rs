@@ -1,4 +1,4 @@
-//! The last steps: to the precision that double precision allows.
+//! The last steps: to an offset that leaves eleven digits, or to what double precision allows.
 
 use faer::Mat;
 
@@ -19,13 +19,16 @@ const NO_CHANGE: f64 = 2.0 * f64::EPSILON;
 /// Relative offset per `√m` below which it is rounding.
 const RESOLVED: f64 = 4.0 * f64::EPSILON;
 
+/// Relative offset that is good enough: the step that is left is a fraction of a standard error as small, `√(m − n)` times this.
+const ENOUGH: f64 = 1e-11;
+
 /// Relative rise of the cost that rounding may explain.
 const ROUNDING: f64 = 1e-9;
 
 /// A step that shortens the tangential residual by less than this calls for second derivatives.
 const SLOW: f64 = 0.3;
 
-/// What the Gauss–Newton step says of a point.
+/// Judgement of a point by its Gauss–Newton step.
 pub(crate) struct Verdict {
     /// `‖P r‖ / ‖r‖`, zero for a zero residual: the relative offset.
     pub offset: f64,
@@ -158,14 +161,14 @@ pub(crate) fn polish(
     verdict
 }
 
-/// Whether the offset is rounding, or the step changes nothing.
+/// True where the offset is rounding, or the step changes nothing.
 fn is_settled(point: &Point, verdict: &Verdict, step: &[f64]) -> bool {
-    let rounding = RESOLVED * (point.at.residuals.len() as f64).sqrt();
+    let rounding = (RESOLVED * (point.at.residuals.len() as f64).sqrt()).max(ENOUGH);
     let still = |(p, z): (&f64, &f64)| p.abs() <= NO_CHANGE * z.abs();
     verdict.offset <= rounding || step.iter().zip(&point.z).all(still)
 }
 
-/// Whether the offset is far enough from rounding for second derivatives to pay.
+/// True where the offset is far enough from rounding for second derivatives to pay.
 fn worth_more(verdict: &Verdict) -> bool {
     verdict.offset > 1e-13 && verdict.relative_step > 1e-14
 }

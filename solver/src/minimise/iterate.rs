@@ -20,8 +20,9 @@ use crate::options::{Options, Variant};
 use crate::report::Iteration;
 use crate::search::{Nielsen, Search, Trial};
 
-/// Cost relative to that of the start below which a slow run counts as one to zero, `ε⁴`.
-const NOTHING: f64 = 2.43e-63;
+/// Cost relative to that of the start below which a slow run counts as one to zero: the residuals are below the rounding of
+/// those at the start.
+const NOTHING: f64 = 1e-32;
 
 /// Relative offset below which the cost no longer tells two points apart (it changes by the square
 /// of the offset) and the last steps are judged by the gradient instead.
@@ -29,6 +30,10 @@ const NEAR: f64 = 1e-5;
 
 /// Steps taken after which a run counts as slow.
 const SLOW: usize = 30;
+
+/// Second derivatives per step taken that whole Hessians may take: a tenth of a Jacobian each, they are less than half of what a slow
+/// run costs without.
+const LOOKS: usize = 4;
 
 /// Falls of the cost in a row, each below rounding, after which it counts as flat.
 const FLAT_STEPS: usize = 3;
@@ -50,17 +55,27 @@ pub(crate) struct Run<'a> {
     flat: usize,
     taken: usize,
     not_finite: Option<NotFinite>,
-    /// Where the last step led, if its cost is infinite.
+    /// Point to which the last step led, if its cost is infinite.
     lost: Option<Vec<f64>>,
     cancelled: bool,
     /// Relative offset at which the last steps are tried.
     near: f64,
     /// Cost at the start.
     first_cost: f64,
-    /// Where the whole Hessian is looked at next, in steps taken, and how many steps later then.
+    /// Steps taken at which the whole Hessian is looked at next, and the number of steps to the look after it.
     next_hessian: usize,
     gap: usize,
     is_nielsen: bool,
+    /// Second derivatives spent on whole Hessians.
+    looked: usize,
+}
+
+/// Relative offset at which the steps of the loop end.
+fn near(options: &Options) -> f64 {
+    match options.last_digits {
+        true => NEAR,
+        false => options.gradient_tolerance,
+    }
 }
 
 impl<'a> Run<'a> {
@@ -91,11 +106,12 @@ impl<'a> Run<'a> {
             not_finite: None,
             lost: None,
             cancelled: false,
-            near: NEAR,
+            near: near(options),
             first_cost: start.at.cost,
             next_hessian: SLOW,
             gap: 1,
             is_nielsen: false,
+            looked: 0,
         }
     }
 
@@ -105,7 +121,7 @@ impl<'a> Run<'a> {
         self.scaling.update(&point.at.jacobian.column_norms());
         let size = scaled_norm(&point.z, self.scaling.diagonal());
         self.search = self.options.search(size);
-        (self.near, self.flat) = (NEAR, 0);
+        (self.near, self.flat) = (near(self.options), 0);
     }
 
     /// Goes on until the offset is `tolerance`; false where that was the aim already.
@@ -145,6 +161,7 @@ impl<'a> Run<'a> {
             factor: factor.as_ref(),
             scale: &scale,
             offset: 0.0,
+            refused: 0,
         };
         let (tangential, size) = (self.tangential(&local), norm(&point.at.residuals));
         if tangential <= self.near * size {
@@ -164,6 +181,7 @@ impl<'a> Run<'a> {
             if self.search.exhausted() {
                 return Err(self.given_up(Stop::Stalled));
             }
+            local.refused += 1;
         }
     }
 
@@ -191,9 +209,14 @@ impl<'a> Run<'a> {
         if !wanted || self.polytope.is_some() || self.taken < self.next_hessian {
             return None;
         }
-        self.next_hessian = self.taken + self.gap;
-        self.gap = (2 * self.gap).clamp(1, (local.scale.len() / 2).max(1));
         let n = local.scale.len();
+        let whole = n * (n + 1) / 2;
+        if self.looked + whole > LOOKS * self.taken {
+            return None;
+        }
+        self.looked += whole;
+        self.next_hessian = self.taken + self.gap;
+        self.gap = (2 * self.gap).clamp(1, (n / 2).max(1));
         let directions = Mat::from_fn(n, n, |i, k| if i == k { 1.0 / local.scale[i] } else { 0.0 });
         newton::curvature(self.system, local.point, directions.as_ref())
     }
@@ -291,7 +314,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Where the automatic variant finds that the problem has no second derivatives, it goes on as
+    /// The automatic variant that finds that the problem has no second derivatives goes on as
     /// the variant that is best without them.
     fn without_second_derivatives(&mut self) {
         let automatic = self.options.variant == Variant::Automatic;
@@ -301,7 +324,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Where a step leads, exactly on the bounds that it reaches.
+    /// Point to which a step leads, exactly on the bounds that it reaches.
     fn landing(&self, point: &Point, step: &Step) -> Vec<f64> {
         let mut z = add(&point.z, 1.0, &step.p);
         if let Some(polytope) = self.polytope {

@@ -12,7 +12,7 @@ pub(crate) struct Point {
     pub at: Linearization,
 }
 
-/// Where a linearisation is not finite.
+/// Place at which a linearisation is not finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum NotFinite {
     /// A residual.

@@ -1,6 +1,6 @@
 //! Scaling that makes the steps independent of the parameters' units.
 
-/// What is left of an old norm per step. Moré keeps all of it; a column that was huge far from the
+/// Share of an old norm that is left per step. Moré keeps all of it; a column that was huge far from the
 /// solution then holds its parameter back for ever (MGH10 from its first start passes 1e49).
 const MEMORY: f64 = 0.9;
 

@@ -14,7 +14,7 @@ pub(crate) trait System {
     /// `r(z)` (`m`).
     fn residuals(&self, z: &[f64]) -> Vec<f64>;
 
-    /// What is minimised, from residuals; infinite where one is not finite.
+    /// Minimised cost from residuals; infinite where one is not finite.
     fn cost_of(&self, residuals: &[f64]) -> f64 {
         half_square(residuals)
     }
@@ -28,13 +28,18 @@ pub(crate) trait System {
     /// The column to blame for a derivative of residual `row` that is not finite; see [`culprit`].
     fn culprit(&self, z: &[f64], row: usize) -> Option<usize>;
 
-    /// What is minimised, at `z`.
+    /// Minimised cost at `z`.
     fn cost(&self, z: &[f64]) -> f64 {
         self.cost_of(&self.residuals(z))
     }
 
-    /// Whether second derivatives were asked for and the problem has none to offer.
+    /// True where second derivatives were asked for and the problem has none to offer.
     fn refuses_second_derivatives(&self) -> bool {
+        false
+    }
+
+    /// True where second derivatives were asked for and the problem had them.
+    fn offers_second_derivatives(&self) -> bool {
         false
     }
 }
@@ -66,7 +71,7 @@ impl<'a> Dense<'a> {
         }
     }
 
-    /// Whether there are more residuals, or fewer, than there were: costs cannot be compared.
+    /// True where there are more residuals, or fewer, than there were: costs cannot be compared.
     fn is_other_length(&self, rows: usize) -> bool {
         self.rows.get() != 0 && rows != self.rows.get()
     }
@@ -161,7 +166,7 @@ pub(crate) fn culprit(
     })
 }
 
-/// How often the problem was evaluated, the last steps to double precision included, of which a trace of the
+/// Numbers of evaluations of the problem, the last steps to double precision included, of which a trace of the
 /// iterations says nothing where they are judged by the gradient.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Evaluations {
@@ -182,9 +187,11 @@ pub(crate) struct Counted<'a> {
     count: Cell<Evaluations>,
     /// Most second derivatives; beyond, none are offered.
     budget: usize,
-    /// How many of them are kept for where the run has stalled.
+    /// Number of them that is kept for a run that has stalled.
     reserve: Cell<usize>,
     refused: Cell<bool>,
+    /// The last points whose cost was asked for: descent and search ask for the same.
+    known: RefCell<[(Vec<f64>, f64); 2]>,
 }
 
 impl<'a> Counted<'a> {
@@ -196,6 +203,7 @@ impl<'a> Counted<'a> {
             budget,
             reserve: Cell::new(budget / RESERVE),
             refused: Cell::new(false),
+            known: RefCell::default(),
         }
     }
 
@@ -249,12 +257,25 @@ impl System for Counted<'_> {
         self.refused.get()
     }
 
+    fn offers_second_derivatives(&self) -> bool {
+        self.count.get().second_derivatives > 0
+    }
+
     fn culprit(&self, z: &[f64], row: usize) -> Option<usize> {
         self.inner.culprit(z, row)
     }
 
     fn cost(&self, z: &[f64]) -> f64 {
+        let mut known = self.known.borrow_mut();
+        if let Some(place) = known.iter().position(|(at, _)| at == z) {
+            return known[place].1;
+        }
         self.add(|count| count.residuals += 1);
-        self.inner.cost(z)
+        let cost = self.inner.cost(z);
+        known.rotate_right(1);
+        (known[0].0).clear();
+        known[0].0.extend_from_slice(z);
+        known[0].1 = cost;
+        cost
     }
 }

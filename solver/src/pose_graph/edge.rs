@@ -261,4 +261,34 @@ mod tests {
     fn product(a: [[f64; 3]; 3], b: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
         std::array::from_fn(|i| std::array::from_fn(|k| (0..3).map(|j| a[i][j] * b[j][k]).sum()))
     }
+
+    /// Printed by g2o's own classes: `benches/peers/g2o_convention.py`.
+    #[test]
+    fn errors_are_those_that_g2o_itself_prints() {
+        let lines = "VERTEX_SE2 0 0.3 -1 0.4\nVERTEX_SE2 1 1.1 0.4 1.7\nEDGE_SE2 0 1 0.9 0.7 1.5 1 0 0 1 0 1\n";
+        let planar = super::super::PoseGraph::read(lines, Default::default()).unwrap();
+        let graph = planar.graph(EdgeError::Apart).unwrap();
+        let due = [0.304_278_497_147_806_86, -0.361_416_016_982_579_75, -0.2];
+        for (found, due) in graph.residuals(graph.values()).iter().zip(due) {
+            assert!((found - due).abs() < 1e-14, "{found} {due}");
+        }
+        let unit = "1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1";
+        let lines = format!(
+            "VERTEX_SE3:QUAT 0 0.3 -1 2 0.5 -0.5 0.5 0.5\nVERTEX_SE3:QUAT 1 1.1 0.4 2.2 0.1 -0.7 0.1 0.7\n\
+             EDGE_SE3:QUAT 0 1 0.4 0.1 1.3 0.2 -0.1 0.6 0.8 {unit}\n"
+        );
+        let spatial = super::super::PoseGraph::read(&lines, Default::default()).unwrap();
+        let graph = spatial.graph(EdgeError::Quaternion).unwrap();
+        let due = [
+            -1.876_190_476_190_476_2,
+            -0.538_095_238_095_238_4,
+            -2.080_952_380_952_381,
+            -0.624_576_046_687_061_2,
+            0.429_396_032_097_354_5,
+            -0.409_878_030_638_383_85,
+        ];
+        for (found, due) in graph.residuals(graph.values()).iter().zip(due) {
+            assert!((found - due).abs() < 1e-14, "{found} {due}");
+        }
+    }
 }

@@ -16,11 +16,11 @@ use crate::graph::quaternion::{conjugate, multiply, rotate, rotate_back};
 pub struct ReadError {
     /// Its number, from 1.
     pub line: usize,
-    /// What is wrong with it.
+    /// The mistake in it.
     pub kind: ReadErrorKind,
 }
 
-/// What can be wrong with a line.
+/// Mistakes of a line.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReadErrorKind {
@@ -51,7 +51,8 @@ pub enum ReadErrorKind {
     Quaternion,
     /// An information matrix that is not positive definite.
     #[error(
-        "the information matrix is not positive definite; Indefinite::WithoutWrongTerms leaves out terms in the wrong place"
+        "the information matrix is not positive definite; Indefinite::WithoutWrongTerms leaves terms in the wrong place out, \
+         Indefinite::PlanarTermsMoved moves them"
     )]
     Indefinite,
 }
@@ -101,7 +102,7 @@ fn id(value: f64) -> Result<i64, ReadErrorKind> {
     }
 }
 
-/// What has been read of a file.
+/// The part of a file that has been read.
 struct Reader {
     graph: PoseGraph,
     planar: Poses<[f64; 3]>,

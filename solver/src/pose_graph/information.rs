@@ -1,6 +1,6 @@
 //! Information matrices of edges: their roots, and what becomes of those that are none.
 
-/// What to do with an information matrix that is not positive definite.
+/// Treatment of an information matrix that is not positive definite.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Indefinite {
     /// Refuse the file, naming the line.
@@ -9,6 +9,10 @@ pub enum Indefinite {
     /// Leave out the terms between two numbers of which one is off the diagonal by more than both diagonals allow,
     /// `|Ωᵢₖ| ≥ √(Ωᵢᵢ Ωₖₖ)`: entries that stand in the wrong place. What is still indefinite then is refused.
     WithoutWrongTerms,
+    /// In space, move what stands between `z` and the turns about `x` and `y` to between `x` and `y` and the turn about `z`, where a
+    /// motion measured in the plane has it: files that were lifted from the plane (cubicle, all 5,021 of its indefinite matrices) hold
+    /// it in the wrong place. What is still indefinite then, or has something there already, is refused.
+    PlanarTermsMoved,
 }
 
 /// The upper triangular `U` of `UᵀU`, row after row, from the upper triangle of the information; `None` if it is not
@@ -25,6 +29,7 @@ pub(super) fn root<const N: usize>(upper: &[f64], indefinite: Indefinite) -> Opt
     factored(full).or_else(|| match indefinite {
         Indefinite::Refused => None,
         Indefinite::WithoutWrongTerms => factored(without_wrong_terms(full)),
+        Indefinite::PlanarTermsMoved => factored(planar_terms_moved(full)?),
     })
 }
 
@@ -40,6 +45,18 @@ fn without_wrong_terms<const N: usize>(mut a: [f64; N]) -> [f64; N] {
         }
     }
     a
+}
+
+/// The matrix with the terms `(z, φx)`, `(z, φy)` at `(x, φz)`, `(y, φz)`; `None` where those are taken, or of another size.
+fn planar_terms_moved<const N: usize>(mut a: [f64; N]) -> Option<[f64; N]> {
+    const MOVES: [(usize, usize); 2] = [(2 * 6 + 3, 5), (2 * 6 + 4, 6 + 5)];
+    for (from, to) in MOVES {
+        if N != 36 || a[to] != 0.0 {
+            return None;
+        }
+        a[to] = std::mem::take(&mut a[from]);
+    }
+    Some(a)
 }
 
 /// Cholesky's factor of an upper triangle.
@@ -104,7 +121,41 @@ mod tests {
         let u: [f64; 9] = root(&upper, Indefinite::WithoutWrongTerms).unwrap();
         assert_eq!(u[1], 0.0);
         assert!(u[5] > 0.0);
+        let planar = Indefinite::PlanarTermsMoved;
+        assert_eq!(root::<9>(&upper, planar), None);
         let negative = [-1.0, 0.0, 0.0, 1.0, 0.0, 1.0];
         assert_eq!(root::<9>(&negative, Indefinite::WithoutWrongTerms), None);
+    }
+
+    #[test]
+    fn terms_of_a_planar_measurement_are_moved_to_the_turn_about_z() {
+        // The first of cubicle's: as a planar one (x, y, φz) and beside it 10 for what the plane does not know.
+        let [x, xy, y, turn, xt, yt] = [2.46483e6, 5.3553e6, 1.52034e7, 91520.2, 84022.3, 132748.0];
+        let upper = [
+            x, xy, 0.0, 0.0, 0.0, 0.0, y, 0.0, 0.0, 0.0, 0.0, 10.0, xt, yt, 0.0, 10.0, 0.0, 0.0,
+            10.0, 0.0, turn,
+        ];
+        assert_eq!(root::<36>(&upper, Indefinite::Refused), None);
+        let u: [f64; 36] = root(&upper, Indefinite::PlanarTermsMoved).unwrap();
+        let planar: [f64; 9] = root(&[x, xy, xt, y, yt, turn], Indefinite::Refused).unwrap();
+        let at = [0, 1, 5];
+        for i in 0..3 {
+            for k in i..3 {
+                let (found, due) = (u[6 * at[i] + at[k]], planar[3 * i + k]);
+                assert!(
+                    (found - due).abs() <= 1e-12 * due.abs(),
+                    "{i} {k}: {found} {due}"
+                );
+            }
+        }
+        assert!((u[6 * 2 + 2] - 10f64.sqrt()).abs() < 1e-15 && u[6 * 2 + 3] == 0.0);
+        // A matrix that is one stays as it is, and one whose place is taken is refused.
+        let mut whole = upper;
+        (whole[12], whole[13]) = (1.0, 0.0);
+        let kept: [f64; 36] = root(&whole, Indefinite::PlanarTermsMoved).unwrap();
+        assert_ne!(kept[6 * 2 + 3], 0.0);
+        let mut taken = upper;
+        taken[5] = 1.0;
+        assert_eq!(root::<36>(&taken, Indefinite::PlanarTermsMoved), None);
     }
 }

@@ -1,4 +1,4 @@
-//! Which poses hang together, which of them are held, and a start by the edges one after the other.
+//! Connected parts of poses, those of them that are held, and a start by the edges one after the other.
 
 /// Sets of poses that edges connect.
 struct Parts(Vec<u32>);

@@ -88,7 +88,7 @@ impl fmt::Display for Termination {
 }
 
 impl Termination {
-    /// Whether the fit is at a minimum.
+    /// True where the fit is at a minimum.
     pub fn converged(self) -> bool {
         matches!(self, Self::Gradient | Self::Step | Self::Cost | Self::Zero)
     }

@@ -1,9 +1,12 @@
-//! How the damping `λ` moves; it multiplies a `D` of column norms and so has no unit.
+//! Rules by which the damping `λ` moves; it multiplies a `D` of column norms and so has no unit.
 
 use super::{Search, Trial};
 
 /// Least damping: where a column was once huge, even `1e-40` times its square still counts.
 const LEAST: f64 = 1e-150;
+/// Nearness to 1 of a gain ratio for the quick fall, and that fall.
+const ALIKE: f64 = 0.1;
+const QUICK: f64 = 0.1;
 /// Damping above which a step is shorter than rounding.
 const MOST: f64 = 1e20;
 
@@ -31,6 +34,7 @@ pub(crate) struct Nielsen {
 #[derive(Clone, Debug)]
 pub(crate) struct DelayedGratification {
     lambda: f64,
+    quick: bool,
 }
 
 impl Marquardt {
@@ -50,7 +54,18 @@ impl Nielsen {
 impl DelayedGratification {
     /// From a first damping.
     pub fn new(lambda: f64) -> Self {
-        Self { lambda }
+        Self {
+            lambda,
+            quick: false,
+        }
+    }
+
+    /// Falls by ten where the cost fell as promised: near the solution, where the small steps of the slow fall would be many.
+    pub fn quick(self) -> Self {
+        Self {
+            quick: true,
+            ..self
+        }
     }
 }
 
@@ -99,9 +114,12 @@ impl Search for DelayedGratification {
     }
 
     fn accepted(&mut self, trial: Trial) {
-        if trial.ratio > 0.1 {
-            self.lambda = (self.lambda / 3.0).max(LEAST);
-        }
+        let fall = match trial.ratio {
+            ratio if self.quick && (ratio - 1.0).abs() <= ALIKE => QUICK,
+            ratio if ratio > 0.1 => 1.0 / 3.0,
+            _ => return,
+        };
+        self.lambda = (self.lambda * fall).max(LEAST);
     }
 
     fn rejected(&mut self, _: Trial) {

@@ -1,4 +1,4 @@
-//! How large the next step is, and whether the last one is taken: one file per way.
+//! Size of the next step, and whether the last one is taken: one file per way.
 
 mod damping;
 mod line_search;
@@ -8,7 +8,7 @@ pub(crate) use damping::{DelayedGratification, Marquardt, Nielsen};
 pub(crate) use line_search::LineSearch;
 pub(crate) use trust_radius::TrustRadius;
 
-/// What came of a step.
+/// Outcome of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Trial {
     /// Fall of the cost over the fall promised by the linearised problem; not a number or negative
@@ -29,6 +29,6 @@ pub trait Search {
     /// Learns that the step was not taken, or that there was none.
     fn rejected(&mut self, trial: Trial);
 
-    /// Whether no smaller step makes sense.
+    /// True where no smaller step makes sense.
     fn exhausted(&self) -> bool;
 }

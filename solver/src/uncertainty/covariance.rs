@@ -1,4 +1,4 @@
-//! What the data say about the parameters: covariance, rank, condition, unobservable directions.
+//! Statements of the data about the parameters: covariance, rank, condition, unobservable directions.
 
 use faer::diag::Diag;
 use faer::dyn_stack::{MemBuffer, MemStack};
@@ -17,7 +17,8 @@ const RANK_TOLERANCE: f64 = 1e-10;
 /// Most columns for which rotating pairs of them is faster than a bidiagonalisation.
 const SMALL: usize = 16;
 
-/// Second-order information at a solution, for the free parameters.
+/// Second-order information at a solution, for the free parameters; [`Report::standard_error`](crate::Report::standard_error) says
+/// how to read it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Uncertainty {
     /// Names of the free parameters, in the order of the covariance.

@@ -1,4 +1,4 @@
-//! What the data say about the parameters besides their values.
+//! Statements of the data about the parameters besides their values.
 
 pub(crate) mod covariance;
 pub(crate) mod observability;

@@ -50,6 +50,21 @@ pub struct ProfileInterval {
 /// # Errors
 /// A name that no free parameter has, a `z` that is not positive, a refit stopped by the options'
 /// limits, and what [`solve`] says of a refit.
+///
+/// # Examples
+/// ```
+/// use stillpoint_solver::{DualNum, Jet, Mask, Options, Parameters, from_fn, profile_interval, solve};
+///
+/// let data = [(0.0, 2.1), (1.0, 1.2), (2.0, 0.8), (3.0, 0.4), (4.0, 0.3)];
+/// let decay = from_fn(|x: &[Jet], r: &mut Vec<Jet>| {
+///     r.extend(data.iter().map(|&(t, y)| x[0] * (-x[1] * t).exp() - y));
+/// });
+/// let (start, mask, options) = (Parameters::unnamed(&[1.0, 1.0]), Mask::all(2), Options::default());
+/// let report = solve(&decay, &start, &mask, &options)?;
+/// let rate = profile_interval(&decay, &report, &mask, &options, "x1", 3.18)?; // 95 % with three to spare
+/// assert!(rate.lower.is_some_and(|lower| lower < rate.value) && rate.upper.is_some_and(|upper| upper > rate.value));
+/// # Ok::<(), stillpoint_solver::Error>(())
+/// ```
 pub fn profile_interval(
     problem: &dyn Problem,
     report: &Report,
@@ -187,7 +202,7 @@ impl Profile<'_> {
     }
 }
 
-/// Where the root deviance, asked for by offset, reaches `z` in the direction of `unit`, one standard error
+/// Offset at which the root deviance, asked for by offset, reaches `z` in the direction of `unit`, one standard error
 /// long.
 pub(crate) fn crossing(
     value: f64,

@@ -209,7 +209,7 @@ fn one_row_in_ten_twice_or_not_at_all() {
     let with_stamps: Vec<Row> = twice().collect();
     named(
         &with_stamps,
-        "repeat earlier rows",
+        "repeated earlier rows",
         Place::Words("rows between lines"),
     );
     let kind = "wrong time base";
@@ -307,7 +307,7 @@ fn ranges_that_are_too_small() {
     };
     // Of 19 turns two are left: the gyroscope is not calibrated, and its bias is written beside the accelerometer.
     let words = [
-        "gyroscope x is saturated at -1.2",
+        "gyroscope x is saturated at -",
         "the gyroscope is not calibrated",
         "17 are saturated",
         "larger range",
@@ -345,7 +345,11 @@ fn readings_that_a_filter_or_a_bus_has_touched() {
     });
     named(&dead, "a dead zone", Place::Words("zero on x, y, z"));
     let held = spoilt(|k, row| row[1..4].copy_from_slice(&good()[k - k % 4][1..4]));
-    named(&held, "its values are held", Place::Words("accelerometer"));
+    named(
+        &held,
+        "its readings are held",
+        Place::Words("accelerometer"),
+    );
     let noise = |k: usize, column: usize| {
         let phase = (k * 7 + column * 131) as f64;
         (phase * 12.9898).sin() + (phase * 78.233).sin() + (phase * 37.719).sin()

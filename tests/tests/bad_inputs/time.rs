@@ -349,9 +349,9 @@ fn case_075_thirty_kilohertz() {
     let bench = Bench::with("r.csv", calib::recording::to_csv(&mut session));
     let run = bench.run(&["calibrate", "r.csv"]);
     run.ends(0).says(&[
-        "sampled at 30.0 kHz",
+        "sampled at 30 kHz",
         "means over 30 samples",
-        "boxcar filter, then 1.0 kHz",
+        "boxcar filter, then 1000 Hz",
     ]);
 }
 

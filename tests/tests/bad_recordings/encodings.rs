@@ -285,7 +285,7 @@ fn row_18_ragged_rows_are_refused_or_left_out_when_allowed() {
 fn row_19_a_last_row_cut_short_is_left_out() {
     for cut in ["2.0,1,2,", "2.0", "2.0,1,2,3,4,5,-", "2.0,1,2,3,4,5,"] {
         let text = file(HEADER, &rows(200)) + cut;
-        assert_same_samples(&warned(text, &["last row left out", "r.csv:202:"]), 200);
+        assert_same_samples(&warned(text, &["last row is cut short", "r.csv:202:"]), 200);
     }
 }
 
@@ -295,7 +295,7 @@ fn row_19_a_last_row_cut_within_its_last_number_is_left_out() {
     read_as_usual(&text, 201);
     for cut in 1..=7 {
         let text = &text[..text.len() - cut];
-        assert_same_samples(&warned(text, &["last row left out", "r.csv:202:"]), 200);
+        assert_same_samples(&warned(text, &["last row is cut short", "r.csv:202:"]), 200);
         read(format!("{text}\n"), &ReadOptions::default()).unwrap();
     }
     // Numbers in their shortest form differ in length anyway.

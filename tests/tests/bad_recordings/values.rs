@@ -43,11 +43,11 @@ fn row_80_units_of_the_header_are_converted_and_g_is_recognised() {
     }
     warned(
         scaled(HEADER, 1.0 / 9.80665, 1.0),
-        &["accelerometer taken as g", "--accel-unit"],
+        &["accelerometer is taken as g", "--accel-unit"],
     );
     warned(
         scaled(HEADER, 1000.0, 1.0),
-        &["accelerometer taken as raw counts"],
+        &["accelerometer is taken as raw counts"],
     );
 }
 
@@ -97,7 +97,7 @@ fn row_80_a_row_of_units_that_contradicts_is_refused_or_overruled() {
         ..ReadOptions::default()
     };
     let overruled = "s,g,g,g,rad/s,rad/s,rad/s";
-    let words = ["--accel-unit m/s^2 is used", "says g"];
+    let words = ["accelerometer is taken as m/s^2", "says g"];
     assert_same_samples(&warned_with(text(overruled), &options, &words), 200);
     let unknown = "s,yd/s^2,yd/s^2,yd/s^2,rad/s,rad/s,rad/s";
     let recording = read(text(unknown), &options).unwrap();
@@ -127,7 +127,7 @@ fn row_81_degrees_are_converted_when_stated_or_when_a_hand_cannot_turn_so_fast()
         Vec::<String>::new()
     );
     assert!((recording.gyroscope.unwrap().values[0].z - 200f64.to_radians()).abs() < 1e-14);
-    let recording = warned(scaled(HEADER, 1.0, 150.0), &["gyroscope taken as deg/s"]);
+    let recording = warned(scaled(HEADER, 1.0, 150.0), &["gyroscope is taken as deg/s"]);
     assert!((recording.gyroscope.unwrap().values[0].z - 300f64.to_radians()).abs() < 1e-14);
 }
 

@@ -15,3 +15,4 @@ mod one_truth;
 mod prior_of_a_type;
 mod several_recordings;
 mod stories;
+mod verdicts;

@@ -11,13 +11,16 @@ fn is_least(case: &Case, least: f64, found: f64) -> bool {
 }
 
 #[test]
-fn no_ending_is_false_and_all_but_two_are_at_the_least_cost_known() {
+fn no_ending_is_false_and_all_are_at_the_least_cost_known() {
     let (mut above, mut wrong) = (Vec::new(), Vec::new());
+    let (mut jacobians, mut seconds) = (0, 0);
     let cases = held_out::all();
     assert_eq!(cases.len(), held_out::LEAST.len());
     for (case, (name, least)) in cases.iter().zip(held_out::LEAST) {
         assert_eq!(case.name, name);
         let report = case.solved().unwrap();
+        jacobians += report.evaluations.jacobians;
+        seconds += report.evaluations.second_derivatives;
         let at_least = is_least(case, least, 2.0 * report.cost);
         println!("{name}: {:e} {}", 2.0 * report.cost, report.termination);
         if at_least != report.termination.converged() {
@@ -28,6 +31,11 @@ fn no_ending_is_false_and_all_but_two_are_at_the_least_cost_known() {
         }
     }
     assert_eq!(wrong, [""; 0]);
-    // Left at points where the Hessian has negative eigenvalues, which their endings say.
-    assert_eq!(above, ["YATP2 3", "YATP2 5"]);
+    assert_eq!(above, [""; 0]);
+    println!("{jacobians} Jacobians, {seconds} second derivatives");
+    // scipy's trf takes 1,433 Jacobians over the set, at its own tolerances, and leaves some of them above.
+    assert!(
+        10 * jacobians + seconds <= 20 * 1_433,
+        "{jacobians} {seconds}"
+    );
 }

@@ -354,7 +354,7 @@ impl Whitened {
 
 #[cfg(test)]
 mod tests {
-    use estimate::methods::joint::Covariance;
+    use estimate::methods::joint::{Covariance, Form};
     use faer::linalg::solvers::DenseSolveCore;
 
     use super::*;
@@ -367,6 +367,7 @@ mod tests {
         let component = Component {
             kind: ComponentKind::AccelerometerWalk,
             covariance: Covariance::dense(walk.clone()),
+            form: Form::Columns(Columns::none(&RowGroups::whole(9))),
         };
         let one = Columns::cut(&j, &RowGroups::whole(9));
         let projected = Projected::new(&r, &one, (&[component], &[]));
@@ -398,6 +399,7 @@ mod tests {
         let component = Component {
             kind: ComponentKind::GyroscopeWalk,
             covariance: Covariance::of_blocks(24, blocks.into()),
+            form: Form::Columns(Columns::none(&RowGroups::whole(24))),
         };
         let groups = || RowGroups::new((0..24).map(|i| i / 12).collect());
         let [cut, one] = [groups(), RowGroups::whole(24)].map(|groups| {

@@ -154,7 +154,7 @@ fn by_stamps(
     let own = recordings.iter().flat_map(|r| r.warnings.iter().cloned());
     warnings.extend(own);
     for (recording, found) in cleaned.iter().flatten() {
-        warnings.extend(found.iter().map(|f| format!("{}: {f}", recording.name)));
+        warnings.extend(found.iter().map(|f| f.in_recording(recording)));
     }
     let mut choices = cut_several(recordings.len(), &request.detector, |k, detector| {
         let request = Request {

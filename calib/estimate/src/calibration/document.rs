@@ -1,6 +1,6 @@
 //! `cal.json` with sensors that are not calibrated: the reason stands in the place of the sensor.
 
-use findings::{Finding, Findings, Kind, Verdict};
+use findings::{Finding, Findings, Kind, Level, Verdict};
 use sensor::Sensor;
 use serde::de::Error as _;
 use serde::ser::Error as _;
@@ -92,7 +92,8 @@ impl Calibration {
 
     /// All findings, those first that forbid its use: failed gates, then limits that are not kept, then warnings.
     pub fn findings(&self) -> Findings {
-        let mut all: Findings = self.failed_gates.iter().collect();
+        let gates = self.failed_gates.iter().cloned();
+        let mut all: Findings = gates.map(|gate| gate.at_level(Level::Bad)).collect();
         let mut failed: Vec<&str> = Vec::new();
         for line in self.limits.iter().filter(|line| !line.pass) {
             // Of a quantity that fails the file's limit the one built in is not repeated.

@@ -1,7 +1,7 @@
 //! Kalibr's `imu.yaml`, and that of the crate imu-calib, which adds the biases.
 
 use calib::Calibration;
-use findings::Findings;
+use findings::{Finding, Findings, Kind};
 use nalgebra::{Matrix3, Vector3};
 use saphyr::{LoadableYamlNode as _, Yaml};
 use sensor::Base;
@@ -62,10 +62,10 @@ pub fn kalibr(text: &str) -> Result<Calibration, Error> {
     }
     warnings.extend(imu.unread());
     if model == SIZE_EFFECT {
-        let what = "the places of the accelerometer's axes (rx_i, ry_i, rz_i) are not read: they matter in turns only";
-        warnings.push(what);
+        let places = Finding::of(Kind::PlacesNotRead);
+        warnings.push(places.detail("entries", "rx_i, ry_i, rz_i"));
     }
-    warnings.push(imu.worth(accelerometer.is_some(), gyroscope.is_some()));
+    warnings.extend(imu.worth(accelerometer.is_some(), gyroscope.is_some()));
     let (rates, g) = gyroscope.unzip();
     let calibration = calibration(
         "kalibr",
@@ -76,6 +76,9 @@ pub fn kalibr(text: &str) -> Result<Calibration, Error> {
     );
     Ok(calibration)
 }
+
+/// The tool, as findings call it.
+const TOOL: &str = "Kalibr";
 
 /// One IMU of the file.
 struct Imu<'a> {
@@ -108,10 +111,8 @@ impl<'a> Imu<'a> {
             return Ok(Self { root });
         };
         if names.len() > 1 {
-            warnings.push(format!(
-                "of {} the first is read; leave the others out of the file to import another",
-                names.join(", ")
-            ));
+            let first = Finding::of(Kind::FirstImuTaken);
+            warnings.push(first.detail("units", names.join(", ")));
         }
         let root = root.as_mapping_get(first).unwrap_or(root);
         Ok(Self { root })
@@ -173,27 +174,24 @@ impl<'a> Imu<'a> {
     }
 
     /// What the import is worth.
-    fn worth(&self, has_force: bool, has_rate: bool) -> String {
+    fn worth(&self, has_force: bool, has_rate: bool) -> Vec<Finding> {
         let there = [has_force, has_rate];
         let without = SENSORS.iter().zip(there).filter(|((name, _), there)| {
             let sensor = self.root.as_mapping_get(name);
             *there && sensor.is_none_or(|sensor| sensor.as_mapping_get("b").is_none())
         });
         let without: Vec<&str> = without.map(|((name, _), _)| *name).collect();
-        match without[..] {
-            [] => "imported from Kalibr's form: it states no errors".into(),
-            [one] if there == [true, true] => format!(
-                "imported from Kalibr: it states no errors, and its {one} have no bias (it is 0 here); `stillpoint bias` estimates \
-                 it from a recording"
-            ),
-            _ => "imported from Kalibr: it states no errors, and its file has no biases (they are 0 here); `stillpoint bias` \
-                  estimates them from a recording"
-                .into(),
+        let of = |kind: Kind| Finding::of(kind).detail("tool", TOOL);
+        let mut worth = vec![of(Kind::ErrorsNotStated)];
+        if !without.is_empty() {
+            let sensors = without.join(" and ");
+            worth.push(of(Kind::BiasNotStated).detail("sensors", sensors));
         }
+        worth
     }
 
     /// What is said of a sensor's entries that nothing here knows.
-    fn unread(&self) -> Vec<String> {
+    fn unread(&self) -> Vec<Finding> {
         let mut said = Vec::new();
         for (name, known) in SENSORS {
             let entries = self.root.as_mapping_get(name).and_then(Yaml::as_mapping);
@@ -203,9 +201,11 @@ impl<'a> Imu<'a> {
                 .filter_map(Yaml::as_str);
             for key in keys.filter(|key| !known.contains(key)) {
                 let shown: String = key.chars().take(40).filter(|c| !c.is_control()).collect();
-                said.push(format!(
-                    "{name}.{shown} is not read: Kalibr has no such entry"
-                ));
+                said.push(
+                    Finding::of(Kind::EntryUnknown)
+                        .detail("tool", TOOL)
+                        .detail("entry", format!("{name}.{shown}")),
+                );
             }
         }
         said

@@ -32,6 +32,10 @@ pub fn of(remedy: &Remedy, finding: &Finding, recordings: &[&str]) -> Option<Str
         }
         Remedy::Set { any_of } => {
             let first = any_of.first()?;
+            if first.option == OptionName::Rest {
+                let value = quoted(first.value.as_deref()?);
+                return Some(format!("stillpoint allan {names} --rest {value}"));
+            }
             let [_, flag, ..] = self::names(first.option);
             let usual = match first.option {
                 OptionName::Gravity => "9.81",

@@ -5,13 +5,19 @@ mod clocks;
 pub(crate) mod command;
 mod device;
 mod fit;
+mod format;
 mod human;
+mod import;
 mod intervals;
 mod magnetic;
+mod noise;
 mod other;
 mod part_way;
+mod reading;
 mod remedies;
+mod stamps;
 mod template;
+mod units;
 
 pub use human::{human, significant};
 pub(crate) use remedies::step;
@@ -58,6 +64,12 @@ pub struct Entry {
 pub fn entries() -> impl Iterator<Item = &'static Entry> {
     [
         fit::ENTRIES,
+        reading::ENTRIES,
+        stamps::ENTRIES,
+        units::ENTRIES,
+        format::ENTRIES,
+        import::ENTRIES,
+        noise::ENTRIES,
         axes::ENTRIES,
         clocks::ENTRIES,
         device::ENTRIES,
@@ -74,6 +86,27 @@ pub fn entries() -> impl Iterator<Item = &'static Entry> {
 pub fn entry(kind: Kind) -> &'static Entry {
     let own = entries().find(|entry| entry.kind == kind);
     own.unwrap_or(&other::REMARK)
+}
+
+/// The table of all kinds for the manual: name, level, text with its names in braces, ways out.
+pub fn manual_table() -> String {
+    let mut table = String::from("| kind | level | says | to do |\n| --- | --- | --- | --- |\n");
+    for kind in Kind::ALL {
+        let entry = entry(*kind);
+        let remedies = (entry.remedies)();
+        let remedies: Vec<String> = remedies
+            .iter()
+            .map(|remedy| remedies::words(remedy, Front::CommandLine))
+            .collect();
+        let text = entry.text.replace(['[', ']'], "").replace('|', "\\|");
+        table.push_str(&format!(
+            "| `{}` | {} | {text} | {} |\n",
+            kind.name(),
+            entry.level.name(),
+            remedies.join("; or ")
+        ));
+    }
+    table
 }
 
 impl Finding {

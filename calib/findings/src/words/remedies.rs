@@ -3,6 +3,7 @@
 use crate::remedy::{OptionName, Remedy, Setting};
 
 use super::Front;
+use super::command::quoted;
 
 /// An option's name in plain English, on the command line, in Rust and in Python.
 pub(super) fn names(option: OptionName) -> [&'static str; 4] {
@@ -132,6 +133,7 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
             "part",
         ],
         O::Rate => ["the sampling rate", "--rate", "ReadOptions::rate", "rate"],
+        O::Rest => ["the stretch to analyse", "--rest", "rest", "rest"],
         O::Sensor => [
             "the sensor to calibrate alone",
             "--sensor",
@@ -180,9 +182,12 @@ pub(crate) fn step(remedy: &Remedy, front: Front) -> String {
 /// A remedy in words, an imperative.
 pub(super) fn words(remedy: &Remedy, front: Front) -> String {
     let fixed = match remedy {
-        Remedy::Set { any_of } => {
-            let all: Vec<String> = any_of.iter().map(|s| setting(s, front)).collect();
-            return format!("give {}", all.join(" or "));
+        Remedy::Set { any_of } => return format!("give {}", settings(any_of, front)),
+        Remedy::IfWrong { any_of } => {
+            return format!("if that is wrong, give {}", settings(any_of, front));
+        }
+        Remedy::NameUnit { example } => {
+            return format!("write the unit into the column's name, as `{example}`");
         }
         Remedy::AddPlacements { placements } => {
             return format!("add placements: {}", placements.join(", "));
@@ -204,6 +209,8 @@ pub(super) fn words(remedy: &Remedy, front: Front) -> String {
         Remedy::SensorStamps => "record with the sensor's own stamps",
         Remedy::OneClock => "record all sensors by one clock",
         Remedy::RawReadings => "record readings that are neither rounded nor filtered",
+        Remedy::Uncalibrated => "record uncalibrated readings, as the sensor itself gives them",
+        Remedy::WriteFolder => "write a folder, which keeps both clocks",
         Remedy::Thermometer => "record the temperature too",
         Remedy::WarmUp => "let the device reach a steady temperature first",
         Remedy::FixSensor => "fix the sensor to its case and record again",
@@ -222,10 +229,16 @@ pub(super) fn words(remedy: &Remedy, front: Front) -> String {
         (Front::CommandLine, Remedy::Validate) => " (`stillpoint evaluate`)",
         (Front::CommandLine, Remedy::LookInto) => " (`stillpoint info`)",
         (Front::CommandLine, Remedy::LeaveOut) => " (--leave-out)",
+        (Front::CommandLine, Remedy::WriteFolder) => " (-o FOLDER)",
         (Front::Python | Front::Rust, Remedy::Discover) => " (`discover`)",
         _ => "",
     };
     format!("{fixed}{command}")
+}
+
+fn settings(any_of: &[Setting], front: Front) -> String {
+    let all: Vec<String> = any_of.iter().map(|s| setting(s, front)).collect();
+    all.join(" or ")
 }
 
 /// `the local gravity (--gravity 9.81)`.
@@ -237,8 +250,7 @@ fn setting(setting: &Setting, front: Front) -> String {
             return value.map_or_else(|| plain.to_owned(), |v| format!("{plain} ({v})"));
         }
         Front::CommandLine => match value {
-            Some(v) if v.contains([' ', '*', '\'']) => format!("{flag} '{v}'"),
-            Some(v) => format!("{flag} {v}"),
+            Some(v) => format!("{flag} {}", quoted(v)),
             None => flag.to_owned(),
         },
         Front::Rust => value.map_or_else(|| format!("`{field}`"), |v| format!("`{field}` {v}")),

@@ -5,7 +5,7 @@ use crate::finding::Finding;
 use super::human;
 
 /// The template with the finding's numbers, words and place in it. A part in brackets is left out where a name in it is
-/// not known; elsewhere such a name becomes `?`.
+/// not known; elsewhere such a name becomes `?`. `{count:gap}` is `1 gap` or `3 gaps`.
 pub(super) fn filled(template: &str, finding: &Finding) -> String {
     let mut text = String::with_capacity(2 * template.len());
     let mut left = template;
@@ -54,6 +54,10 @@ fn known(name: &str, finding: &Finding) -> Option<String> {
         "t1" => return place.t1.map(|t| format!("{t:.2} s")),
         _ => {}
     }
+    if let Some((name, thing)) = name.split_once(':') {
+        let plural = if finding.value(name)? == 1.0 { "" } else { "s" };
+        return Some(format!("{} {thing}{plural}", known(name, finding)?));
+    }
     if let Some(number) = finding.numbers.iter().find(|n| n.name == name) {
         return number.value.map(|value| human(value, &number.unit));
     }
@@ -96,5 +100,12 @@ mod tests {
             text,
             "static interval 3 (t = 1.00 to 2.50 s): 2.8 mm/s² on x (of x)"
         );
+    }
+
+    #[test]
+    fn things_are_counted_in_the_singular_and_in_the_plural() {
+        let found = |count| Finding::of(Kind::Remark).count("count", count);
+        let text = [1, 3].map(|count| filled("{count:gap}[, {more:row}]", &found(count)));
+        assert_eq!(text, ["1 gap", "3 gaps"]);
     }
 }

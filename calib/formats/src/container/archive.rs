@@ -1,6 +1,6 @@
 //! A zip archive that is never unpacked to the disk.
 
-use findings::Findings;
+use findings::{Finding, Findings, Kind};
 use std::io::Read;
 
 use super::directory::{Packed, directory};
@@ -31,10 +31,8 @@ impl Archive {
         let mut entries = Vec::new();
         for (name, packed) in packed {
             if is_outside(&name) {
-                warnings.push(format!(
-                    "entry `{}` lies outside of the archive and is left out",
-                    shown(&name)
-                ));
+                let outside = Finding::of(Kind::EntryOutside);
+                warnings.push(outside.detail("entry", shown(&name)));
                 continue;
             }
             entries.push((name, packed));

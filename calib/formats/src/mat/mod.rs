@@ -19,6 +19,7 @@ use variables::Variables;
 
 use crate::bytes::Bytes;
 use crate::format::Format;
+use crate::stream::cut_at;
 use crate::{Content, Error, Limits, Wanted};
 #[cfg(feature = "hdf5")]
 pub(crate) use named_after::quantity;
@@ -112,9 +113,7 @@ impl File {
             Err(error) => Err(error),
         };
         if !part.pass()? {
-            self.variables.cut(format!(
-                "byte {at}: the MATLAB file ends within a variable; those before it are read"
-            ));
+            self.variables.cut(cut_at(at, "a variable"));
             return Ok(false);
         }
         read.map(|()| true)

@@ -9,6 +9,7 @@ use super::value::{Value, Variable};
 use crate::shown::shown;
 use crate::stream::Recorder;
 use crate::{Content, Error, Limits, Quantity, Wanted};
+use findings::{Finding, Kind};
 
 /// Nanoseconds in a millisecond.
 const MILLI: f64 = 1e6;
@@ -62,7 +63,7 @@ impl Variables {
     }
 
     /// Notes why reading ended before the file did.
-    pub fn cut(&mut self, why: String) {
+    pub fn cut(&mut self, why: Finding) {
         self.recorder.content.cut = Some(why);
     }
 
@@ -94,12 +95,10 @@ impl Variables {
             .as_deref()
             .filter(|class| !read && *class != "timetable");
         if let Some(class) = unread {
-            let words = format!(
-                "the variable {} is an object of class {} and is not read",
-                shown(name),
-                shown(class)
-            );
-            self.recorder.content.warnings.push(words);
+            let unread = Finding::of(Kind::VariableNotRead)
+                .detail("variable", shown(name))
+                .detail("class", shown(class));
+            self.recorder.content.warnings.push(unread);
         }
         self.others
             .extend((!read).then(|| format!("{name} ({what})")));
@@ -243,15 +242,13 @@ impl Variables {
             self.recorder.content.unclear.extend(unread);
         }
         if self.recorder.content.streams.is_empty() {
-            self.recorder.content.warnings.push(ADVICE.to_owned());
+            let unknown = Finding::of(Kind::VariablesUnknown);
+            self.recorder.content.warnings.push(unknown);
         }
         self.recorder.content.listed = self.others;
         Ok(self.recorder.finish())
     }
 }
-
-/// What is read of a file that has no timetables.
-const ADVICE: &str = "read are matrices `acc` and `gyro` with the columns t, x, y, z, or `t`, `acc` and `gyro` apart, or `t`, `ax` to `gz`; save('FILE', '-struct', 'S') writes the fields of a structure S as variables";
 
 /// True for the name of an accelerometer or a gyroscope.
 fn may_be_named(name: &str) -> bool {

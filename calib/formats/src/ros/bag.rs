@@ -7,6 +7,7 @@ use crate::bytes::{Bytes, Fields};
 use crate::format::Format;
 use crate::ros::imu::{Encoding, Topics};
 use crate::stream::Recorder;
+use crate::stream::{chunk_damaged, cut_at};
 use crate::unpack::Chunks;
 use crate::{Content, Error, Limits, Wanted};
 
@@ -104,10 +105,7 @@ struct File {
 
 impl File {
     fn cut(&mut self, at: u64) {
-        let words = format!(
-            "byte {at}: the bag ends within a record; what is before it is read (`rosbag reindex` closes it)"
-        );
-        self.recorder.content.cut = Some(words);
+        self.recorder.content.cut = Some(cut_at(at, "a record"));
     }
 
     fn record(&mut self, header: &[u8], data: &[u8], at: u64) -> Result<(), Error> {
@@ -153,17 +151,15 @@ impl File {
         let unpacked = match self.chunks.unpack(at, &method, data, size)? {
             Ok(unpacked) => unpacked,
             Err(error) => {
-                let words = format!("byte {at}: a chunk is left out: {error}");
-                self.recorder.content.warnings.push(words);
+                let damaged = chunk_damaged(at).detail("why", error.to_string());
+                self.recorder.content.warnings.push(damaged);
                 return Ok(());
             }
         };
         let mut records = Fields(&unpacked);
         while !records.0.is_empty() {
             let Some((header, data)) = records.block().zip(records.block()) else {
-                let words =
-                    format!("byte {at}: a chunk ends within a record; the rest of it is left out");
-                self.recorder.content.warnings.push(words);
+                self.recorder.content.warnings.push(chunk_damaged(at));
                 break;
             };
             if field(header, b"op") != Some(&[CHUNK]) {

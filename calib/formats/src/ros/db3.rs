@@ -90,8 +90,11 @@ impl Format for Db3 {
                     .iter()
                     .any(|s| !s.stamps.is_empty()) =>
             {
-                recorder.content.cut =
-                    Some(format!("byte {at}: {what}; what is before it is read"));
+                recorder.content.cut = Some(
+                    findings::Finding::of(findings::Kind::FileDamaged)
+                        .count("byte", at as usize)
+                        .detail("why", what),
+                );
             }
             other => other?,
         }

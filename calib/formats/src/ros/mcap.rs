@@ -1,5 +1,6 @@
 //! MCAP, as ROS 2 writes it: <https://mcap.dev/spec>.
 
+use findings::{Finding, Kind};
 use std::collections::HashMap;
 use std::io::Read;
 
@@ -7,6 +8,7 @@ use crate::bytes::{Bytes, Fields};
 use crate::format::Format;
 use crate::ros::imu::{Encoding, Topics};
 use crate::stream::Recorder;
+use crate::stream::{chunk_damaged, cut_at};
 use crate::unpack::Chunks;
 use crate::{Content, Error, Limits, Wanted};
 
@@ -80,13 +82,10 @@ struct File {
 
 impl File {
     fn cut(&mut self, at: u64, between_records: bool) {
-        let words = match between_records {
-            true => {
-                format!("byte {at}: the file ends without a footer; the recording was not closed")
-            }
-            false => format!("byte {at}: the file ends within a record; what is before it is read"),
-        };
-        self.recorder.content.cut = Some(words);
+        self.recorder.content.cut = Some(match between_records {
+            true => Finding::of(Kind::FileNotClosed).count("byte", at as usize),
+            false => cut_at(at, "a record"),
+        });
     }
 
     fn record(&mut self, op: u8, body: &[u8], at: u64) -> Result<(), Error> {
@@ -182,8 +181,8 @@ impl File {
 
     /// Leaves the rest of a damaged chunk out.
     fn skip(&mut self, at: u64, why: &str) -> Result<(), Error> {
-        let words = format!("byte {at}: a chunk is left out: {why}");
-        self.recorder.content.warnings.push(words);
+        let damaged = chunk_damaged(at).detail("why", why);
+        self.recorder.content.warnings.push(damaged);
         Ok(())
     }
 }

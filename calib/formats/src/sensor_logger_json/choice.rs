@@ -1,6 +1,10 @@
 //! Which of Sensor Logger's accelerometers and gyroscopes is read.
 
 use crate::{Content, Error, Quantity, Stream};
+use findings::{Finding, Kind};
+
+/// The app, as findings call it.
+const SYSTEM: &str = "Sensor Logger";
 
 /// With gravity, unprocessed before processed.
 const ACCEL: [&str; 2] = ["AccelerometerUncalibrated", "TotalAcceleration"];
@@ -37,8 +41,8 @@ pub(crate) fn choose(content: &mut Content, turned: bool) -> Result<(), Error> {
                 .iter_mut()
                 .flatten()
                 .for_each(|value| *value = -*value);
-            let words = "Sensor Logger: an iPhone's accelerometer has the opposite sign, turned to +g on the axis that points up";
-            content.warnings.push(words.to_owned());
+            let turned = Finding::of(Kind::SignTurned).detail("system", SYSTEM);
+            content.warnings.push(turned);
         }
         chosen.push(accel);
     } else if linear.is_some() {
@@ -48,8 +52,10 @@ pub(crate) fn choose(content: &mut Content, turned: bool) -> Result<(), Error> {
     }
     chosen.extend(gyro);
     let taken: Vec<&str> = chosen.iter().map(|stream| stream.source.as_str()).collect();
-    let words = format!("Sensor Logger: taken are {}", taken.join(" and "));
-    content.warnings.push(words);
+    let taken = Finding::of(Kind::StreamsChosen)
+        .detail("system", SYSTEM)
+        .detail("streams", taken.join(" and "));
+    content.warnings.push(taken);
     let field = |stream: &Stream| stream.quantity == Quantity::MagneticField;
     chosen.extend(streams.into_iter().find(field));
     content.streams = chosen;

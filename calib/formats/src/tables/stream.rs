@@ -12,13 +12,19 @@ const AHEAD: usize = 2;
 
 type Piece = Result<Vec<u8>, String>;
 
-/// What `write` writes; it ends early where nobody reads any more.
+/// What `write` writes; it ends early where nobody reads any more. Where a program has one thread only, in WebAssembly, it is written
+/// as a whole first.
 ///
 /// # Errors
 /// A thread that the system refuses.
 pub(super) fn text(
     write: impl FnOnce(&mut dyn Write) -> Result<(), Error> + Send + 'static,
 ) -> Result<Box<dyn Read + Send>, Error> {
+    if cfg!(target_family = "wasm") {
+        let mut whole = Vec::new();
+        write(&mut whole)?;
+        return Ok(Box::new(io::Cursor::new(whole)));
+    }
     let (sender, pieces) = sync_channel(AHEAD);
     let run = move || {
         let mut out = Pieces {

@@ -33,10 +33,10 @@ impl Reader for Xlsx {
                 (SheetType::WorkSheet, SheetVisible::Visible) => {
                     listed.names.push(sheet.name.clone());
                 }
-                (SheetType::WorkSheet, _) => listed.warnings.push(format!(
-                    "the sheet {} is hidden and is left out",
-                    shown(&sheet.name)
-                )),
+                (SheetType::WorkSheet, _) => listed.warnings.push(
+                    findings::Finding::of(findings::Kind::SheetHidden)
+                        .detail("sheet", shown(&sheet.name)),
+                ),
                 _ => {}
             }
         }

@@ -3,6 +3,7 @@
 //! PX4 corrects by `(raw - offset) scale`, gyroscopes by `raw - offset`
 //! (src/lib/sensor_calibration/Accelerometer.hpp and Gyroscope.hpp, `Correct`).
 
+use findings::{Finding, Kind};
 use std::collections::HashMap;
 
 use crate::bytes::Fields;
@@ -126,10 +127,15 @@ pub(super) fn undo(content: &mut Content, parameters: &Parameters, selected: Opt
         stream.correction = Some(correction);
         undone.push(format!("CAL_{kind}{sensor}"));
     }
-    content.warnings.push(if left {
-        "sensor_combined is what PX4 has corrected by parameters that the log does not tell in full: the calibration is on top of PX4's own".to_owned()
-    } else {
-        let are = if undone.len() == 1 { "is" } else { "are" };
-        format!("sensor_combined is what PX4 has corrected; its {} {are} taken off again", undone.join(" and "))
-    });
+    let kind = match left {
+        true => Kind::CorrectedBySystem,
+        false => Kind::CorrectionUndone,
+    };
+    let are = if undone.len() == 1 { "is" } else { "are" };
+    content.warnings.push(
+        Finding::of(kind)
+            .detail("system", "PX4")
+            .detail("columns", "sensor_combined")
+            .detail("parameters", format!("{} {are}", undone.join(" and "))),
+    );
 }

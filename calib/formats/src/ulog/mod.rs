@@ -4,6 +4,7 @@ mod calibration;
 mod layout;
 mod topics;
 
+use findings::{Finding, Kind};
 use std::io::Read;
 
 use calibration::Parameters;
@@ -13,6 +14,7 @@ use topics::Topic;
 use crate::bytes::{Bytes, Fields};
 use crate::format::Format;
 use crate::stream::Recorder;
+use crate::stream::cut_at;
 use crate::{Content, Error, Limits, Wanted};
 
 /// ULog files: `sensor_accel`, `sensor_gyro`, their FIFOs, and `sensor_combined` where those are not there.
@@ -100,9 +102,7 @@ struct File {
 
 impl File {
     fn cut(&mut self, at: u64) {
-        self.recorder.content.cut = Some(format!(
-            "byte {at}: the log ends within a message; what is before it is read"
-        ));
+        self.recorder.content.cut = Some(cut_at(at, "a message"));
     }
 
     fn message(&mut self, kind: u8, body: &[u8], at: u64) -> Result<(), Error> {
@@ -199,12 +199,12 @@ impl File {
             } else {
                 ""
             };
-            let words = format!(
-                "{} dropouts of the log, {lost:.3} s in all, from {first:.3} s on ({}{more})",
-                self.dropouts.len(),
-                times.join(", ")
-            );
-            self.recorder.content.warnings.push(words);
+            let lost = Finding::of(Kind::LogDropouts)
+                .from_time(*first)
+                .count("count", self.dropouts.len())
+                .number("missing", lost, "s")
+                .detail("listed", times.join(", ") + more);
+            self.recorder.content.warnings.push(lost);
         }
         let logged = || self.logged.iter().flatten();
         let selection = logged().find_map(|logged| logged.topic.as_ref()?.selected());

@@ -1,6 +1,6 @@
 //! Values that a slower sensor held while a faster one wrote rows.
 
-use findings::Findings;
+use findings::{Finding, Findings, Kind};
 use sensor::Sensor;
 
 use crate::recording::Stream;
@@ -41,11 +41,13 @@ pub(crate) fn without_held(
         return stream;
     };
     let mean = stream.len() as f64 / starts.len() as f64;
-    warnings.push(format!(
-        "{name}: the {} is {mean:.2} times slower than the rows and its values are held; {} repetitions left out",
-        sensor.name(),
-        stream.len() - starts.len()
-    ));
+    warnings.push(
+        Finding::of(Kind::SlowerSensor)
+            .in_recording(name)
+            .of_sensor(sensor)
+            .number("ratio", mean, "1")
+            .count("repetitions", stream.len() - starts.len()),
+    );
     Stream {
         t: starts.iter().map(|&i| stream.t[i]).collect(),
         values: starts.iter().map(|&i| stream.values[i]).collect(),

@@ -8,7 +8,7 @@ use crate::rows::table::Table;
 use crate::shown::figure;
 use crate::source::place::in_file;
 use crate::units::TimeUnit;
-use findings::Findings;
+use findings::{Finding, Findings, Kind};
 
 /// Rates that a unit in the file may mean, Hz.
 const POSSIBLE: std::ops::RangeInclusive<f64> = 0.2..=60_000.0;
@@ -20,6 +20,9 @@ const COUNTED: [TimeUnit; 4] = [
     TimeUnit::Microseconds,
     TimeUnit::Nanoseconds,
 ];
+
+/// A mean Gregorian year, s.
+const SECONDS_OF_A_YEAR: f64 = 31_556_952.0;
 
 /// Rates of most recordings, Hz: of two units the one with such a rate is meant.
 const USUAL: std::ops::Range<f64> = 20.0..2000.0;
@@ -37,10 +40,12 @@ pub(crate) fn to_seconds(
     for table in tables {
         if let Some(line) = table.clock.wraps.first() {
             let count = table.clock.wraps.len();
-            warnings.push(format!(
-                "{}:{line}: the time counter starts again, {count} times in all; counted on",
-                table.name
-            ));
+            warnings.push(
+                Finding::of(Kind::CounterWraps)
+                    .in_recording(&table.name)
+                    .count("count", count)
+                    .count("line", *line as usize),
+            );
         }
         // Each sensor's stamps may have a unit of their own.
         let own = table
@@ -148,7 +153,9 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
     // A counter of microseconds looks like seconds of this century after half an hour: its rate tells.
     if let Some(unit) = table.clock.origin.and_then(of_epoch).filter(plausible) {
         if unit != TimeUnit::Seconds {
-            warnings.push(decided(table, unit, "stamps are of this century"));
+            let first = table.clock.origin.unwrap_or_default() as f64 / unit.per_second();
+            let year = 1970.0 + (first / SECONDS_OF_A_YEAR).floor();
+            warnings.push(decided(table, unit).number("year", year, "count"));
         }
         return Ok(unit);
     }
@@ -168,11 +175,8 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
     }
     match fitted[..] {
         [unit] => {
-            warnings.push(decided(
-                table,
-                unit,
-                &format!("a rate of {:.0} Hz", unit.per_second() / step),
-            ));
+            let rate = (unit.per_second() / step).round();
+            warnings.push(decided(table, unit).number("rate", rate, "Hz"));
             Ok(unit)
         }
         // Seconds by contract, unless no sensor has that rate.
@@ -203,14 +207,11 @@ fn unit_of_ones(table: &Table, warnings: &mut Findings) -> Result<TimeUnit, Erro
     let every_row = t.windows(2).all(|pair| pair[1] - pair[0] == 1.0);
     if !(from_the_start && every_row) {
         let unit = TimeUnit::Milliseconds;
-        warnings.push(decided(table, unit, "1 kHz rather than 1 Hz"));
+        warnings.push(decided(table, unit).number("rate", unit.per_second(), "Hz"));
         return Ok(unit);
     }
     if table.plain_time {
-        warnings.push(format!(
-            "{}: stamps go up by 1, read as seconds; if they count samples say --rate, if they are milliseconds --time-unit ms",
-            table.name
-        ));
+        warnings.push(Finding::of(Kind::StampsCountRows).in_recording(&table.name));
         return Ok(TimeUnit::Seconds);
     }
     Err(in_file(
@@ -219,12 +220,10 @@ fn unit_of_ones(table: &Table, warnings: &mut Findings) -> Result<TimeUnit, Erro
     ))
 }
 
-fn decided(table: &Table, unit: TimeUnit, why: &str) -> String {
-    format!(
-        "{}: time taken as {} ({why}); --time-unit overrides",
-        table.name,
-        unit.name()
-    )
+fn decided(table: &Table, unit: TimeUnit) -> Finding {
+    Finding::of(Kind::TimeUnitTold)
+        .in_recording(&table.name)
+        .detail("unit", unit.name())
 }
 
 /// The unit in which `stamp` lies between 2001 and 2100.

@@ -99,9 +99,9 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
             "no accelerometer and no gyroscope in it; it holds {}",
             shown(&listed)
         );
-        let why = cut.or_else(|| warnings.first().map(|f| f.text(findings::Front::Plain)));
+        let why = cut.as_ref().or_else(|| warnings.first());
         let cut = why
-            .map(|why| format!(" ({})", shown(&why)))
+            .map(|why| format!(" ({})", shown(&why.text(findings::Front::Plain))))
             .unwrap_or_default();
         return Err(in_file(name, words + &cut));
     }
@@ -163,7 +163,7 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
             }
         }
     }
-    warnings.extend(cut.map(|cut| format!("{cut}; the recording may be shorter than it was")));
+    warnings.extend(cut);
     let warnings = warnings.into_iter().map(|f| f.in_recording(name));
     let warnings: Vec<Finding> = warnings.collect();
     let mut recording = assemble(name.to_owned(), tables, options)?;

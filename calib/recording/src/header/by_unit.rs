@@ -2,6 +2,7 @@
 
 use std::str::FromStr;
 
+use findings::{Finding, Kind};
 use sensor::Sensor;
 
 use super::names::take_apart;
@@ -21,12 +22,12 @@ const DERIVED: [&str; 9] = [
     "sans",
 ];
 
-/// Adds the columns of a sensor that has none yet, and the time's; returns what was decided, in words.
+/// Adds the columns of a sensor that has none yet, and the time's; returns what was decided.
 pub(crate) fn by_unit(
     names: &[String],
     only: Option<Sensor>,
     roles: &mut Vec<(Role, usize)>,
-) -> Option<String> {
+) -> Option<Finding> {
     let apart: Vec<(String, Option<&str>)> = names.iter().map(|name| take_apart(name)).collect();
     let mut told = Vec::new();
     let accel = only != Some(Sensor::Gyroscope);
@@ -57,10 +58,7 @@ pub(crate) fn by_unit(
         .flatten()
         .map(|(role, at)| format!("{}=`{}`", role.name(), crate::shown::shown(&names[*at])));
     let named: Vec<String> = named.collect();
-    Some(format!(
-        "columns taken by their units: {}",
-        named.join(", ")
-    ))
+    Some(Finding::of(Kind::ColumnsByUnit).detail("columns", named.join(", ")))
 }
 
 fn is<U: FromStr>(unit: &str, holds: impl Fn(U) -> bool) -> bool {

@@ -54,7 +54,7 @@ pub(crate) struct Layout {
     /// Scales and offsets that the user gave.
     pub affine: Vec<(Role, Affine)>,
     /// What was told by the units in the names, in words.
-    pub by_unit: Option<String>,
+    pub by_unit: Option<findings::Finding>,
     /// Columns that may be the time where none is called so for certain.
     pub times: Vec<usize>,
 }

@@ -1,6 +1,6 @@
 //! The beginning of a text, looked at before it is read: separators, header, first row.
 
-use findings::Findings;
+use findings::{Finding, Findings, Kind};
 use sensor::Sensor;
 
 use super::dialect::{Cell, Dialect, Separator};
@@ -129,9 +129,11 @@ impl Start {
             labels: Vec::new(),
         };
         if dialect.decimal_comma {
-            start
-                .warnings
-                .push("decimal commas, read as decimal points".to_owned());
+            start.warnings.push(
+                Finding::of(Kind::NumberSpelling)
+                    .detail("spelling", "decimal commas")
+                    .detail("read_as", "decimal points"),
+            );
         }
         let rows: Vec<&Kept> = kept
             .iter()
@@ -231,8 +233,8 @@ impl Start {
             && self.is_numbers(torn)
         {
             self.after = self.after.max(torn.number);
-            let words = format!("line {} is cut at its beginning and left out", torn.number);
-            self.warnings.push(words);
+            let cut = Finding::of(Kind::RowCut).detail("which", "first");
+            self.warnings.push(cut.count("line", torn.number as usize));
         }
     }
 
@@ -248,8 +250,11 @@ impl Start {
         let bytes = without_comment_mark(&header.bytes);
         let cells = cells(bytes, self.dialect);
         if std::str::from_utf8(bytes).is_err() {
-            let warning = "header is not UTF-8, read as Latin-1";
-            self.warnings.push(warning.to_owned());
+            self.warnings.push(
+                Finding::of(Kind::TextEncoding)
+                    .detail("part", "the header")
+                    .detail("encoding", "Latin-1"),
+            );
         }
         let cell = |cell: &Cell| decode(&bytes[cell.clone()]);
         let mut names: Vec<String> = cells.iter().map(cell).collect();
@@ -321,8 +326,8 @@ impl Start {
                     .iter()
                     .map(|(role, i)| format!("{}={}", role.name(), i + 1))
                     .collect();
-                self.warnings
-                    .push(format!("no header; columns taken as {}", used.join(",")));
+                let told = Finding::of(Kind::ColumnsByReadings);
+                self.warnings.push(told.detail("columns", used.join(",")));
             }
             roles
         } else {

@@ -1,6 +1,6 @@
 //! Axes that are cut off at the end of their range.
 
-use findings::Findings;
+use findings::{Findings, Kind};
 use nalgebra::Vector3;
 
 use super::excursion::Excursion;
@@ -90,17 +90,21 @@ pub(super) fn found(of: &OfSensor<'_>, said: &Findings) -> Vec<Finding> {
         })
     };
     let named = |axis: usize| {
-        let sensor = of.sensor.name();
-        let words = format!("{sensor} {} is saturated", ["x", "y", "z"][axis]);
-        said.iter()
-            .any(|finding| finding.own_text().is_some_and(|text| text.contains(&words)))
+        said.iter().any(|own| {
+            own.kind == Kind::Saturated
+                && own.place.sensor == Some(of.sensor)
+                && own.word("axis") == Some(["x", "y", "z"][axis])
+        })
     };
     (0..3).filter(|&k| !named(k)).filter_map(one).collect()
 }
 
 #[cfg(test)]
 mod tests {
+    use sensor::Sensor;
+
     use super::*;
+    use crate::recording::Stream;
 
     fn wave(limit: f64, step: f64) -> Vec<Vector3<f64>> {
         let value = |k: usize| {
@@ -124,6 +128,28 @@ mod tests {
         };
         let coarse: Vec<_> = (0..4000).map(value).collect();
         assert_eq!(limits(&coarse, 0).low, f64::NEG_INFINITY);
+    }
+
+    #[test]
+    fn an_axis_that_the_reader_has_named_is_not_named_again() {
+        let stream = Stream {
+            t: (0..2000).map(f64::from).collect(),
+            values: wave(8.0, 0.0),
+        };
+        let of = OfSensor {
+            sensor: Sensor::Gyroscope,
+            stream: &stream,
+            moments: Vec::new(),
+            statics: &[],
+        };
+        let said = |sensor: Sensor, axis: &str| -> Findings {
+            let one = findings::Finding::of(Kind::Saturated);
+            vec![one.of_sensor(sensor).detail("axis", axis)].into()
+        };
+        assert_eq!(found(&of, &Findings::new()).len(), 1);
+        assert_eq!(found(&of, &said(Sensor::Gyroscope, "y")).len(), 1);
+        assert_eq!(found(&of, &said(Sensor::Accelerometer, "x")).len(), 1);
+        assert_eq!(found(&of, &said(Sensor::Gyroscope, "x")).len(), 0);
     }
 
     #[test]

@@ -1,12 +1,12 @@
-//! What was found, in numbers, and its sentence.
+//! What was found, in numbers.
 
 use std::fmt;
 
+use findings::{Front, Kind};
 use sensor::Sensor;
 use serde::Serialize;
 
-use crate::recording::Frozen;
-use crate::shown::figure;
+use crate::recording::{Frozen, Recording};
 
 /// Most rows or intervals that a sentence lists.
 const LISTED: usize = 8;
@@ -170,6 +170,19 @@ fn axes_in_words(axes: &[usize]) -> String {
     names.join(", ")
 }
 
+/// `rows 4 to 9, t = 0.20 to 0.45 s; and 2 more`.
+fn in_words(places: &[(usize, usize, f64, f64)]) -> String {
+    let one = |place: &(usize, usize, f64, f64)| {
+        let (first, last, from, to) = place;
+        format!("rows {first} to {last}, t = {from:.2} to {to:.2} s")
+    };
+    let shown: Vec<String> = places.iter().take(PLACES).map(one).collect();
+    match places.len().saturating_sub(PLACES) {
+        0 => shown.join("; "),
+        more => format!("{}; and {more} more", shown.join("; ")),
+    }
+}
+
 fn listed(numbers: &[usize]) -> String {
     let shown: Vec<String> = numbers.iter().take(LISTED).map(usize::to_string).collect();
     match numbers.len().saturating_sub(LISTED) {
@@ -178,41 +191,38 @@ fn listed(numbers: &[usize]) -> String {
     }
 }
 
-impl fmt::Display for Finding {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Finding {
+    /// The finding with its place and in the unit of a recording's readings.
+    pub fn in_recording(&self, recording: &Recording) -> findings::Finding {
+        let unit = |sensor: Sensor| match recording.is_in_counts(sensor) {
+            true => "counts",
+            false => si(sensor),
+        };
+        self.typed(unit).in_recording(&recording.name)
+    }
+
+    /// The finding where `unit` is that of a sensor's readings.
+    fn typed(&self, unit: impl Fn(Sensor) -> &'static str) -> findings::Finding {
+        use findings::Finding as Typed;
+        let of = |kind: Kind, sensor: Sensor| Typed::of(kind).of_sensor(sensor);
         match self {
             Self::ErasedTail {
                 first_row,
                 rows,
                 time,
-            } => write!(
-                f,
-                "the last {rows} rows, from row {first_row} (t = {time:.3} s) on, repeat one reading on all \
-                 axes: erased memory, left out"
-            ),
+            } => Typed::of(Kind::ErasedTail)
+                .from_time(*time)
+                .count("rows", *rows)
+                .count("first_row", *first_row),
             Self::Frozen {
                 sensors,
                 rows,
                 places,
-            } => {
-                let one = |place: &(usize, usize, f64, f64)| {
-                    let (first, last, from, to) = place;
-                    format!("rows {first} to {last}, t = {from:.2} to {to:.2} s")
-                };
-                let shown: Vec<String> = places.iter().take(PLACES).map(one).collect();
-                let more = match places.len().saturating_sub(PLACES) {
-                    0 => String::new(),
-                    more => format!("; and {more} more"),
-                };
-                write!(
-                    f,
-                    "{rows} rows repeat the reading of the {} before them, in {} place{} ({}{more}): they are frozen and left out",
-                    sensors.join(" and the "),
-                    places.len(),
-                    if places.len() == 1 { "" } else { "s" },
-                    shown.join("; ")
-                )
-            }
+            } => Typed::of(Kind::Frozen)
+                .count("rows", *rows)
+                .count("places", places.len())
+                .detail("sensors", sensors.join(" and the "))
+                .detail("listed", in_words(places)),
             Self::Clipped {
                 sensor,
                 axis,
@@ -220,100 +230,133 @@ impl fmt::Display for Finding {
                 rows,
                 from_row,
                 to_row,
-            } => write!(
-                f,
-                "{} {} is saturated at {} in {rows} of the rows {from_row} to {to_row}: its range ends there, \
-                 and the signal is larger; set a larger range",
-                sensor.name(),
-                axes_in_words(&[*axis]),
-                figure(*limit)
-            ),
+            } => of(Kind::Saturated, *sensor)
+                .detail("axis", axes_in_words(&[*axis]))
+                .number("limit", *limit, unit(*sensor))
+                .count("rows", *rows)
+                .count("from_row", *from_row)
+                .count("to_row", *to_row),
             Self::Quantised {
                 sensor,
                 axes,
                 step,
                 spread,
-            } => write!(
-                f,
-                "the {} reads in steps of {step:.3e} on {}, wider than its noise ({spread:.1e}): no static \
-                 mean is known better than a step over √12, {:.1e}",
-                sensor.name(),
-                axes_in_words(axes),
-                step / 12f64.sqrt()
-            ),
+            } => of(Kind::Quantised, *sensor)
+                .detail("axes", axes_in_words(axes))
+                .number("step", *step, unit(*sensor))
+                .number("noise", *spread, unit(*sensor))
+                .number("error", step / 12f64.sqrt(), unit(*sensor))
+                .affects("corrected_reading", step / 12f64.sqrt(), unit(*sensor)),
             Self::DeadZone {
                 sensor,
                 axes,
                 share,
                 least,
             } => {
-                let (samples, unknown) = match *share > IN_TURNS {
-                    true => (
-                        format!("{:.0} % of the samples of static intervals", 100.0 * share),
-                        "its bias and the errors",
-                    ),
-                    false => ("some samples of turns".into(), "the errors"),
-                };
-                write!(
-                    f,
-                    "the {} reads exactly zero on {} in {samples} and nothing between zero and {least:.2e}: a dead \
-                     zone, or readings from a fusion filter; {unknown} of slow turns cannot be known, record the \
-                     raw sensor",
-                    sensor.name(),
-                    axes_in_words(axes)
-                )
+                let found = of(Kind::DeadZone, *sensor)
+                    .detail("axes", axes_in_words(axes))
+                    .number("least", *least, unit(*sensor))
+                    .affects("corrected_reading", *least, unit(*sensor));
+                match *share > IN_TURNS {
+                    true => found.number("share", *share, "share"),
+                    false => found,
+                }
             }
             Self::Rezeroed {
                 sensor,
                 after,
                 size,
                 intervals,
-            } => write!(
-                f,
-                "the bias of the {} jumps {after:.1} s into the static intervals, by {size:.1e} (rms over {} of \
-                 them): the device sets its zero anew while it rests; turns and rests are then read about \
-                 different zeros, switch its own calibration off or record uncalibrated readings",
-                sensor.name(),
-                intervals.len()
-            ),
+            } => of(Kind::Rezeroed, *sensor)
+                .number("after", *after, "s")
+                .number("size", *size, unit(*sensor))
+                .count("intervals", intervals.len())
+                .affects("corrected_reading", *size, unit(*sensor)),
             Self::Spikes {
                 sensor,
                 rows,
                 axes,
                 largest,
-            } => write!(
-                f,
-                "{} single readings of the {} on {} leave their neighbours by up to {largest:.3e} and \
-                 return (rows {}): transfer errors or knocks, replaced by the mean of their neighbours",
-                rows.len(),
-                sensor.name(),
-                axes_in_words(axes),
-                listed(rows)
-            ),
+            } => of(Kind::Spikes, *sensor)
+                .count("count", rows.len())
+                .number("largest", *largest, unit(*sensor))
+                .detail("axes", axes_in_words(axes))
+                .detail("listed", listed(rows)),
             Self::Vibration {
                 sensor,
                 intervals,
                 ratio,
                 from_here_on,
-            } => write!(
-                f,
-                "the {} is up to {ratio:.1} times noisier in static interval{} {} than in the others{}",
-                sensor.name(),
-                if intervals.len() == 1 { "" } else { "s" },
-                listed(intervals),
-                if *from_here_on {
-                    ": from there on it vibrates (a fan, a motor), or the range or the filter was changed; switch that off, or \
-                     split the recording there"
-                } else {
-                    ", as from vibration or a hand; lay the device down there too"
-                }
-            ),
-            Self::HandHeld { rate } => write!(
-                f,
-                "the device never lies still (its rate wavers by {:.0} mrad/s in the quietest stretches, as in a \
-                 hand): lay it down",
-                1e3 * rate
-            ),
+            } => {
+                let kind = match from_here_on {
+                    true => Kind::NoiseChanged,
+                    false => Kind::Vibration,
+                };
+                let plural = if intervals.len() == 1 { "" } else { "s" };
+                let called = format!("static interval{plural} {}", listed(intervals));
+                of(kind, *sensor)
+                    .number("ratio", *ratio, "1")
+                    .detail("intervals", called)
+            }
+            Self::HandHeld { rate } => Typed::of(Kind::HandHeld).number("rate", *rate, "rad/s"),
         }
+    }
+}
+
+/// The unit of a sensor's readings that are no counts.
+fn si(sensor: Sensor) -> &'static str {
+    match sensor {
+        Sensor::Accelerometer => "m/s^2",
+        Sensor::Gyroscope => "rad/s",
+        Sensor::Magnetometer => "µT",
+    }
+}
+
+impl From<&Finding> for findings::Finding {
+    /// The finding of readings in m/s² and rad/s.
+    fn from(finding: &Finding) -> Self {
+        finding.typed(si)
+    }
+}
+
+impl fmt::Display for Finding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&findings::Finding::from(self).text(Front::CommandLine))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recording::{Described, UnitBy};
+
+    #[test]
+    fn steps_are_shown_in_the_unit_of_the_readings() {
+        let found = Finding::Quantised {
+            sensor: Sensor::Gyroscope,
+            axes: vec![0, 2],
+            step: 0.0349,
+            spread: 0.01,
+        };
+        let text = found.to_string();
+        assert!(text.contains("in steps of 2 °/s on x, z"), "{text}");
+        let mut recording = Recording {
+            name: "r".into(),
+            ..Recording::default()
+        };
+        let typed = found.in_recording(&recording);
+        assert_eq!(typed.place.recording.as_deref(), Some("r"));
+        assert!(typed.severity() > 1.0, "{}", typed.severity());
+        recording.description.sensors.push(Described {
+            sensor: Sensor::Gyroscope,
+            source: String::new(),
+            columns: Vec::new(),
+            unused: Vec::new(),
+            unit: "counts",
+            unit_by: UnitBy::File,
+            turned: false,
+        });
+        let typed = found.in_recording(&recording);
+        assert_eq!(typed.numbers[0].unit, "counts");
     }
 }

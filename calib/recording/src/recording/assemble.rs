@@ -1,6 +1,6 @@
 //! Tables to a recording: seconds, SI units, order, and what is worth a warning.
 
-use findings::Findings;
+use findings::{Findings, Kind};
 use std::collections::HashSet;
 
 use sensor::Sensor;
@@ -22,15 +22,10 @@ use crate::source::place::in_file;
 use crate::units::field::FieldUnit;
 use crate::units::{AccelUnit, GyroUnit, Stated, TimeUnit, decide, repeated, swapped, values};
 
-/// What is said where stamps are not used.
-const IGNORED: &str = "--rate was given: time stamps are ignored";
-
 impl Recording {
     /// Whether there are stamps that a given rate stands for.
     pub(super) fn has_ignored_stamps(&self) -> bool {
-        self.warnings
-            .iter()
-            .any(|finding| finding.own_text() == Some(IGNORED))
+        self.warnings.has(Kind::StampsIgnored)
     }
 }
 
@@ -61,7 +56,10 @@ pub(crate) fn assemble(
         }
         in_seconds?;
     } else if tables.iter().any(|table| table.has_time) {
-        recording.warnings.push(IGNORED.to_owned());
+        let ignored = findings::Finding::of(Kind::StampsIgnored);
+        recording
+            .warnings
+            .push(ignored.in_recording(&recording.name));
     }
     for Table {
         name,
@@ -105,10 +103,6 @@ pub(crate) fn assemble(
         .iter()
         .flat_map(|table| table.unused.clone())
         .collect();
-    let unused = match unused.len() {
-        0 => String::new(),
-        _ => format!(" (columns not used: `{}`)", unused.join("`, `")),
-    };
     let gyro = tables.iter().find(|table| !table.gyro.t.is_empty());
     let gyro = gyro.map(|table| {
         let strange = table.strange[1].clone();
@@ -134,29 +128,37 @@ pub(crate) fn assemble(
             .for_each(|described| described.unit = unit.name());
     }
     if let Some(found) = crate::readings::cut_erased_tail(&mut recording) {
-        recording
-            .warnings
-            .push(format!("{}: {found}", recording.name));
+        let found = found.in_recording(&recording);
+        recording.warnings.push(found);
     }
     crate::readings::refuse_stopped(&recording)?;
     if let Some(found) = Finding::of_frozen(&recording.frozen) {
-        let words = format!("{}: {found}", recording.name);
-        recording.warnings.push(words);
+        let found = found.in_recording(&recording);
+        recording.warnings.push(found);
     }
     flip(&mut recording, &options.flip);
     overlap(&recording)?;
     thermometer::check_clock(&mut recording);
     let sensors = [&recording.accelerometer, &recording.gyroscope].map(Option::is_some);
+    let only = |missing: &str, only: &str| {
+        findings::Finding::of(Kind::OneSensorOnly)
+            .detail("missing", missing)
+            .detail("only", only)
+    };
     let missing = match (sensors, recording.magnetometer.is_some()) {
         ([true, true], _) => None,
-        ([true, false], _) => Some("no gyroscope: accelerometer only"),
-        ([false, true], _) => Some("no accelerometer: gyroscope only"),
-        ([false, false], true) => Some("no accelerometer and no gyroscope: magnetometer only"),
-        ([false, false], false) => Some("no sensor"),
+        ([true, false], _) => Some(only("gyroscope", "accelerometer")),
+        ([false, true], _) => Some(only("accelerometer", "gyroscope")),
+        ([false, false], true) => Some(only("accelerometer and no gyroscope", "magnetometer")),
+        ([false, false], false) => Some(findings::Finding::of(Kind::NoSensor)),
     };
+    let missing = missing.map(|missing| match unused.is_empty() {
+        true => missing,
+        false => missing.detail("unused", format!("`{}`", unused.join("`, `"))),
+    });
     recording
         .warnings
-        .extend(missing.map(|missing| format!("{missing}{unused}")));
+        .extend(missing.map(|missing| missing.in_recording(&recording.name)));
     // What is true of a row is true of both sensors in it, but said once.
     recording.warnings.once();
     Ok(recording)
@@ -173,8 +175,8 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
     }
     if table.corrected_by.is_none() && ardupilot_text::is_imu(&table.names) {
         table.corrected_by = Some("ardupilot");
-        let remark = format!("{}: {}", table.name, ardupilot_text::REMARK);
-        recording.warnings.push(remark);
+        let corrected = ardupilot_text::corrected();
+        recording.warnings.push(corrected.in_recording(&table.name));
     }
     describe(recording, &table, options);
     let celsius = match table.temperature.is_empty() {
@@ -274,23 +276,33 @@ fn describe(recording: &mut Recording, table: &Table, options: &ReadOptions) {
 }
 
 /// What is said where an option contradicts the unit in the file.
-fn overridden(name: &str, stated: Stated, options: &ReadOptions) -> impl Iterator<Item = String> {
+fn overridden(
+    name: &str,
+    stated: Stated,
+    options: &ReadOptions,
+) -> impl Iterator<Item = findings::Finding> {
     let time = options.time_unit.map(TimeUnit::name);
     let accel = options.accel_unit.map(AccelUnit::name);
     let gyro = options.gyro_unit.map(GyroUnit::name);
     let mag = options.mag_unit.map(FieldUnit::name);
     let units = [
-        ("--time-unit", time, stated.time.map(TimeUnit::name)),
-        ("--accel-unit", accel, stated.accel.map(AccelUnit::name)),
-        ("--gyro-unit", gyro, stated.gyro.map(GyroUnit::name)),
-        ("--mag-unit", mag, stated.field.map(FieldUnit::name)),
+        ("the time", time, stated.time.map(TimeUnit::name)),
+        (
+            "the accelerometer",
+            accel,
+            stated.accel.map(AccelUnit::name),
+        ),
+        ("the gyroscope", gyro, stated.gyro.map(GyroUnit::name)),
+        ("the magnetometer", mag, stated.field.map(FieldUnit::name)),
     ];
-    units.into_iter().filter_map(move |(option, given, said)| {
-        let (given, said) = given.zip(said).filter(|(given, said)| given != said)?;
-        Some(format!(
-            "{name}: {option} {given} is used, though the file says {said}"
-        ))
-    })
+    units
+        .into_iter()
+        .filter_map(move |(quantity, given, said)| {
+            let (given, said) = given.zip(said).filter(|(given, said)| given != said)?;
+            let found = findings::Finding::of(Kind::UnitOverridden).in_recording(name);
+            let found = found.detail("quantity", quantity).detail("given", given);
+            Some(found.detail("stated", said))
+        })
 }
 
 /// What was noticed of the samples of one sensor.

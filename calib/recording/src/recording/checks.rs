@@ -1,16 +1,17 @@
 //! Stamps and temperatures that are refused, or worth a warning.
 
-use findings::Findings;
+use findings::{Finding, Findings, Kind, OptionName, Remedy, Setting};
 use sensor::Sensor;
 
 use super::options::{ReadOptions, Role};
 use super::samples::Samples;
 use super::stream::extreme_steps;
+use super::temperature_counts::Offered;
 use super::{Gap, Stream, temperature_counts};
 use crate::Error;
 use crate::header::suggest::entry;
 use crate::rows::table::Table;
-use crate::shown::{figure, significant};
+use crate::shown::significant;
 use crate::source::place::in_file;
 use crate::units::TemperatureUnit;
 
@@ -18,10 +19,13 @@ use crate::units::TemperatureUnit;
 pub(crate) fn order(name: &str, samples: &Samples, warnings: &mut Findings) -> Result<(), Error> {
     let repeats = samples.repeats;
     if repeats.count > 0 {
-        warnings.push(format!(
-            "{name}:{}: {} rows between lines {} and {} repeat earlier rows, stamp and values; left out",
-            repeats.first, repeats.count, repeats.first, repeats.last
-        ));
+        warnings.push(
+            Finding::of(Kind::RowsRepeated)
+                .in_recording(name)
+                .count("count", repeats.count)
+                .count("first_line", repeats.first as usize)
+                .count("last_line", repeats.last as usize),
+        );
     }
     let merged = samples.other_twins().count();
     if samples.t.len() < 2 && merged + repeats.count > 0 {
@@ -41,9 +45,8 @@ pub(crate) fn order(name: &str, samples: &Samples, warnings: &mut Findings) -> R
         ));
     }
     if merged > 0 {
-        warnings.push(format!(
-            "{name}: {merged} rows with the stamp of another, merged to their mean"
-        ));
+        let equal = Finding::of(Kind::StampsEqual).in_recording(name);
+        warnings.push(equal.count("count", merged));
     }
     Ok(())
 }
@@ -65,11 +68,15 @@ pub(crate) fn bursts(
     // No median is below the least.
     let median = Some(least).filter(in_bursts).and(stream.median_step());
     if let Some(median) = median.filter(in_bursts) {
-        warnings.push(format!(
-            "{name}: stamps of the {} come in bursts (median step {median:.4} s, mean {mean:.4} s), as of arrival; --rate {} reads the rows as evenly spaced",
-            sensor.name(),
-            significant(1.0 / mean, 6)
-        ));
+        let rate = significant(1.0 / mean, 6);
+        warnings.push(
+            Finding::of(Kind::StampsOfArrival)
+                .in_recording(name)
+                .of_sensor(sensor)
+                .number("median", median, "s")
+                .number("mean", mean, "s")
+                .remedy(Remedy::set_to(OptionName::Rate, rate)),
+        );
     }
 }
 
@@ -79,14 +86,16 @@ pub(crate) fn gaps(name: &str, sensor: Sensor, gaps: &[Gap], warnings: &mut Find
         .iter()
         .max_by(|a, b| (a.t1 - a.t0).total_cmp(&(b.t1 - b.t0)));
     if let Some(longest) = longest {
-        warnings.push(format!(
-            "{name}: {} gap{} in the {}, the longest {:.3} s from {:.3} s on",
-            gaps.len(),
-            if gaps.len() == 1 { "" } else { "s" },
-            sensor.name(),
-            longest.t1 - longest.t0,
-            longest.t0
-        ));
+        let missing = gaps.iter().map(|gap| gap.t1 - gap.t0).sum();
+        warnings.push(
+            Finding::of(Kind::SamplesLost)
+                .in_recording(name)
+                .of_sensor(sensor)
+                .between(longest.t0, longest.t1)
+                .count("count", gaps.len())
+                .number("longest", longest.t1 - longest.t0, "s")
+                .number("missing", missing, "s"),
+        );
     }
 }
 
@@ -115,36 +124,44 @@ pub(crate) fn celsius(
     if possible && !counts && !jumps {
         if least > HOT {
             let of = |fahrenheit: f64| (fahrenheit - 32.0) / 1.8;
-            warnings.push(format!(
-                "{name}: temperatures of {least:.1} to {most:.1} are taken as °C: if they are °F ({:.1} to {:.1} °C), call the column \
-                 `temp [F]`; if they are right, leave it",
-                of(least),
-                of(most)
-            ));
+            warnings.push(
+                Finding::of(Kind::TemperatureDoubtful)
+                    .in_recording(name)
+                    .number("least", least, "1")
+                    .number("most", most, "1")
+                    .number("least_celsius", of(least), "°C")
+                    .number("most_celsius", of(most), "°C"),
+            );
         }
         return Some(celsius);
     }
-    let why = match (counts, jumps) {
-        (true, _) => "are counts of the sensor by the column's name, and no °C".to_owned(),
-        (_, true) => "jump from row to row as counts of a sensor do, and no °C".to_owned(),
-        _ => "are beyond -60 to 150 °C".to_owned(),
+    let kind = match counts || jumps {
+        true => Kind::TemperatureInCounts,
+        false => Kind::TemperatureImpossible,
     };
+    let found = Finding::of(kind)
+        .in_recording(name)
+        .number("least", least, "1")
+        .number("most", most, "1");
     let open = stated.is_none() || counts;
     let offered = open.then(|| temperature_counts::formulas(readings, &entries(table, options)));
-    let advice = match offered.flatten() {
-        Some(formulas) => format!(
-            "the formula of the sensor's data sheet makes °C of them, as in {formulas}"
-        ),
-        None if open => {
-            "the formula of the sensor's data sheet makes them °C, as in --columns temp=NAME/340+36.53, and so does a unit in the column's name, as `temp [K]`".to_owned()
+    let offered = offered.unwrap_or_default();
+    warnings.push(match (&offered[..], open) {
+        ([], true) => found.remedy(Remedy::set_to(OptionName::Columns, "temp=NAME/340+36.53")),
+        ([], false) => found,
+        _ => {
+            let made: Vec<String> = offered.iter().map(Offered::in_words).collect();
+            let settings = offered.into_iter().map(|offered| Setting {
+                option: OptionName::Columns,
+                value: Some(offered.entry),
+            });
+            found
+                .detail("formulas", made.join(" or "))
+                .only_remedies([Remedy::Set {
+                    any_of: settings.collect(),
+                }])
         }
-        None => "the unit in the column's name is another, as in `temp [K]`".to_owned(),
-    };
-    warnings.push(format!(
-        "{name}: temperatures of {} to {} {why}, left out; {advice}",
-        figure(least),
-        figure(most)
-    ));
+    });
     None
 }
 

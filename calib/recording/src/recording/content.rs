@@ -7,6 +7,7 @@ use super::description::Description;
 use super::frozen::Frozen;
 use super::magnetometer::Magnetometer;
 use super::stream::{Stream, Temperature};
+use crate::units::AccelUnit;
 
 /// One recording of one device.
 #[derive(Clone, Debug, Default)]
@@ -30,6 +31,12 @@ pub struct Recording {
 }
 
 impl Recording {
+    /// Whether the readings of a sensor are raw counts.
+    pub fn is_in_counts(&self, sensor: Sensor) -> bool {
+        let mut described = self.description.sensors.iter();
+        described.any(|d| d.sensor == sensor && d.unit == AccelUnit::Counts.name())
+    }
+
     /// The readings of a sensor.
     pub fn stream(&self, sensor: Sensor) -> Option<&Stream> {
         match sensor {

@@ -1,6 +1,8 @@
 //! Samples far faster than anything that a hand does, as means over blocks of them.
 
+use findings::{Finding, Kind};
 use nalgebra::Vector3;
+use sensor::Sensor;
 
 use super::{Recording, Stream};
 
@@ -38,13 +40,13 @@ impl Recording {
     /// let fast = Recording { accelerometer: Some(Stream { t, values }), ..Recording::default() };
     /// let slow = fast.decimated();
     /// assert_eq!(slow.accelerometer.unwrap().len(), 2000);
-    /// assert!(slow.warnings[0].contains("30.0 kHz"));
+    /// assert_eq!(slow.warnings[0].value("rate").map(f64::round), Some(30_000.0));
     /// ```
     #[must_use]
     pub fn decimated(mut self) -> Self {
         let sensors = [
-            ("accelerometer", &mut self.accelerometer),
-            ("gyroscope", &mut self.gyroscope),
+            (Sensor::Accelerometer, &mut self.accelerometer),
+            (Sensor::Gyroscope, &mut self.gyroscope),
         ];
         for (sensor, stream) in sensors {
             let Some(stream) = stream else { continue };
@@ -54,13 +56,14 @@ impl Recording {
             let rate = step.recip();
             let block = (rate / ENOUGH).round() as usize;
             *stream = means(stream, block, GAP * step);
-            self.warnings.push(format!(
-                "{}: the {sensor} was sampled at {:.1} kHz: read as means over {block} samples (a boxcar filter, then \
-                 {:.1} kHz), as no hand turns faster",
-                self.name,
-                1e-3 * rate,
-                1e-3 * rate / block as f64
-            ));
+            self.warnings.push(
+                Finding::of(Kind::Averaged)
+                    .in_recording(&self.name)
+                    .of_sensor(sensor)
+                    .number("rate", rate, "Hz")
+                    .count("block", block)
+                    .number("then", rate / block as f64, "Hz"),
+            );
         }
         self
     }

@@ -9,7 +9,7 @@ use crate::rows::sort;
 use crate::rows::table::Table;
 use crate::shown::figure;
 use crate::source::place::{at_column, at_line, in_file};
-use findings::Findings;
+use findings::{Finding, Findings, Kind};
 
 /// A session of fewer rows is no recording: a device that was switched on twice.
 const FEWEST: usize = 200;
@@ -107,10 +107,12 @@ fn only_part(
         .filter(|at| !long.contains(at))
         .map(|at| &sessions[at])
     {
-        warnings.push(format!(
-            "{}:{}: the clock begins again after {} rows; they are left out",
-            first.name, session.first, session.rows
-        ));
+        warnings.push(
+            Finding::of(Kind::SessionLeftOut)
+                .in_recording(&first.name)
+                .count("line", session.first as usize)
+                .count("rows", session.rows),
+        );
     }
     let part = match (options.part, &long[..]) {
         (None, [_]) => 1,
@@ -289,7 +291,7 @@ mod tests {
         assert_eq!(one.accelerometer.unwrap().len(), 700);
         assert!(
             one.warnings.texts(findings::Front::CommandLine)[0]
-                .contains("after 30 rows; they are left out"),
+                .contains("after 30 rows: these are left out"),
             "{:?}",
             one.warnings
         );

@@ -1,5 +1,7 @@
 //! The accelerometer as the sum of gravity and the acceleration without it, which fusion takes apart.
 
+use findings::{Finding, Kind};
+
 use super::samples::Samples;
 use crate::Error;
 use crate::averages::median;
@@ -52,24 +54,29 @@ pub(crate) fn of_columns(table: &mut Table, split: &Split) -> Result<(), Error> 
     let (Some(left), Some(level)) = (norm(&table.accel), norm(&gravity)) else {
         return Ok(());
     };
-    let called = |columns: [usize; 3]| table.names.get(columns[0]).map_or("", String::as_str);
+    let called = |columns: [usize; 3]| table.names.get(columns[0]).cloned().unwrap_or_default();
     let (linear_name, gravity_name) = (called(split.linear), called(split.gravity));
-    let words = if left > SHARE * level {
-        // ROS calls what an accelerometer reads its linear acceleration.
-        format!("`{linear_name}` holds gravity already: `{gravity_name}` is not added to it")
-    } else {
-        let sum = sum(&table.accel, &gravity);
-        table.accel = sum.map_err(|words| in_file(&table.name, words))?;
-        table.negated = split.is_apples || level < LESS_THAN_IN_SI;
-        let sign = match table.negated {
-            true => ", which is -1 g on the axis that points up, turned to +g",
-            false => "",
-        };
-        format!(
-            "the accelerometer is the sum of `{linear_name}`, .. and gravity `{gravity_name}`, ..{sign}; the system has worked both out, so that calibration is on top of its own: the sensor's own readings are better"
-        )
+    let file = table.name.clone();
+    let of = |kind: Kind| {
+        Finding::of(kind)
+            .in_recording(&file)
+            .detail("linear", &linear_name)
+            .detail("gravity", &gravity_name)
     };
-    table.warnings.push(format!("{}: {words}", table.name));
+    if left > SHARE * level {
+        // ROS calls what an accelerometer reads its linear acceleration.
+        table.warnings.push(of(Kind::GravityNotAdded));
+        return Ok(());
+    }
+    let added = of(Kind::GravityAdded);
+    let sum = sum(&table.accel, &gravity);
+    table.accel = sum.map_err(|words| in_file(&table.name, words))?;
+    table.negated = split.is_apples || level < LESS_THAN_IN_SI;
+    table.warnings.push(added);
+    if table.negated {
+        let turned = Finding::of(Kind::SignTurned).in_recording(&table.name);
+        table.warnings.push(turned.detail("system", "Apple"));
+    }
     Ok(())
 }
 

@@ -1,5 +1,7 @@
 //! Recordings as plain CSV or Parquet.
 
+use findings::{Finding, Kind};
+use sensor::Sensor;
 use std::fmt::Write as _;
 
 use file_formats::write_parquet;
@@ -48,6 +50,13 @@ pub fn to_parquet(recording: &mut Recording) -> Result<Vec<u8>, Error> {
     write_parquet(&columns).map_err(|error| Error::Usage(error.to_string()))
 }
 
+/// A sensor that is interpolated to the stamps of `other`.
+fn joined(sensor: Sensor, other: &str) -> Finding {
+    Finding::of(Kind::ClockJoined)
+        .of_sensor(sensor)
+        .detail("other", other)
+}
+
 /// A recording as one table.
 struct Plain<'a> {
     names: Vec<String>,
@@ -73,10 +82,9 @@ impl<'a> Plain<'a> {
         if let [first, second] = streams.as_mut_slice()
             && first.t != second.t
         {
-            recording.warnings.push(
-                "the sensors have clocks of their own: the gyroscope is interpolated to the \
-             accelerometer's stamps; `-o FOLDER` keeps both clocks",
-            );
+            recording
+                .warnings
+                .push(joined(Sensor::Gyroscope, "accelerometer"));
             *first = within(first, second);
             let values = first.t.iter().filter_map(|&t| second.at(t)).collect();
             *second = Stream {
@@ -91,9 +99,9 @@ impl<'a> Plain<'a> {
             names.extend(field_names(field).split(',').map(str::to_owned));
             let stamps = streams.first().map(|first| &first.t);
             if stamps != Some(&field.stream.t) {
-                let words = "the magnetometer has a clock of its own and is interpolated to the stamps of the others; \
-                     `-o FOLDER` keeps it";
-                recording.warnings.push(words);
+                recording
+                    .warnings
+                    .push(joined(Sensor::Magnetometer, "others"));
             }
         }
         Self {

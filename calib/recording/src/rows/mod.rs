@@ -11,6 +11,7 @@ pub(crate) mod table;
 
 mod careful;
 
+use findings::{Finding, Kind};
 use std::io::Read;
 use std::ops::Range;
 
@@ -317,23 +318,33 @@ impl<'a> Rows<'a> {
                 .pending
                 .unwrap_or_else(|| in_file(name, "no data rows")));
         }
+        let spelt = |spelling: &str, read_as: &str| {
+            Finding::of(Kind::NumberSpelling)
+                .in_recording(name)
+                .detail("spelling", spelling)
+                .detail("read_as", read_as)
+        };
         if let Some(error) = self.pending {
-            warnings.push(format!("last row left out, cut short? {error}"));
+            warnings.push(
+                Finding::of(Kind::RowCut)
+                    .in_recording(name)
+                    .detail("which", "last")
+                    .detail("why", error.to_string()),
+            );
         }
         if self.skipped > 0 {
-            warnings.push(format!("{name}: {} broken rows left out", self.skipped));
+            let broken = Finding::of(Kind::RowsBroken).in_recording(name);
+            warnings.push(broken.count("count", self.skipped));
         }
         if self.dropped > 0 {
-            warnings.push(format!(
-                "{name}: {} rows with missing numbers left out",
-                self.dropped
-            ));
+            let without = Finding::of(Kind::RowsWithoutNumbers).in_recording(name);
+            warnings.push(without.count("count", self.dropped));
         }
         if self.spellings.fortran {
-            warnings.push(format!("{name}: exponents written with D, read as E"));
+            warnings.push(spelt("exponents with D", "exponents with E"));
         }
         if self.spellings.unicode_minus {
-            warnings.push(format!("{name}: minus signs are U+2212, read as -"));
+            warnings.push(spelt("minus signs U+2212", "-"));
         }
         Ok(())
     }

@@ -1,5 +1,6 @@
 //! Which part of which text holds which sensor: what a format knows and the text does not say.
 
+use findings::{Finding, Kind};
 use std::io::Read;
 
 use sensor::Sensor;
@@ -40,7 +41,7 @@ pub(crate) struct Part {
     /// The rate that its program has unless it was told another, Hz, where the rows have no stamps.
     pub usual_rate: Option<f64>,
     /// What the user should know of it.
-    pub remark: Option<String>,
+    pub remark: Option<Finding>,
     /// The system that had corrected the readings before.
     pub corrected_by: Option<&'static str>,
 }
@@ -139,7 +140,8 @@ impl Part {
         table.negated |= self.negated;
         table.corrected_by = self.corrected_by.or(table.corrected_by);
         if let Some(remark) = &self.remark {
-            table.warnings.push(format!("{}: {remark}", table.name));
+            let remark = remark.clone().in_recording(&table.name);
+            table.warnings.push(remark);
         }
         Ok(table)
     }
@@ -232,6 +234,6 @@ pub(crate) fn without_field(tables: &mut [Table], error: &Error) {
     if let Some(table) = tables.first_mut() {
         table
             .warnings
-            .push(format!("the magnetometer is left out: {error}"));
+            .push(Finding::of(Kind::FieldLeftOut).detail("why", error.to_string()));
     }
 }

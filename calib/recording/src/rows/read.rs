@@ -1,5 +1,6 @@
 //! A text into its table.
 
+use findings::{Finding, Kind};
 use sensor::Sensor;
 
 use crate::Error;
@@ -132,16 +133,13 @@ impl Table {
             .iter()
             .map(|(role, column)| format!("{}={column}", role.name()))
             .collect();
-        let why = match by_rests {
-            Some(_) => "; the accelerometer is the one whose mean turns from rest to rest",
-            None => "",
-        };
-        let words = format!(
-            "{}: no header; columns taken as {}{why}",
-            self.name,
-            taken.join(",")
-        );
-        self.warnings.push(words);
+        let mut told = Finding::of(Kind::ColumnsByReadings)
+            .in_recording(&self.name)
+            .detail("columns", taken.join(","));
+        if by_rests.is_some() {
+            told = told.detail("turning", "ax, ay, az");
+        }
+        self.warnings.push(told);
         Ok(())
     }
 

@@ -172,7 +172,12 @@ pub(crate) fn text(name: &str, unpacked: Unpacked) -> (Box<dyn Read + Send>, fin
         head => utf16_by_zeros(head),
     };
     if let Some(encoding) = encoding {
-        warnings.push(format!("{name}: {}, read as text", encoding.name()));
+        warnings.push(
+            findings::Finding::of(findings::Kind::TextEncoding)
+                .in_recording(name)
+                .detail("part", "the text")
+                .detail("encoding", encoding.name()),
+        );
     }
     // Without an encoding, bytes pass as they are, but for a UTF-8 byte order mark.
     let reader = DecodeReaderBytesBuilder::new()

@@ -1,6 +1,6 @@
 //! A text that is about to be read: its beginning, what follows, and where it comes from.
 
-use findings::Findings;
+use findings::{Finding, Findings, Kind};
 use std::io::{self, Cursor, Read};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
@@ -109,10 +109,11 @@ impl Input {
         ];
         let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
         if let Some(extension) = extension.filter(|e| BINARY.contains(&e.as_str())) {
-            self.warnings.push(format!(
-                "{}: text in spite of its name, .{extension}",
-                self.name
-            ));
+            self.warnings.push(
+                Finding::of(Kind::NameMisleads)
+                    .in_recording(&self.name)
+                    .detail("extension", extension),
+            );
         }
     }
 }

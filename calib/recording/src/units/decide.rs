@@ -9,7 +9,8 @@ use crate::recording::Stream;
 use crate::shown::shown;
 use crate::source::place::in_file;
 use crate::units::{AccelUnit, GyroUnit, STANDARD_GRAVITY, values};
-use findings::Findings;
+use findings::{Finding, Findings, Kind, OptionName, Remedy};
+use sensor::Sensor;
 
 /// Rates beyond this are no hand-held motion in rad/s (29 turns per second): the unit is another.
 const FASTEST: f64 = 180.0;
@@ -46,6 +47,11 @@ pub(crate) struct Said<'a, U> {
     pub stated: Option<U>,
     /// By the file, in words that are no known unit.
     pub strange: Option<&'a str>,
+}
+
+/// What was decided of a sensor.
+fn told(kind: Kind, name: &str, sensor: Sensor) -> Finding {
+    Finding::of(kind).in_recording(name).of_sensor(sensor)
 }
 
 /// The radius of the sphere that the means at rest lie on.
@@ -100,12 +106,16 @@ pub(crate) fn accel_unit(
     });
     if stated.is_none() {
         match unit {
-            AccelUnit::G => warnings.push(format!(
-                "{name}: accelerometer taken as g (its median length is {norm:.3}); --accel-unit overrides"
-            )),
-            AccelUnit::Counts => warnings.push(format!(
-                "{name}: accelerometer taken as raw counts (its median length is {norm:.1}) and kept as they are; --accel-unit mg or cm/s^2 overrides"
-            )),
+            AccelUnit::G => warnings.push(
+                told(Kind::UnitByGravity, name, Sensor::Accelerometer)
+                    .detail("unit", unit.name())
+                    .number("norm", norm, "1"),
+            ),
+            AccelUnit::Counts => warnings.push(
+                told(Kind::ReadAsCounts, name, Sensor::Accelerometer)
+                    .number("norm", norm, "1")
+                    .remedy(Remedy::if_wrong([OptionName::AccelUnit])),
+            ),
             _ => {}
         }
     }
@@ -265,38 +275,42 @@ pub(crate) fn gyro_unit(
         .fold(0.0, f64::max);
     let integers = values::are_integers(stream.values.iter());
     let si = GyroUnit::RadiansPerSecond;
-    if by_turns.is_none() && integers && rate_at_restless_rest(stream, accel, si).is_some() {
-        warnings.push(format!(
-            "{name}: gyroscope taken as raw counts, kept as they are (whole numbers, and no gyroscope at rest reads that much in \
-             rad/s); --gyro-unit overrides"
-        ));
+    let as_counts = || {
+        told(Kind::ReadAsCounts, name, Sensor::Gyroscope)
+            .remedy(Remedy::if_wrong([OptionName::GyroUnit]))
+    };
+    if by_turns.is_none()
+        && integers
+        && let Some([bias, noise]) = rate_at_restless_rest(stream, accel, si)
+    {
+        warnings.push(as_counts().number("at_rest", bias.max(noise), "1"));
         return Ok(GyroUnit::Counts);
     }
     if by_turns.is_none() {
         refuse_restless_rest(name, stream, accel, si)?;
     }
-    let (unit, why) = match (by_turns, fastest) {
-        (Some(GyroUnit::RadiansPerSecond), _) => return Ok(GyroUnit::RadiansPerSecond),
-        (Some(unit), _) => (
-            unit,
-            "read so, its turns are those that the accelerometer saw".to_owned(),
-        ),
-        (None, 0.0..FASTEST) => return Ok(GyroUnit::RadiansPerSecond),
-        (None, _) if integers => (GyroUnit::Counts, format!("it reaches {fastest:.0}")),
-        (None, FASTEST..5000.0) => (
-            GyroUnit::DegreesPerSecond,
-            format!("it reaches {fastest:.0}"),
-        ),
-        (None, _) => (GyroUnit::Counts, format!("it reaches {fastest:.0}")),
+    let of = |kind: Kind, unit: GyroUnit| {
+        told(kind, name, Sensor::Gyroscope).detail("unit", unit.name())
     };
-    let words = match unit {
-        GyroUnit::Counts => "raw counts, kept as they are",
-        GyroUnit::DegreesPerSecond => "deg/s, degrees per second",
-        unit => unit.name(),
+    let (unit, told) = match (by_turns, fastest) {
+        (Some(GyroUnit::RadiansPerSecond), _) | (None, 0.0..FASTEST) => {
+            return Ok(GyroUnit::RadiansPerSecond);
+        }
+        (Some(GyroUnit::Counts), _) => (GyroUnit::Counts, as_counts()),
+        (Some(unit), _) => (unit, of(Kind::UnitByTurns, unit)),
+        (None, FASTEST..5000.0) if !integers => {
+            let unit = GyroUnit::DegreesPerSecond;
+            (
+                unit,
+                of(Kind::UnitBySize, unit).number("fastest", fastest, "1"),
+            )
+        }
+        (None, _) => (
+            GyroUnit::Counts,
+            as_counts().number("fastest", fastest, "1"),
+        ),
     };
-    warnings.push(format!(
-        "{name}: gyroscope taken as {words} ({why}); --gyro-unit overrides"
-    ));
+    warnings.push(told);
     Ok(unit)
 }
 

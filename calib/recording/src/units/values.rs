@@ -1,6 +1,6 @@
 //! Values that no working sensor gives, and values at its rails.
 
-use findings::Findings;
+use findings::{Finding, Findings, Kind};
 use std::ops::Range;
 
 use nalgebra::Vector3;
@@ -76,10 +76,14 @@ pub(crate) fn check(
         let column = || samples.values.iter().map(move |value| value[axis]);
         let rows = [low, high].map(|rail| at_rail(column(), rail));
         if let Some(rows) = rows.into_iter().max().filter(|&rows| rows > 0) {
-            warnings.push(format!(
-                "{name}: {called} is saturated at {} in {rows} rows; the rates or forces there are larger",
-                figure(peak)
-            ));
+            warnings.push(
+                Finding::of(Kind::Saturated)
+                    .in_recording(name)
+                    .of_sensor(sensor)
+                    .detail("axis", ["x", "y", "z"][axis])
+                    .number("limit", peak, "file")
+                    .count("rows", rows),
+            );
         }
     }
     Ok(())

@@ -1,5 +1,6 @@
 //! Columns of other kinds: gravity apart, temperatures in counts, magnetometers by many names.
 
+use findings::{Kind, Remedy};
 use nalgebra::Vector3;
 use stillpoint_recording::{FieldUnit, ReadOptions};
 
@@ -112,11 +113,15 @@ fn temperatures_in_counts_are_never_degrees_and_the_offered_line_makes_them_so()
         });
         let found = read(&text);
         assert!(found.temperature.is_none(), "{name}");
-        let texts = found.warnings.texts(findings::Front::CommandLine);
-        let said = texts.iter().find(|w| w.contains("left out")).unwrap();
-        assert!(said.contains("MPU-6050"), "{said}");
-        let (_, line) = said.split_once("--columns '").unwrap();
-        let (line, _) = line.split_once('\'').unwrap();
+        let mut all = found.warnings.iter();
+        let said = all.find(|f| f.kind == Kind::TemperatureInCounts).unwrap();
+        let text = said.text(findings::Front::CommandLine);
+        assert!(text.contains("MPU-6050"), "{text}");
+        let Some(Remedy::Set { any_of }) = said.remedies.first() else {
+            panic!("{said:?}");
+        };
+        let line = any_of[0].value.as_deref().unwrap();
+        assert!(text.contains(&format!("--columns {line}")), "{text}");
         let options = ReadOptions {
             columns: line.parse().unwrap(),
             ..ReadOptions::default()
@@ -180,7 +185,7 @@ fn a_magnetometer_is_read_by_many_names_and_what_is_not_read_is_said() {
     assert!(found.magnetometer.is_none());
     says(
         &found.warnings.texts(findings::Front::CommandLine),
-        "--columns 'mx=hmc_mag_a_x,my=hmc_mag_a_y,mz=hmc_mag_a_z' reads them",
+        "give the columns of the axes (--columns mx=hmc_mag_a_x,my=hmc_mag_a_y,mz=hmc_mag_a_z)",
     );
     let options = ReadOptions {
         columns: "mx=hmc_mag_a_x,my=hmc_mag_a_y,mz=hmc_mag_a_z"
@@ -200,7 +205,7 @@ fn a_magnetometer_is_read_by_many_names_and_what_is_not_read_is_said() {
     assert_eq!(found.magnetometer.unwrap().unit, None);
     says(
         &found.warnings.texts(findings::Front::CommandLine),
-        "--mag-unit counts is used, though the file says µT",
+        "the unit of the magnetometer is taken as counts, as was said, though the file says µT",
     );
 }
 
@@ -214,7 +219,10 @@ fn a_magnetometer_alone_is_called_so() {
     assert_eq!(found.start(), 0.0);
     assert_eq!(
         found.warnings.texts(findings::Front::CommandLine),
-        ["no accelerometer and no gyroscope: magnetometer only"]
+        [format!(
+            "{}: no accelerometer and no gyroscope: magnetometer only",
+            found.name
+        )]
     );
     let warm = read(&table("t,mx,my,mz,temp", |k| {
         format!("{:.3},{},25.0", s.t[k], xyz(&s.field[k], 1.0))

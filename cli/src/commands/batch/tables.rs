@@ -4,10 +4,12 @@ use batch::Record;
 use batch::statistics::{pareto, yields};
 use serde_json::{Value, json};
 
-use crate::show;
+use crate::{show, terminal};
 
 /// Devices that are listed one by one.
 const LISTED: usize = 40;
+/// So many on the first screen.
+const FIRST: usize = 16;
 /// Characters of a reason in a table.
 const REASON: usize = 52;
 
@@ -19,7 +21,12 @@ pub fn of_run(records: &[Record]) -> String {
     }
     let mut shown: Vec<&Record> = records.iter().collect();
     shown.sort_by_key(|r| (r.exit == 0, r.index));
-    for r in shown.iter().take(LISTED) {
+    let most = if terminal::is_verbose() {
+        LISTED
+    } else {
+        FIRST
+    };
+    for r in shown.iter().take(most) {
         let reason = r.reasons.first().map_or("", String::as_str);
         table.add_row([
             short(&r.id, 12),
@@ -28,11 +35,14 @@ pub fn of_run(records: &[Record]) -> String {
             short(reason, 37),
         ]);
     }
-    let more = match records.len().saturating_sub(LISTED) {
+    let more = match records.len().saturating_sub(most) {
         0 => String::new(),
-        n => format!("… and {n} more\n"),
+        n => format!("… and {n} more (-v lists {LISTED})\n"),
     };
-    format!("{table}\n{more}\n{}", summary(records))
+    if terminal::is_quiet() {
+        return summary(records);
+    }
+    format!("{}\n\n{table}\n{more}", summary(records))
 }
 
 /// Yield and reasons.
@@ -47,7 +57,12 @@ pub fn of_all(records: &[Record]) -> String {
             column.set_cell_alignment(comfy_table::CellAlignment::Left);
         }
     }
-    for cause in causes.iter().take(LISTED) {
+    let most = if terminal::is_verbose() {
+        LISTED
+    } else {
+        FIRST
+    };
+    for cause in causes.iter().take(most) {
         let share = 100.0 * cause.count as f64 / records.len() as f64;
         let words = short(&cause.words, REASON - 12);
         table.add_row([

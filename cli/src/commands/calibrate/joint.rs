@@ -12,7 +12,7 @@ use sensor::Sensor;
 use crate::show;
 
 /// Time for a quarter or a full turn, s: what a bias adds to the heading grows with it.
-const TURN_TIME: f64 = 3.0;
+pub const TURN_TIME: f64 = 3.0;
 
 /// Levels of noise, and what the errors of the parameters make of readings and headings.
 pub fn text(fit: &JointFit) -> String {

@@ -183,6 +183,18 @@ pub fn shown(lines: &[LimitLine]) -> Vec<report::Limit> {
     own.into_iter().map(shown).collect()
 }
 
+/// How many limits of a file are kept, in a few words; `None` where no file was given.
+pub fn kept(lines: &[LimitLine]) -> Option<String> {
+    let own = lines.iter().filter(|line| !line.built_in);
+    let (good, bad): (Vec<&LimitLine>, Vec<&LimitLine>) = own.partition(|line| line.pass);
+    let all = good.len() + bad.len();
+    match (all, bad.len()) {
+        (0, _) => None,
+        (_, 0) => Some(format!("all {all} are kept")),
+        (_, failed) => Some(format!("{failed} of {all} fail")),
+    }
+}
+
 /// The verdict of a limits file as a table, reasons first; nothing where no file was given.
 pub fn text(lines: &[LimitLine]) -> String {
     let own: Vec<&LimitLine> = lines.iter().filter(|line| !line.built_in).collect();

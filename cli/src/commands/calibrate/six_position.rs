@@ -12,6 +12,8 @@ use calib::methods::six_position::{
 use calib::{Calibration, Recording};
 use nalgebra::Vector3;
 
+use super::arguments::Args;
+use super::first_screen::{self, Shown};
 use super::limits::{self, gate};
 use crate::commands::shared::pictures::{Pictures, named};
 use crate::exit::Failure;
@@ -24,6 +26,8 @@ use crate::show;
 /// What the options of `calibrate` say to this method.
 #[derive(Debug)]
 pub struct Call<'a> {
+    /// The arguments.
+    pub args: &'a Args,
     /// Six recordings, or one with all placements.
     pub recordings: &'a [Recording],
     /// The detector of motion.
@@ -60,11 +64,6 @@ pub fn run(call: Call<'_>) -> Result<(), Failure> {
         call.first_order,
     )?;
     limits::state(&mut calibration, call.limits.as_ref());
-    calibration
-        .warnings
-        .texts(Front::CommandLine)
-        .iter()
-        .for_each(|warning| show::warn(warning));
     let json = show::json(&calibration)?;
     if let Some(output) = call.output {
         output.write(json.as_bytes())?;
@@ -75,11 +74,24 @@ pub fn run(call: Call<'_>) -> Result<(), Failure> {
         let page = report(&solution, &labels, &calibration, &plots)?;
         call.pictures.write(&plots, &page)?;
     }
-    show::print(&if call.json {
-        json
-    } else {
-        show::wrapped(&(limits::text(&calibration.limits) + &text(&solution, &labels)))
-    })?;
+    if call.json {
+        show::warn_all(&calibration.warnings.texts(Front::CommandLine));
+        show::print(&json)?;
+        return gate(&calibration);
+    }
+    let shown = Shown {
+        args: call.args,
+        recordings: call.recordings,
+        calibration: &calibration,
+        session: None,
+        residual: format!(
+            "{} mm/s² over the six faces, which are tilted by about {:.2}°",
+            show::figures(1e3 * solution.residual_rms, 3),
+            solution.tilt().to_degrees()
+        ),
+    };
+    first_screen::screen(&shown)
+        .show(|| limits::text(&calibration.limits) + &text(&solution, &labels))?;
     gate(&calibration)
 }
 

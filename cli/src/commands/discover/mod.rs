@@ -3,9 +3,11 @@
 mod advice;
 mod alternatives;
 mod emit;
+pub mod first_screen;
 mod held_out;
 mod page;
 mod plots;
+mod size;
 mod tables;
 mod text;
 mod units;
@@ -19,15 +21,18 @@ use calib::Recording;
 use calib::discover::{Discovery, Findings, Request, discover, noise_in, validate};
 use calib::recording::figure;
 use emit::Emit;
-pub use page::page;
+pub use page::{page, page_after};
 pub use plots::{PLOTS, plots};
 pub use text::text;
 pub use verdict::verdict;
+pub use words::gaps;
 
 use crate::commands::calibrate::limits::{self, gate};
+use crate::commands::shared::first_screen::say;
 use crate::commands::shared::inputs::{
     ClockArg, DetectorArgs, PlaceArgs, RecordingArgs, as_paths, own_effects, read, spinner,
 };
+use crate::commands::shared::names::Names;
 use crate::commands::shared::pictures::PictureArgs;
 use crate::exit::{Failure, USAGE};
 use crate::output::{Output, Replace};
@@ -149,19 +154,20 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let validation = args.validation.as_ref();
     let validation = validation.map(|path| read(path, &args.read)).transpose()?;
     let read = recordings.iter().chain(&validation);
-    show::warn_all(
-        &read
-            .flat_map(|r| r.warnings.texts(Front::CommandLine))
-            .collect::<Vec<_>>(),
-    );
+    let remarks = read.flat_map(|r| r.warnings.texts(Front::CommandLine));
+    let remarks: Vec<String> = remarks.collect();
     held_out::refuse_same_data(validation.as_ref(), &recordings)?;
     if args.units {
         return of_units(args, &recordings, &request, output);
     }
-    let mut discovery = look(&recordings, validation.as_ref(), &request)?;
+    let found = look(&recordings, validation.as_ref(), &request);
+    // Where there is no discovery they may explain why.
+    let mut discovery = found.inspect_err(|_| match args.json {
+        true => show::warn_all(&remarks),
+        false => say(&remarks),
+    })?;
     limits::state(&mut discovery.findings.calibration, None);
     let findings = &discovery.findings;
-    show::warn_all(&findings.calibration.warnings.texts(Front::CommandLine));
     let json = json(findings)?;
     if let Some(output) = output {
         output.write(json.as_bytes())?;
@@ -173,11 +179,15 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         let plots = plots(&discovery);
         pictures.write(&plots, &page(&discovery, &recordings, &request, &plots)?)?;
     }
-    show::print(&if args.json {
-        json
+    if args.json {
+        let warnings = findings.calibration.warnings.texts(Front::CommandLine);
+        show::warn_all(&[remarks, warnings].concat());
+        show::print(&json)?;
     } else {
-        show::wrapped(&text(&discovery))
-    })?;
+        let of_all = recordings.iter().chain(&validation);
+        let screen = first_screen::screen(args, findings, &recordings, &remarks);
+        screen.show(|| text(&discovery, &Names::of(of_all)))?;
+    }
     gate(&findings.calibration)
 }
 
@@ -189,15 +199,18 @@ fn of_units(
     output: Option<Output>,
 ) -> Result<(), Failure> {
     let findings = units::look(recordings, request)?;
-    show::warn_all(&units::warnings(&findings));
+    let remarks = units::warnings(&findings);
     let json = show::json(&findings)?;
     if let Some(output) = output {
         output.write(json.as_bytes())?;
     }
-    show::print(&match args.json {
-        true => json,
-        false => show::wrapped(&units::text(&findings)),
-    })?;
+    if args.json {
+        show::warn_all(&remarks);
+        show::print(&json)?;
+    } else {
+        units::screen(args.output.as_deref(), &findings, remarks)
+            .show(|| units::text(&findings))?;
+    }
     units::gate(&findings)
 }
 

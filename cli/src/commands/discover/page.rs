@@ -26,6 +26,17 @@ pub fn page(
     request: &Request,
     plots: &[(String, Picture)],
 ) -> Result<Report, Failure> {
+    page_after(discovery, recordings, request, plots, |report| report)
+}
+
+/// The same with what `first` puts before its sections.
+pub fn page_after(
+    discovery: &Discovery,
+    recordings: &[Recording],
+    request: &Request,
+    plots: &[(String, Picture)],
+    first: impl FnOnce(Report) -> Report,
+) -> Result<Report, Failure> {
     let findings = &discovery.findings;
     let calibration = &findings.calibration;
     let choices: Vec<_> = recordings
@@ -49,8 +60,8 @@ pub fn page(
         .figures(figures(findings, coverage.as_ref()))
         .next(&next(findings))
         .warnings(&pages::notes(calibration))
-        .provenance(provenance::rows(calibration))
-        .section("The gap");
+        .provenance(provenance::rows(calibration));
+    report = first(report).section("The gap");
     let plot = |wanted: &str| plots.iter().find(|(name, _)| name == wanted);
     if let Some((_, gap)) = plot("gap").or(plot("remainder")) {
         report = report.plot(gap);

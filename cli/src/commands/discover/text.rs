@@ -15,6 +15,7 @@ use super::tables::{
 use super::verdict::verdict;
 use super::words::{self, proposed};
 use crate::commands::calibrate::clocks;
+use crate::commands::shared::names::Names;
 use crate::{show, terminal};
 
 /// Why a chance is not that of the likelihood ratio.
@@ -26,7 +27,7 @@ const NAMED_WHERE: &str = "Each on its own. An effect is named where p stays bel
                            of the remainder explains more.\n";
 
 /// The tables for people.
-pub fn text(discovery: &Discovery) -> String {
+pub fn text(discovery: &Discovery, names: &Names) -> String {
     let findings = &discovery.findings;
     let gates = findings.calibration.failed_gates.iter();
     let gates = gates.map(|gate| {
@@ -36,12 +37,12 @@ pub fn text(discovery: &Discovery) -> String {
         )
     });
     let mut text: String = gates.collect();
-    let _ = writeln!(text, "{}", verdict(findings));
-    push(&mut text, gaps(findings), 3);
+    let _ = writeln!(text, "{}", names.short(&verdict(findings)));
+    push(&mut text, shortened(gaps(findings), names), 3);
     if !findings.effects.is_empty() {
         let _ = writeln!(text, "{}", words::by_chance(&findings.effects));
     }
-    lines(&mut text, validated(findings));
+    lines(&mut text, names.all_short(&validated(findings)));
     push(&mut text, evidence(findings), 1);
     if !findings.effects.is_empty() {
         text.push_str(P_OF_WALKS);
@@ -63,7 +64,7 @@ pub fn text(discovery: &Discovery) -> String {
         let _ = writeln!(text, "\n{}\n\n{table}", proposed(proposal));
     }
     push(&mut text, faults(findings), 4);
-    push(&mut text, disagreement(findings), 1);
+    push(&mut text, shortened(disagreement(findings), names), 1);
     if findings.effects.is_empty() {
         push(&mut text, ranking(findings), 1);
         text.push_str(NAMED_WHERE);
@@ -71,11 +72,19 @@ pub fn text(discovery: &Discovery) -> String {
     lines(&mut text, ties(findings));
     lines(&mut text, beside(findings));
     let _ = writeln!(text, "\n{}", words::bias_noise(findings));
-    text.push_str(&clocks::text(&findings.calibration));
+    text.push_str(&names.short(&clocks::text(&findings.calibration)));
     lines(&mut text, next_recordings(findings));
     lines(&mut text, not_observable(findings, terminal::is_verbose()));
     lines(&mut text, never_visible(findings));
     text
+}
+
+/// Rows in which recordings have their short names.
+fn shortened<const N: usize>((header, rows): Rows<N>, names: &Names) -> Rows<N> {
+    let rows = rows
+        .into_iter()
+        .map(|row| row.map(|cell| names.short(&cell)));
+    (header, rows.collect())
 }
 
 /// Appends lines after an empty one; nothing where there are none.

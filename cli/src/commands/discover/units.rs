@@ -1,6 +1,7 @@
 //! `discover --units`: what several units of one type share.
 
 use std::fmt::Write as _;
+use std::path::Path;
 
 use calib::Recording;
 use calib::discover::{
@@ -11,6 +12,7 @@ use comfy_table::CellAlignment;
 use super::held_out::refuse_twins;
 use super::words::gaps;
 use crate::commands::calibrate::limits::gate_for;
+use crate::commands::shared::first_screen::{Screen, Step};
 use crate::commands::shared::inputs::spinner;
 use crate::exit::Failure;
 use crate::show;
@@ -78,6 +80,48 @@ pub fn text(findings: &UnitFindings) -> String {
         let _ = writeln!(text, "{line}");
     }
     text
+}
+
+/// The first screen: what the units share, and in how many it is.
+pub fn screen(output: Option<&Path>, findings: &UnitFindings, remarks: Vec<String>) -> Screen {
+    let mut rows = Vec::new();
+    for effect in &findings.shared {
+        let showing = effect.sizes.iter().filter(|size| size.p_value.is_some());
+        let widest = effect
+            .sizes
+            .iter()
+            .max_by(|a, b| a.gap_before.total_cmp(&b.gap_before));
+        let gap = widest.map_or_else(String::new, |size| {
+            let gaps = gaps(size.gap_before, size.gap_after).join(" → ");
+            format!("{gaps} in {}", label(&size.unit))
+        });
+        rows.push(format!(
+            "  {}: shown by {} of {} units, widest gap {gap}",
+            effect.name,
+            showing.count(),
+            effect.sizes.len()
+        ));
+    }
+    let reasons: Vec<&String> = findings
+        .units
+        .iter()
+        .flat_map(|unit| &unit.failed_gates)
+        .collect();
+    let next = next(findings).pop();
+    let command = next.as_deref().and_then(|words| words.split('`').nth(1));
+    let step = command.map(|command| Step::new("calibrate every unit", command));
+    Screen {
+        verdict: vec![show::without_odds(&verdict(findings))],
+        tables: vec![show::wrapped(&rows.join("\n"))],
+        next: step.into_iter().collect(),
+        written: output.map_or(
+            "Nothing was written; -o findings.json keeps it.".into(),
+            |path| format!("Wrote {}.", show::path(path)),
+        ),
+        remarks,
+        reserved: 2 * reasons.len(),
+        ..Screen::default()
+    }
 }
 
 /// A unit's recording by the last part of its path.

@@ -29,7 +29,7 @@ impl Finish {
         let coverage = covered(&session);
         let judged = verdict::judged(calibration, coverage.as_ref());
         let figures = verdict::figures(calibration, &session, coverage.as_ref());
-        let figures: Vec<[&str; 3]> = figures.iter().map(|figure| figure.parts()).collect();
+        let figures: Vec<[&str; 3]> = figures.iter().map(|figure| figure.words()).collect();
         Ok(Self {
             shown: json!({
                 "level": judged.level.class(),

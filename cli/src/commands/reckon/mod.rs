@@ -1,5 +1,6 @@
 //! `reckon`: the equations of motion solved with each calibration.
 
+mod first_screen;
 mod show_runs;
 mod solve;
 
@@ -196,19 +197,13 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let pictures = args.pictures.claim(&names, args.replace, &inputs)?;
     args.replace.end_if_all_exist()?;
     let calibrations = calibrations(args)?;
-    let mut runs = Vec::new();
+    let (mut runs, mut remarks) = (Vec::new(), Vec::new());
     for (k, path) in args.recordings.iter().enumerate() {
         let recording = read(path, &args.read)?;
-        recording
-            .warnings
-            .texts(Front::CommandLine)
-            .iter()
-            .for_each(|warning| show::warn(warning));
+        remarks.extend(recording.warnings.texts(Front::CommandLine));
         runs.push(run_of(args, k, &recording, &calibrations)?);
     }
-    runs.iter()
-        .flat_map(|run| &run.warnings)
-        .for_each(|warning| show::warn(warning));
+    remarks.extend(runs.iter().flat_map(|run| run.warnings.clone()));
     let json = show::json(&runs)?;
     if let Some(output) = output {
         output.write(json.as_bytes())?;
@@ -217,12 +212,13 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         let plots = named(names.iter().copied(), show_runs::plots(&runs));
         pictures.write(&plots, &show_runs::report(&runs, &plots))?;
     }
-    show::print(&if args.json {
-        json
-    } else {
-        show::wrapped(&show_runs::text(&runs))
-    })?;
-    Ok(())
+    if args.json {
+        show::warn_all(&remarks);
+        return show::print(&json);
+    }
+    let mut written: Vec<String> = args.output.iter().map(|path| show::path(path)).collect();
+    written.extend(args.pictures.paths().iter().map(|path| show::path(path)));
+    first_screen::screen(&runs, remarks, &written).show(|| show_runs::text(&runs))
 }
 
 /// Run `k` by the procedure asked for.

@@ -91,7 +91,7 @@ fn metres(value: f64) -> Option<String> {
 }
 
 /// Header and rows of one run, without the columns that nothing is known of.
-fn table(run: &Run) -> (Vec<&'static str>, Vec<Vec<String>>) {
+pub(super) fn table(run: &Run) -> (Vec<&'static str>, Vec<Vec<String>>) {
     let used: Vec<&Column> = COLUMNS
         .iter()
         .filter(|(_, cell)| run.results.iter().any(|outcome| cell(outcome).is_some()))
@@ -128,7 +128,7 @@ fn means(runs: &[Run]) -> Vec<(String, f64)> {
         .collect()
 }
 
-fn heading(run: &Run) -> String {
+pub(super) fn heading(run: &Run) -> String {
     let motion = run
         .motion
         .map(|m| format!(", motion from {:.2} to {:.2} s", m.from, m.to));

@@ -14,6 +14,7 @@ use calib::{Calibration, Recording};
 use indicatif::ProgressBar;
 use sensor::AnyEffect;
 
+use crate::commands::convert::command_line;
 use crate::exit::{Failure, USAGE};
 use crate::read_args::ReadArgs;
 use crate::{show, terminal};
@@ -42,6 +43,15 @@ impl RecordingArgs {
     pub fn paths(&self) -> Vec<PathBuf> {
         let pair = self.accel_file.iter().chain(&self.gyro_file);
         self.recordings.iter().chain(pair).cloned().collect()
+    }
+
+    /// Them as a shell takes them.
+    pub fn command_line(&self) -> String {
+        let pair = self.accel_file.iter().map(|path| ("--accel-file ", path));
+        let pair = pair.chain(self.gyro_file.iter().map(|path| ("--gyro-file ", path)));
+        let all = self.recordings.iter().map(|path| ("", path)).chain(pair);
+        let words = all.map(|(option, path)| format!("{option}{}", command_line(path)));
+        words.collect::<Vec<_>>().join(" ")
     }
 
     /// Reads them.
@@ -113,6 +123,19 @@ fn nowhere(what: NotOnEarth) -> Failure {
 }
 
 impl PlaceArgs {
+    /// What was given of it, as a shell takes it, each with a blank before it.
+    pub fn command_line(&self) -> String {
+        let given = [
+            ("--gravity", self.gravity),
+            ("--latitude", self.latitude),
+            ("--altitude", self.altitude),
+        ];
+        let given = given.into_iter();
+        let written =
+            given.filter_map(|(option, value)| Some(format!(" {option}={}", figure(value?))));
+        written.collect()
+    }
+
     /// Local gravity: as given, else by the place, else assumed.
     pub fn gravity(&self) -> Result<Gravity, Failure> {
         let Self {

@@ -1,5 +1,7 @@
-//! What several commands share: their inputs, and where their pictures go.
+//! What several commands share: their inputs, their first screen, and where their pictures go.
 
 pub mod figures;
+pub mod first_screen;
 pub mod inputs;
+pub mod names;
 pub mod pictures;

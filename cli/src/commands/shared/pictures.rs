@@ -36,6 +36,12 @@ struct PlotFiles {
 }
 
 impl PictureArgs {
+    /// What it writes, where anything.
+    pub fn paths(&self) -> Vec<&Path> {
+        let all = self.report.iter().chain(&self.plots);
+        all.map(PathBuf::as_path).collect()
+    }
+
     /// Claims the report and the files for each of the plots called `names`.
     pub fn claim(
         &self,

@@ -1,4 +1,4 @@
-//! Bounds on the numbers of plain blocks: which there are, which hold, and what they leave of `H`.
+//! Bounds on the numbers of blocks: which there are, which hold, and what they leave of `H`.
 
 mod of_blocks;
 pub(crate) mod step;
@@ -25,7 +25,7 @@ impl Bound {
         graph.variables[self.block.number()].coordinate(self.coordinate)
     }
 
-    /// Whether the bound holds there: the value lies on it, and the gradient presses it against it. An
+    /// True where the bound holds there: the value lies on it, and the gradient presses it against it. An
     /// equality always does.
     fn holds(&self, values: &[f64], gradient: &[f64]) -> bool {
         let (x, slope) = (values[self.value], gradient[self.unknown]);
@@ -49,10 +49,11 @@ impl Bounds {
             let place = variable
                 .free_coordinates()
                 .position(|k| k == coordinate as usize);
-            if let (true, Some(place)) = (position != NONE, place) {
+            let number = variable.plain(coordinate as usize);
+            if let (true, Some(place), Some(number)) = (position != NONE, place, number) {
                 all.push(Bound {
                     unknown: structure.first[position as usize] + place,
-                    value: variable.first + coordinate as usize,
+                    value: variable.first + number,
                     lower,
                     upper,
                     block: Block(block),
@@ -95,7 +96,7 @@ impl Bounds {
         }
     }
 
-    /// Which unknowns are held at a point, and whether any is.
+    /// Unknowns that are held at a point; `None` where there are none.
     pub fn held(&self, unknowns: usize, values: &[f64], gradient: &[f64]) -> Option<Held> {
         let mut held = vec![false; unknowns];
         let mut count = 0;
@@ -131,9 +132,9 @@ impl Bounds {
 /// Unknowns that are held by bounds.
 #[derive(Clone, Debug)]
 pub(crate) struct Held {
-    /// Whether each is.
+    /// True for each that is.
     pub held: Vec<bool>,
-    /// How many are.
+    /// Number of those that are.
     pub count: usize,
 }
 

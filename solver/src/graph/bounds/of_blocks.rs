@@ -5,8 +5,14 @@ use crate::graph::problem::{Block, Graph};
 use crate::graph::ranges::keep;
 
 impl Graph<'_> {
-    /// Keeps one number of a plain block ([`Euclidean`](crate::Euclidean)) within `lower ≤ x ≤ upper`; infinite where there is
-    /// no bound. Where it is held it stays as it is, bounds or not.
+    /// Keeps one number of a block within `lower ≤ x ≤ upper`; infinite where there is no bound. Where it is held it stays as it
+    /// is, bounds or not.
+    ///
+    /// Any number of a plain block ([`Euclidean`](crate::Euclidean)) will do, of a curved one those to which a step's coordinate
+    /// is added ([`Manifold::plain`](crate::Manifold::plain)): the angle of a [`PlanarMotion`](crate::PlanarMotion), the
+    /// place of the pair `(Euclidean(3), Rotation)`, which stores what a [`RigidMotion`](crate::RigidMotion) does, the focal
+    /// length of a camera `(RotationVector, Euclidean(6))`. `coordinate` counts the coordinates of a step, as in
+    /// [`hold_part`](Self::hold_part).
     ///
     /// Every step goes to the minimum of the damped linearised problem within all bounds; those that hold at the
     /// end are named in [`GraphReport::active`](crate::GraphReport::active), and to [`Products`](crate::Products) what they hold is known exactly.
@@ -33,7 +39,8 @@ impl Graph<'_> {
     /// ```
     ///
     /// # Errors
-    /// A block or a coordinate that is not there, a block of a curved manifold, and bounds between which nothing lies.
+    /// A block or a coordinate that is not there, a coordinate that turns or bends what is stored, and bounds between which
+    /// nothing lies.
     pub fn bound(
         &mut self,
         block: Block,
@@ -46,15 +53,18 @@ impl Graph<'_> {
             let block = block.number();
             return Err(Error::UnknownBlock { block, blocks });
         };
-        if !variable.manifold.is_flat() {
-            return Err(Error::Unsupported {
-                variant: format!("the curved block {}", variable.name),
-                what: "bounds: take a plain block, or a manifold that cannot leave them",
-            });
-        }
         if coordinate >= variable.dimension as usize {
             let name = format!("{}.{coordinate}", variable.name);
             return Err(Error::UnknownParameter { name });
+        }
+        if variable.manifold.plain(coordinate).is_none() {
+            return Err(Error::Unsupported {
+                variant: format!(
+                    "coordinate {coordinate} of the curved block {}",
+                    variable.name
+                ),
+                what: "bounds: take a pair such as (Euclidean(3), Rotation), whose numbers are steps too",
+            });
         }
         let name = variable.coordinate(coordinate);
         let key = (block.0, coordinate as u32);
@@ -77,11 +87,9 @@ impl Graph<'_> {
     pub fn move_within_bounds(&mut self) {
         for (&(block, coordinate), &(lower, upper)) in &self.ranges {
             let variable = &self.variables[block as usize];
-            if variable
-                .free_coordinates()
-                .any(|k| k == coordinate as usize)
-            {
-                let x = &mut self.values[variable.first + coordinate as usize];
+            let is_free = (variable.free_coordinates()).any(|k| k == coordinate as usize);
+            if let (true, Some(number)) = (is_free, variable.plain(coordinate as usize)) {
+                let x = &mut self.values[variable.first + number];
                 *x = x.clamp(lower, upper);
             }
         }

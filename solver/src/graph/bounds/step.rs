@@ -14,7 +14,7 @@ const ROUNDS: usize = 50;
 /// Pull on a bound, relative to `‖J_k‖ ‖r‖`, that is rounding.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// Where the minimum lies along a bounded unknown.
+/// Side on which the minimum lies along a bounded unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Side {
     Inside,
@@ -34,7 +34,7 @@ enum Side {
 #[derive(Debug)]
 pub(crate) struct BoundedStep {
     pub bounds: Bounds,
-    /// Where the last minimum lay: where the next one is looked for first.
+    /// Sides of the last minimum: the next one is looked for there first.
     sides: Vec<Side>,
     /// `H` without what is held.
     left: Vec<f64>,
@@ -139,7 +139,7 @@ impl BoundedStep {
         Some(slope(model, step))
     }
 
-    /// Which unknowns are held by their sides.
+    /// Unknowns that their sides hold.
     fn held(&self, unknowns: usize) -> Option<Held> {
         let mut held = vec![false; unknowns];
         let mut count = 0;
@@ -182,7 +182,7 @@ impl BoundedStep {
     }
 }
 
-/// How far a bounded unknown may go down and up.
+/// Room of a bounded unknown, down and up.
 fn room(bound: &Bound, values: &[f64]) -> [f64; 2] {
     let x = values[bound.value];
     [bound.lower - x, bound.upper - x]

@@ -23,9 +23,9 @@ pub(crate) struct BlockCholesky {
     panels: Vec<Panel>,
     /// Blocks below the diagonals, panel after panel.
     below: Vec<Below>,
-    /// Where the product of two blocks of a panel belongs, in the order in which they are formed.
+    /// Place of the product of two blocks of a panel, in the order in which they are formed.
     targets: Vec<u32>,
-    /// Of every unknown its entry on the diagonal of a panel's first block, and how far columns are apart.
+    /// For every unknown its entry on the diagonal of a panel's first block, and how far columns are apart.
     starts: Vec<(u32, u32)>,
     values: Vec<f64>,
     /// Number of panels before the dense matrix.
@@ -53,7 +53,7 @@ struct Panel {
     /// First unknown.
     first: usize,
     width: usize,
-    /// How far its columns are apart: its rows of numbers, in the dense matrix all of that.
+    /// Distance of its columns: its rows of numbers, in the dense matrix all of that.
     height: usize,
     /// End of its blocks below the diagonal.
     end: usize,
@@ -278,7 +278,7 @@ impl WithSimd for Factorisation<'_> {
 struct Solution<'a> {
     factor: &'a BlockCholesky,
     b: &'a mut [f64],
-    /// Whether by `L`, else by `Lᵀ`.
+    /// True for `L`, false for `Lᵀ`.
     forward: bool,
 }
 
@@ -370,7 +370,7 @@ mod tests {
     use crate::residual::Residual;
     use crate::scalar::Scalar;
 
-    /// As many sums as numbers.
+    /// One sum for every number.
     struct Sums(usize);
 
     impl<D: Scalar> Residual<D> for Sums {

@@ -20,7 +20,7 @@ pub(crate) struct Column {
     pub width: usize,
 }
 
-/// Where the blocks of the lower triangle lie.
+/// Places of the blocks of the lower triangle.
 #[derive(Debug)]
 pub(crate) struct Layout {
     pub columns: Vec<Column>,

@@ -18,7 +18,7 @@ pub(crate) struct Normal {
     pub square: f64,
 }
 
-/// Where an evaluation failed.
+/// Place at which an evaluation failed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Failure {
     /// A residual is not finite: factor, row within it, value.
@@ -36,7 +36,7 @@ pub(crate) struct Equations<'a> {
     /// First residual of every factor, and their number.
     pub row: Vec<u32>,
     pub threads: usize,
-    /// What the losses are for the time being.
+    /// Losses for the time being.
     pub stage: Stage,
 }
 

@@ -37,7 +37,7 @@ pub(crate) struct Factored {
     reduced: Reduced,
     /// `L` of every eliminated block, column after column.
     triangles: Vec<f64>,
-    /// Where each begins.
+    /// Begin of each.
     triangle: Vec<usize>,
     update: Update,
 }
@@ -169,7 +169,7 @@ impl Factored {
         2.0 * sum + self.reduced.log_determinant()
     }
 
-    /// How the matrix is solved, in words.
+    /// Method by which the matrix is solved, in words.
     pub fn method(&self) -> Method {
         Method {
             eliminated: self.structure.eliminated,
@@ -296,14 +296,14 @@ fn add_by_row<const R: usize, const E: usize>(products: &mut [[f64; R]; E], w: &
     }
 }
 
-/// How the linear equations of a graph are solved.
+/// Method by which the linear equations of a graph are solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct Method {
     /// Blocks eliminated one by one.
     pub eliminated: usize,
     /// Unknowns that are left.
     pub left: usize,
-    /// Whether what is left is stored dense.
+    /// True where what is left is stored dense.
     pub dense: bool,
     /// Entries of the Cholesky factor of what is left.
     pub factor_entries: usize,

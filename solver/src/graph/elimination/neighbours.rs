@@ -14,14 +14,14 @@ pub(crate) struct Neighbour {
     pub width: u32,
     /// First unknown, less the eliminated ones.
     pub first: u32,
-    /// Where its `Y` begins.
+    /// Begin of its `Y`.
     pub at: u32,
 }
 
 /// A neighbour and its partner in the column at hand.
 #[derive(Clone, Copy, Debug, Default)]
 struct Pair {
-    /// Where the `Y` of both begin.
+    /// Begins of the `Y` of both.
     row: u32,
     column: u32,
     /// The next one in the same row.
@@ -33,13 +33,13 @@ struct Pair {
 pub(crate) struct Neighbours {
     /// One block after the other, ascending within each.
     all: Vec<Neighbour>,
-    /// Where those of every block end.
+    /// Ends of those of every block.
     ends: Vec<u32>,
     /// Neighbours by their position, each with the end of its block's.
     members: Vec<(u32, u32)>,
     /// First member of every position, and their number.
     start: Vec<u32>,
-    /// Of every neighbour.
+    /// One for every neighbour.
     pairs: Vec<Pair>,
     /// First pair of every row of the column at hand.
     head: Vec<u32>,
@@ -55,7 +55,7 @@ pub(crate) struct Pairs<'a> {
 }
 
 impl Pairs<'_> {
-    /// Where the `Y` of the row and of the column begin.
+    /// Begins of the `Y` of the row and of the column.
     #[inline(always)]
     pub fn next(&mut self) -> Option<(usize, usize)> {
         let own = self.all.get(self.next as usize)?;

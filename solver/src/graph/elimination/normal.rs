@@ -122,7 +122,7 @@ impl<'a> Equations<'a> {
         seen
     }
 
-    /// Whether the normal equations are finite: if so, all residuals and derivatives were.
+    /// True where the normal equations are finite: if so, all residuals and derivatives were.
     fn is_finite(&self, normal: &Normal) -> bool {
         let s = self.structure;
         let diagonal = |position: usize| {
@@ -138,7 +138,7 @@ impl<'a> Equations<'a> {
         self.visit_all(values, false, see)
     }
 
-    /// As [`visit`](Self::visit), where the caller finds out whether all was finite.
+    /// Like [`visit`](Self::visit), where the caller finds out whether all was finite.
     fn visit_unchecked(&self, values: &[f64], see: See<'_>) -> Result<(), Failure> {
         self.visit_all(values, true, see)
     }
@@ -159,7 +159,7 @@ impl<'a> Equations<'a> {
         self.visit_in_threads(values, unchecked, &bases, see)
     }
 
-    /// As [`visit`](Self::visit), factors evaluated side by side and seen one after the other, so
+    /// Like [`visit`](Self::visit), factors evaluated side by side and seen one after the other, so
     /// that the sums are the same to the last bit.
     fn visit_in_threads(
         &self,

@@ -7,7 +7,7 @@ use pulp::Simd;
 use super::product::add_multiple;
 use super::structure::Structure;
 
-/// Where two blocks of columns lie in rows of `width`: first column and width of each.
+/// Places of two blocks of columns in rows of `width`: first column and width of each.
 pub(crate) struct Places {
     pub width: usize,
     pub row: (usize, usize),
@@ -34,7 +34,7 @@ pub(crate) fn add_outer<S: Simd>(
     }
 }
 
-/// As [`add_outer`], of two rows.
+/// Like [`add_outer`], of two rows.
 #[inline(always)]
 pub(crate) fn add_two_rows<S: Simd, const R: usize, const C: usize>(
     simd: S,
@@ -187,7 +187,7 @@ fn gradient_of<const R: usize>(
     }
 }
 
-/// As [`fixed`], of any size.
+/// Like [`fixed`], of any size.
 #[inline(always)]
 fn any<S: Simd>(
     simd: S,
@@ -232,7 +232,7 @@ const WIDE: usize = 400;
 const ROWS: usize = 96;
 
 impl Panel {
-    /// Whether a block of this shape is wide.
+    /// True where a block of this shape is wide.
     pub fn takes(&self, rows: usize, columns: usize) -> bool {
         rows * columns >= WIDE && rows.min(columns) >= 8
     }

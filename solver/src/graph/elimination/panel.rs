@@ -48,11 +48,11 @@ pub(crate) struct Product<'a> {
     /// Rows of numbers before the one.
     pub b: usize,
     pub others: &'a [Below],
-    /// Where they belong.
+    /// Their place.
     pub places: &'a [u32],
     /// Entries before those that are changed.
     pub before: usize,
-    /// How far columns are apart there.
+    /// Distance of columns there.
     pub stride: usize,
 }
 

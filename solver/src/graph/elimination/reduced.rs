@@ -1,4 +1,4 @@
-//! What is left after the elimination of blocks, and its Cholesky factor: dense or sparse.
+//! Equations left after the elimination of blocks, and their Cholesky factor: dense or sparse.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{

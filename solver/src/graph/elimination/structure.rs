@@ -52,7 +52,7 @@ pub(crate) struct Structure {
     pub pairs: Vec<u32>,
     /// Free blocks of every factor.
     pub free: Vec<u8>,
-    /// What is left after the elimination.
+    /// Blocks left after the elimination.
     pub reduced: Pattern,
 }
 
@@ -83,7 +83,7 @@ pub(crate) fn pair(i: usize, k: usize, n: usize) -> usize {
     i * n - i * (i + 1) / 2 + k
 }
 
-/// Which factors read every block, one list after the other.
+/// Factors that read every block, one list after the other.
 struct Readers {
     first: Vec<u32>,
     factor: Vec<u32>,

@@ -1,4 +1,4 @@
-//! What the elimination of one block takes from the others: `S −= Y Yᵀ`, `Y = W L⁻ᵀ`.
+//! Update of the other blocks by the elimination of one: `S −= Y Yᵀ`, `Y = W L⁻ᵀ`.
 
 use faer::linalg::matmul::triangular::{BlockStructure, matmul};
 use faer::{Accum, MatMut, MatRef, Par};
@@ -227,7 +227,7 @@ fn right_solve_fixed<const R: usize, const E: usize>(
     }
 }
 
-/// As [`right_solve_fixed`], of any size.
+/// Like [`right_solve_fixed`], of any size.
 #[inline(always)]
 fn right_solve<S: Simd>(
     simd: S,

@@ -1,4 +1,4 @@
-//! What the linearised graph says besides the minimum: covariances, determinant, solutions.
+//! Statements of the linearised graph besides the minimum: covariances, determinant, solutions.
 
 pub(crate) mod null_space;
 pub(crate) mod profile;
@@ -123,7 +123,7 @@ impl<'a> Products<'a> {
         self.unknowns() - held - self.null.basis.len()
     }
 
-    /// What no factor sees, direction by direction, each with a coordinate that no other has.
+    /// Directions that no factor sees, each with a coordinate that no other has.
     pub fn null_space(&self) -> Vec<NullVector> {
         null_space::in_names(&self.null, self.graph, &self.structure, &self.units)
     }

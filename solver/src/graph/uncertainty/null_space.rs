@@ -1,4 +1,4 @@
-//! What no factor sees, found without a dense matrix.
+//! Directions that no factor sees, found without a dense matrix.
 
 use faer::Mat;
 use serde::{Deserialize, Serialize};
@@ -56,7 +56,7 @@ pub(crate) struct Local<'a> {
     pub h: &'a [f64],
     /// `‖J_k‖`, the diagonal of `D`.
     pub units: &'a [f64],
-    /// What bounds hold.
+    /// Unknowns that bounds hold.
     pub held: Option<&'a Held>,
 }
 
@@ -155,7 +155,7 @@ pub(crate) fn seek(
     }))
 }
 
-/// Whether the undamped equations are so far from singular that no singular value can be small:
+/// True where the undamped equations are so far from singular that no singular value can be small:
 /// the inverse grows a random vector by the largest of `1 / s²`.
 fn safely(local: &Local<'_>, factored: &mut Factored) -> bool {
     let Local { h, units, .. } = *local;
@@ -344,7 +344,7 @@ impl NullSpace {
         }
     }
 
-    /// What the pivots add to `ln det`: `Σ ln d_p² + 2 ln |det Eᵀ N|`, `N` orthonormal in the
+    /// Contribution of the pivots to `ln det`: `Σ ln d_p² + 2 ln |det Eᵀ N|`, `N` orthonormal in the
     /// coordinates' own units.
     pub fn log_share(&self, units: &[f64]) -> f64 {
         let mut own: Vec<Vec<f64>> = self

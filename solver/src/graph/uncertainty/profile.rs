@@ -99,9 +99,10 @@ fn refitted(
     variable
         .manifold
         .retract(&report.values[own.clone()], &step, &mut graph.values[own]);
-    let number = variable.first + coordinate;
     let range = graph.ranges.get(&(block.0, coordinate as u32));
-    if range.is_some_and(|&(lower, upper)| !(lower..=upper).contains(&graph.values[number])) {
+    if let (Some((lower, upper)), Some(number)) = (range, variable.plain(coordinate))
+        && !(lower..=upper).contains(&&graph.values[variable.first + number])
+    {
         return Ok((f64::INFINITY, None));
     }
     match solve_graph(graph, options) {

@@ -1,4 +1,4 @@
-//! Where a block of variables lives: the numbers it stores and the steps it may take.
+//! Manifolds of blocks: the numbers stored and the steps that may be taken.
 
 use std::fmt::Debug;
 
@@ -37,10 +37,10 @@ use crate::scalar::{Jet, LANES, Scalar, derivatives, variable};
 /// assert!(check_manifold(&Positive, &[2.0], &[0.3]) < 1e-8);
 /// ```
 pub trait Manifold: Debug + Send + Sync + 'static {
-    /// How many values a point stores.
+    /// Number of values that a point stores.
     fn numbers(&self) -> usize;
 
-    /// How many coordinates a step has.
+    /// Number of coordinates of a step.
     fn dimension(&self) -> usize;
 
     /// Writes `x ⊞ δ`.
@@ -49,9 +49,15 @@ pub trait Manifold: Debug + Send + Sync + 'static {
     /// Writes `y ⊟ x`.
     fn local<D: Scalar>(&self, x: &[D], y: &[D], out: &mut [D]);
 
-    /// Whether `x ⊞ δ = x + δ`.
+    /// True where `x ⊞ δ = x + δ`.
     fn is_flat(&self) -> bool {
         false
+    }
+
+    /// The stored number `i` to which a coordinate `k` of every step is added, `(x ⊞ δ)ᵢ = xᵢ + δₖ` whatever the others are:
+    /// [`Graph::bound`](crate::Graph::bound) can keep it within bounds. `None` where there is none; [`check_manifold`] tests it.
+    fn plain(&self, coordinate: usize) -> Option<usize> {
+        (self.is_flat() && coordinate < self.dimension()).then_some(coordinate)
     }
 }
 
@@ -89,6 +95,8 @@ impl Manifold for Euclidean {
 pub(crate) trait AnyManifold: Debug + Send + Sync {
     /// [`Manifold::is_flat`].
     fn is_flat(&self) -> bool;
+    /// [`Manifold::plain`].
+    fn plain(&self, coordinate: usize) -> Option<usize>;
     /// `x ⊞ δ`.
     fn retract(&self, x: &[f64], step: &[f64], out: &mut [f64]);
     /// `∂(x ⊞ δ)/∂δ` at `δ = 0`, `numbers × dimension`, row after row.
@@ -101,6 +109,10 @@ const FEW: usize = 8;
 impl<M: Manifold> AnyManifold for M {
     fn is_flat(&self) -> bool {
         Manifold::is_flat(self)
+    }
+
+    fn plain(&self, coordinate: usize) -> Option<usize> {
+        Manifold::plain(self, coordinate)
     }
 
     fn retract(&self, x: &[f64], step: &[f64], out: &mut [f64]) {
@@ -139,7 +151,8 @@ impl<M: Manifold> AnyManifold for M {
 
 /// The largest departure of a manifold from its rules at `x` (as stored) with the step `δ`: of
 /// `x ⊞ 0` from `x`, of `(x ⊞ δ) ⊟ x` from `δ`, of `x ⊞ (y ⊟ x)` from `y = x ⊞ δ`, and of the
-/// derivative of `⊞` at 0 from central differences (good to some 1e-9), of `⊟` from its inverse.
+/// derivative of `⊞` at 0 from central differences (good to some 1e-9), of `⊟` from its inverse; of numbers that
+/// [`Manifold::plain`] names from `xᵢ + δₖ`.
 /// Infinite where something is not finite or a length is wrong.
 pub fn check_manifold<M: Manifold>(manifold: &M, x: &[f64], step: &[f64]) -> f64 {
     let (n, d) = (manifold.numbers(), manifold.dimension());
@@ -163,6 +176,10 @@ pub fn check_manifold<M: Manifold>(manifold: &M, x: &[f64], step: &[f64]) -> f64
     let mut basis = vec![0.0; n * d];
     manifold.tangent(x, &mut basis);
     for k in 0..d {
+        if let Some(i) = Manifold::plain(manifold, k) {
+            let sum = x.get(i).map_or(f64::INFINITY, |x| x + step[k]);
+            worst = larger(worst, (y.get(i).map_or(0.0, |y| *y) - sum).abs());
+        }
         let moved = |h: f64| {
             let mut small = vec![0.0; d];
             small[k] = h;

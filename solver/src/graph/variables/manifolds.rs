@@ -93,6 +93,11 @@ impl Manifold for PlanarMotion {
         out[1] = cosine * north - sine * east;
         out[2] = wrapped(y[2] - x[2]);
     }
+
+    /// The angle.
+    fn plain(&self, coordinate: usize) -> Option<usize> {
+        (coordinate == 2).then_some(2)
+    }
 }
 
 /// An angle in rad within −π to π.

@@ -1,4 +1,4 @@
-//! Where blocks of variables live: manifolds, and the steps they take.
+//! Manifolds of blocks of variables, and the steps they take.
 
 pub(crate) mod manifold;
 pub(crate) mod manifolds;

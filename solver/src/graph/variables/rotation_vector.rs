@@ -96,6 +96,13 @@ impl<A: Manifold, B: Manifold> Manifold for (A, B) {
     fn is_flat(&self) -> bool {
         self.0.is_flat() && self.1.is_flat()
     }
+
+    fn plain(&self, coordinate: usize) -> Option<usize> {
+        match coordinate.checked_sub(self.0.dimension()) {
+            None => self.0.plain(coordinate),
+            Some(of_second) => Some(self.0.numbers() + self.1.plain(of_second)?),
+        }
+    }
 }
 
 #[cfg(test)]

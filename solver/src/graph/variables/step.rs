@@ -80,7 +80,7 @@ impl Equations<'_> {
         out
     }
 
-    /// What to tell the user of a failure at the start.
+    /// Message for the user of a failure at the start.
     pub fn error(&self, failure: Failure, values: &[f64]) -> Error {
         match failure {
             Failure::Residual(factor, row, value) => Error::NotFinite {

@@ -44,11 +44,13 @@ impl Bench {
         std::fs::write(path, content).unwrap();
     }
 
-    /// The program with these arguments, to be given an environment or limits.
+    /// The program with these arguments, to be given an environment or limits. It says all that it has to say.
     pub fn command(&self, args: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_stillpoint"));
+        let says_all = ["-q", "-v"].iter().any(|said| args.contains(said));
         command
             .current_dir(self.folder.path())
+            .args((!says_all).then_some("-v"))
             .args(args)
             .stdin(Stdio::null());
         command

@@ -44,7 +44,7 @@ const QUIETEST: usize = 3;
 /// What a user should know of how a recording was cut.
 pub(super) fn of_the_detector(recording: &Recording, choice: &Choice) -> Vec<Finding> {
     let found = findings(recording, &choice.segmentation);
-    let found = found.iter().map(|found| found.to_string().into());
+    let found = found.iter().map(|found| found.in_recording(recording));
     let all = choice.remarks().into_iter().chain(found);
     let all = all.chain(fast_sampling(recording));
     all.map(|found: Finding| found.in_recording(&recording.name))

@@ -1,17 +1,20 @@
 //! An accelerometer that is another one from some static interval on: `‖T (A' − b)‖ = g`, `A'` the reading with a
 //! change taken off from there on.
 
-use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, Vector3};
+use nalgebra::{Matrix3, Rotation3, Vector3};
 use recording::averages::median;
 use sensor::Sensor;
 
 use super::change::{Change, Kind, Place};
 use super::rest::Rest;
-use super::weigh::{Explanation, solved};
+use super::weigh::{Explanation, solved_in_place};
 use crate::methods::{RawUnit, accelerometer_unit};
 
 /// Parameters of the base: an upper triangular matrix and a bias.
 const BASE: usize = 9;
+/// Most parameters of a change, and of both.
+const OWN: usize = 3;
+const ALL: usize = BASE + OWN;
 
 /// Fewest static intervals on either side, and the most that are looked at.
 const SIDE: usize = 3;
@@ -69,24 +72,25 @@ impl What {
         }
     }
 
-    /// The reading with the change taken off, and its derivative by each parameter.
-    fn undone(self, raw: &Vector3<f64>, p: &[f64]) -> (Vector3<f64>, Vec<Vector3<f64>>) {
+    /// The reading with the change taken off, and its derivative by each parameter, zeros beyond these.
+    fn undone(self, raw: &Vector3<f64>, p: &[f64]) -> (Vector3<f64>, [Vector3<f64>; OWN]) {
         let unit = |axis: usize| Vector3::ith(axis, 1.0);
+        let none = [Vector3::zeros(); OWN];
+        let one = |slope: Vector3<f64>| [slope, none[0], none[0]];
         match self {
-            Self::Nothing => (*raw, Vec::new()),
-            Self::Scale(k) => (raw + unit(k) * (p[0] * raw[k]), vec![unit(k) * raw[k]]),
-            Self::AllScales => (raw * (1.0 + p[0]), vec![*raw]),
-            Self::Bias(k) => (raw + unit(k) * p[0], vec![unit(k)]),
+            Self::Nothing => (*raw, none),
+            Self::Scale(k) => (raw + unit(k) * (p[0] * raw[k]), one(unit(k) * raw[k])),
+            Self::AllScales => (raw * (1.0 + p[0]), one(*raw)),
+            Self::Bias(k) => (raw + unit(k) * p[0], one(unit(k))),
             Self::Turned => {
                 let turned = Rotation3::new(Vector3::new(p[0], p[1], p[2])) * raw;
-                let slopes = (0..3).map(|k| unit(k).cross(&turned)).collect();
-                (turned, slopes)
+                (turned, [0, 1, 2].map(|k| unit(k).cross(&turned)))
             }
-            Self::Flipped(k) => (raw - unit(k) * (2.0 * raw[k]), Vec::new()),
+            Self::Flipped(k) => (raw - unit(k) * (2.0 * raw[k]), none),
             Self::Swapped([a, b]) => {
                 let mut swapped = *raw;
                 swapped.swap_rows(a, b);
-                (swapped, Vec::new())
+                (swapped, none)
             }
         }
     }
@@ -262,13 +266,17 @@ impl Fit {
         fit.left = fit.rows(raw, gravity).map(|(r, _)| r * r).sum();
         let mut damping = 1e-3;
         for _ in 0..STEPS {
-            let mut normal = DMatrix::zeros(m, m);
-            let mut right = DVector::zeros(m);
+            let mut normal = [[0.0; ALL]; ALL];
+            let mut right = [0.0; ALL];
             for (r, slope) in fit.rows(raw, gravity) {
-                normal.ger(1.0, &slope, &slope, 1.0);
-                right.axpy(-r, &slope, 1.0);
+                for i in 0..m {
+                    right[i] -= r * slope[i];
+                    for k in 0..=i {
+                        normal[i][k] += slope[i] * slope[k];
+                    }
+                }
             }
-            let step = solved(&normal, &right, damping)?;
+            let step = solved_in_place(normal, right, m, damping)?;
             let mut next = fit.clone();
             next.p
                 .iter_mut()
@@ -320,7 +328,7 @@ impl Fit {
         &'a self,
         raw: &'a [Vector3<f64>],
         gravity: f64,
-    ) -> impl Iterator<Item = (f64, DVector<f64>)> + 'a {
+    ) -> impl Iterator<Item = (f64, [f64; ALL])> + 'a {
         let Hypothesis { what, at, mixed } = self.hypothesis;
         let (t, bias) = self.base();
         let rows = raw.iter().enumerate();
@@ -329,23 +337,28 @@ impl Fit {
                 let (raw, extra) = if k >= at {
                     what.undone(raw, &self.p[BASE..])
                 } else {
-                    (*raw, vec![Vector3::zeros(); what.parameters()])
+                    (*raw, [Vector3::zeros(); OWN])
                 };
                 let d = raw - bias;
                 let y = t * d;
                 let u = y / y.norm().max(f64::MIN_POSITIVE);
                 let of_bias = -(t.transpose() * u);
-                let mut slope = vec![
+                let [first, second, third] = extra.map(|e| u.dot(&(t * e)));
+                let slope = [
                     u.x * d.x,
                     u.x * d.y,
                     u.x * d.z,
                     u.y * d.y,
                     u.y * d.z,
                     u.z * d.z,
+                    of_bias.x,
+                    of_bias.y,
+                    of_bias.z,
+                    first,
+                    second,
+                    third,
                 ];
-                slope.extend(of_bias.iter());
-                slope.extend(extra.iter().map(|e| u.dot(&(t * e))));
-                (y.norm() - gravity, DVector::from_vec(slope))
+                (y.norm() - gravity, slope)
             })
     }
 }

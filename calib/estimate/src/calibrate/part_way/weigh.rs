@@ -55,3 +55,71 @@ pub(super) fn solved(
     }
     Some(damped.cholesky()?.solve(right)).filter(|x| x.iter().all(|v| v.is_finite()))
 }
+
+/// The same as [`solved`] without a heap: hundreds of small fits are compared. The lower triangle of `normal`, the first
+/// `m` rows and columns.
+pub(super) fn solved_in_place<const ALL: usize>(
+    mut normal: [[f64; ALL]; ALL],
+    mut right: [f64; ALL],
+    m: usize,
+    damping: f64,
+) -> Option<[f64; ALL]> {
+    let largest = (0..m)
+        .map(|k| normal[k][k])
+        .fold(f64::NEG_INFINITY, f64::max);
+    for k in 0..m {
+        normal[k][k] += damping * normal[k][k] + 1e-12 * largest;
+    }
+    for i in 0..m {
+        for k in 0..=i {
+            let sum: f64 = (0..k).map(|j| normal[i][j] * normal[k][j]).sum();
+            let value = normal[i][k] - sum;
+            if i > k {
+                normal[i][k] = value / normal[k][k];
+            } else if value > 0.0 {
+                normal[i][i] = value.sqrt();
+            } else {
+                return None;
+            }
+        }
+        let sum: f64 = (0..i).map(|j| normal[i][j] * right[j]).sum();
+        right[i] = (right[i] - sum) / normal[i][i];
+    }
+    for i in (0..m).rev() {
+        let sum: f64 = (i + 1..m).map(|j| normal[j][i] * right[j]).sum();
+        right[i] = (right[i] - sum) / normal[i][i];
+    }
+    right[..m].iter().all(|v| v.is_finite()).then_some(right)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ALL: usize = 12;
+
+    #[test]
+    fn small_normal_equations_are_solved_as_large_ones() {
+        let slopes = |i: usize, k: usize| ((i * 7 + k * 5 + i * k) % 11) as f64 - 5.0;
+        for m in [9, ALL] {
+            let a = DMatrix::from_fn(30, m, slopes);
+            let (whole, b) = (
+                a.transpose() * &a,
+                DVector::from_fn(m, |i, _| i as f64 - 3.0),
+            );
+            let mut normal = [[0.0; ALL]; ALL];
+            let mut right = [0.0; ALL];
+            for i in 0..m {
+                right[i] = b[i];
+                for k in 0..=i {
+                    normal[i][k] = whole[(i, k)];
+                }
+            }
+            let exact = solved(&whole, &b, 0.1).unwrap();
+            let found = solved_in_place(normal, right, m, 0.1).unwrap();
+            for k in 0..m {
+                assert!((found[k] - exact[k]).abs() < 1e-12, "{m} {k}");
+            }
+        }
+    }
+}

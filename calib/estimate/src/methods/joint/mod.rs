@@ -48,10 +48,12 @@ pub use disturbance::{Disturbance, Flagged, Reason, Suspect, excursions, suspect
 pub use fit::JointFit;
 pub use noise::SensorNoise;
 pub use noise::bias::{BiasNoise, Within, within};
+pub use noise::chain::{Chain, Link};
 pub use noise::likelihood::{Restricted, left_null_space};
 pub use noise::rows::RowNoise;
+pub use noise::stations::{Station, Stations};
 pub use noise::weights::covariance_at;
-pub use noise::weights::{Component, ComponentKind, NoiseLevel, White, Whitening};
+pub use noise::weights::{Component, ComponentKind, Form, NoiseLevel, White, Whitening};
 pub use orientation::interval::Oriented;
 pub use orientation::{Pattern, Shown, StaticNumbers};
 pub use request::{JointRequest, Known};

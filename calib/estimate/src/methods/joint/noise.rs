@@ -2,13 +2,17 @@
 
 pub(crate) mod bias;
 pub(crate) mod centred;
+pub(crate) mod chain;
 pub(crate) mod exposure;
 pub(crate) mod likelihood;
 mod long_run;
+pub(crate) mod mixed;
 pub(crate) mod overstated;
 pub(crate) mod rounding;
 pub(crate) mod rows;
 pub(crate) mod scatter;
+pub(crate) mod sequence;
+pub(crate) mod stations;
 pub(crate) mod walk_filter;
 pub(crate) mod walks;
 pub(crate) mod weights;

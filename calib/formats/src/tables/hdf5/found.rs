@@ -1,6 +1,6 @@
 //! Which datasets of a file make a table.
 
-use findings::Findings;
+use findings::{Finding, Findings, Kind};
 use std::collections::BTreeMap;
 use std::io::Write;
 
@@ -196,15 +196,18 @@ fn is_object(dataset: &Dataset, name: &str, warnings: &mut Findings) -> Result<b
     if PLAIN.contains(&class.as_str()) || class.contains("int") {
         return Ok(class == "char" || class == "cell");
     }
-    let words = format!(
-        "the variable {} is an object of class {}, which is not read from MATLAB 7.3; save it with `save -v7`",
-        shown(name),
-        shown(&class)
-    );
     match crate::mat::quantity(name) {
-        Some(_) => Err(Error::refused(words)),
+        Some(_) => Err(Error::refused(format!(
+            "the variable {} is an object of class {}, which is not read from MATLAB 7.3; save it with `save -v7`",
+            shown(name),
+            shown(&class)
+        ))),
         None => {
-            warnings.push(words);
+            warnings.push(
+                Finding::of(Kind::VariableNotRead)
+                    .detail("variable", shown(name))
+                    .detail("class", shown(&class)),
+            );
             Ok(true)
         }
     }

@@ -1,5 +1,6 @@
 //! Records one after the other: a value per line, or the elements of an array.
 
+use findings::{Finding, Kind};
 use std::cell::Cell;
 use std::fmt;
 use std::io::{self, BufReader, Read};
@@ -103,7 +104,7 @@ impl Records {
         self,
         limits: Limits,
         take: &mut dyn FnMut(Row) -> Result<(), Error>,
-    ) -> Result<Option<String>, Error> {
+    ) -> Result<Option<Finding>, Error> {
         let mut elements = Elements {
             take,
             left: self.left,
@@ -123,10 +124,11 @@ impl Records {
             return Err(error);
         }
         match read {
-            Err(error) if error.is_eof() && elements.count > 0 => Ok(Some(format!(
-                "line {}: the JSON ends within a record; those before it are read",
-                error.line()
-            ))),
+            Err(error) if error.is_eof() && elements.count > 0 => Ok(Some(
+                Finding::of(Kind::FileCut)
+                    .detail("within", "a record")
+                    .count("line", error.line()),
+            )),
             Err(error) => Err(damaged(&error)),
             Ok(()) => Ok(None),
         }

@@ -1,5 +1,6 @@
 //! phyphox: a file per sensor in a folder or a zip archive, each sensor on its own clock.
 
+use findings::{Finding, Kind};
 use sensor::Sensor;
 
 use crate::Error;
@@ -170,7 +171,7 @@ fn holds(names: &[String], own: bool) -> Option<(Holds, [String; 4])> {
 }
 
 /// Experiment time stands still in a pause: stamps after one are moved on by its length.
-fn count_pauses(files: &Files, tables: &mut [Table]) -> Vec<String> {
+fn count_pauses(files: &Files, tables: &mut [Table]) -> Vec<Finding> {
     let is_times = |name: &str| name.ends_with("meta/time.csv");
     let entry = files.entries().iter().find(|entry| is_times(&entry.name));
     let Some(entry) = entry else {
@@ -203,11 +204,11 @@ fn count_pauses(files: &Files, tables: &mut [Table]) -> Vec<String> {
             *t += before.map(|[_, length]| length).sum::<f64>();
         }
     }
-    let words = |[at, length]: [f64; 2]| {
-        format!(
-            "{}: paused {at:.3} s after the start for {length:.3} s; the stamps after it are moved on by that",
-            files.name
-        )
+    let found = |[at, length]: [f64; 2]| {
+        Finding::of(Kind::Paused)
+            .in_recording(&files.name)
+            .from_time(at)
+            .number("length", length, "s")
     };
-    pauses.into_iter().map(words).collect()
+    pauses.into_iter().map(found).collect()
 }

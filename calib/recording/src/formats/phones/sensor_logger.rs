@@ -1,5 +1,6 @@
 //! Sensor Logger: a file per sensor, some with gravity and some without, and a file of what was set.
 
+use findings::{Finding, Kind};
 use sensor::Sensor;
 
 use crate::Error;
@@ -90,16 +91,17 @@ impl Format for SensorLogger {
         crate::formats::beside::add_magnetometer(&files, &mut tables, microtesla, options);
         let mut recording = assemble(files.name.clone(), tables, options)?;
         recording.warnings.extend(files.warnings());
-        recording.warnings.push(format!(
-            "{}: Sensor Logger: taken are {}{}",
-            files.name,
-            taken.join(" and "),
-            if reader.negated {
-                "; an iPhone's accelerometer has the opposite sign, turned to +g on the axis that points up"
-            } else {
-                ""
-            }
-        ));
+        let of = |kind: Kind| {
+            Finding::of(kind)
+                .in_recording(&files.name)
+                .detail("system", "Sensor Logger")
+        };
+        let streams = taken.join(" and ");
+        let chosen = of(Kind::StreamsChosen).detail("streams", streams);
+        recording.warnings.push(chosen);
+        if reader.negated {
+            recording.warnings.push(of(Kind::SignTurned));
+        }
         Ok(recording)
     }
 }

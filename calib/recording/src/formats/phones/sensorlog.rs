@@ -1,5 +1,6 @@
 //! SensorLog for iOS: per-sensor stamps since the last start of the phone, g, -1 g up.
 
+use findings::{Finding, Kind};
 use sensor::Sensor;
 
 use crate::formats::texts::TextFormat;
@@ -58,16 +59,17 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
     let accel = ACCEL.part(&names).map(|part| Part {
         accel_unit: Some(AccelUnit::G),
         negated: true,
-        remark: Some(
-            "SensorLog: g with -1 g on the axis that points up, turned to +g up".to_owned(),
-        ),
+        remark: Some(Finding::of(Kind::SignTurned).detail("system", "SensorLog")),
         ..part
     });
     let gyro = GYRO.part(&names).or_else(|| {
         let part = PROCESSED.part(&names)?;
-        let remark = "SensorLog: motionRotationRate is taken, from which iOS has subtracted its own bias; switch on the gyroscope (gyroRotation) for what the sensor reads";
+        let corrected = Finding::of(Kind::CorrectedBySystem)
+            .detail("system", "iOS")
+            .detail("columns", "motionRotationRate")
+            .detail("raw", "gyroRotation");
         Some(Part {
-            remark: Some(remark.to_owned()),
+            remark: Some(corrected),
             corrected_by: Some("ios"),
             ..part
         })

@@ -1,11 +1,17 @@
 //! ArduPilot's `IMU` message as a table, as mavlogdump and Mission Planner export it.
 
+use findings::{Finding, Kind};
+
 /// Columns of the message that no other table has beside `GyrX` and `AccX`: counts of errors, health, rates.
 const OWN: [&str; 6] = ["EG", "EA", "GH", "AH", "GHz", "AHz"];
 
 /// What is said of readings that ArduPilot had corrected.
-pub(crate) const REMARK: &str = "IMU is what ArduPilot has already corrected by its own calibration (INS_ACC*OFFS, INS_ACC*SCAL, \
-                                 INS_GYR*OFFS): this one is on top of it; the .BIN log itself has them, and they are taken off there";
+pub(crate) fn corrected() -> Finding {
+    Finding::of(Kind::CorrectedBySystem)
+        .detail("system", "ArduPilot")
+        .detail("columns", "IMU")
+        .detail("raw", "The .BIN log, with the parameters,")
+}
 
 /// Whether columns of these names are those of the message.
 pub(crate) fn is_imu(names: &[String]) -> bool {

@@ -3,6 +3,7 @@
 //! Source: betaflight/blackbox-tools, `blackbox_decode.c`: stamps in µs, the gyroscope in deg/s, the accelerometer in counts of
 //! which the log's header calls `acc_1G` one g, or in the unit behind its name. The board's frame is forward, left, up.
 
+use findings::{Finding, Kind};
 use std::io::Read;
 
 use crate::formats::texts::TextFormat;
@@ -78,9 +79,12 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
         change: Some(below_settings),
         accel_unit,
         gyro_unit,
-        remark: Some(format!(
-            "Betaflight: {stem} is taken, from which the flight controller has taken the mean of its start, and accSmooth, which is filtered"
-        )),
+        remark: Some(
+            Finding::of(Kind::FilteredBefore)
+                .detail("system", "Betaflight")
+                .detail("gyro", *stem)
+                .detail("accel", "accSmooth"),
+        ),
         ..Part::default()
     }])
 }

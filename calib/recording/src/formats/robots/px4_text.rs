@@ -5,6 +5,7 @@ use crate::header::look::{Look, numbered};
 use crate::recording::options::Role;
 use crate::rows::parts::Part;
 use crate::units::{AccelUnit, GyroUnit, TimeUnit};
+use findings::{Finding, Kind};
 
 /// `sensor_combined`: both sensors, already corrected.
 pub(crate) static SENSOR_COMBINED: TextFormat = TextFormat {
@@ -32,7 +33,10 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
         accel_unit: Some(AccelUnit::MetresPerSecondSquared),
         gyro_unit: Some(GyroUnit::RadiansPerSecond),
         remark: Some(
-            "sensor_combined is what PX4 has already corrected by its own calibration: this one is on top of it; sensor_accel and sensor_gyro are what the sensors read".to_owned(),
+            Finding::of(Kind::CorrectedBySystem)
+                .detail("system", "PX4")
+                .detail("columns", "sensor_combined")
+                .detail("raw", "sensor_accel and sensor_gyro"),
         ),
         corrected_by: Some("px4"),
         ..Part::default()

@@ -114,13 +114,16 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
         columns,
         time_unit: of_day.then_some(TimeUnit::Seconds),
         accel_unit: Some(if raw { AccelUnit::Counts } else { AccelUnit::G }),
-        gyro_unit: Some(if in_si { GyroUnit::RadiansPerSecond } else { GyroUnit::Counts }),
+        gyro_unit: Some(if in_si {
+            GyroUnit::RadiansPerSecond
+        } else {
+            GyroUnit::Counts
+        }),
         negated: true,
         usual_rate: (stamped == 0).then_some(RATE),
         change: Some(change),
         remark: Some(
-            "Razor AHRS: the accelerometer's reading has the other sign in these lines, turned to +g on the axis that points up"
-                .to_owned(),
+            findings::Finding::of(findings::Kind::SignTurned).detail("system", "Razor AHRS"),
         ),
         ..Part::default()
     }])

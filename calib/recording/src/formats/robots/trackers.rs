@@ -5,6 +5,7 @@ use crate::header::look::{Look, numbered};
 use crate::recording::options::Role;
 use crate::rows::parts::Part;
 use crate::units::{AccelUnit, GyroUnit, TimeUnit};
+use findings::{Finding, Kind};
 
 /// Xsens MTi (tenths of milliseconds, rad/s) and DOT (microseconds, deg/s).
 pub(crate) static XSENS: TextFormat = TextFormat {
@@ -65,14 +66,12 @@ fn xsens(look: &Look) -> Option<Vec<Part>> {
         } else {
             GyroUnit::DegreesPerSecond
         }),
-        remark: Some(format!(
-            "Xsens {}; --time-unit and --gyro-unit override",
-            if mti {
-                "MTi: stamps in 0.1 ms, rad/s"
-            } else {
-                "DOT: stamps in µs, deg/s"
-            }
-        )),
+        remark: Some(
+            Finding::of(Kind::UnitsOfFormat)
+                .detail("system", if mti { "Xsens MTi" } else { "Xsens DOT" })
+                .detail("time", if mti { "0.1 ms" } else { "µs" })
+                .detail("rate", if mti { "rad/s" } else { "deg/s" }),
+        ),
         ..Part::default()
     }])
 }

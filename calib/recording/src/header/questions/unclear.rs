@@ -1,5 +1,6 @@
 //! Columns that look like a sensor's and have no role.
 
+use findings::{Finding, Kind, OptionName, Remedy};
 use std::collections::HashMap;
 
 use sensor::Sensor;
@@ -116,7 +117,7 @@ pub(crate) fn refuse(tables: &[Table]) -> Result<(), Error> {
 }
 
 /// What is said of columns that look like a magnetometer's and are not read, where none is read.
-pub(crate) fn unread_field(tables: &[Table]) -> Option<String> {
+pub(crate) fn unread_field(tables: &[Table]) -> Option<Finding> {
     if tables.iter().any(|table| !table.magnetometer.t.is_empty()) {
         return None;
     }
@@ -131,16 +132,15 @@ pub(crate) fn unread_field(tables: &[Table]) -> Option<String> {
         })?;
         let names = field.columns.map(|at| &table.unclear[at]);
         let places = names.map(|name| table.names.iter().position(|other| other == name));
-        let mut words = format!(
-            "{}: the columns {} look like a magnetometer's and are not read",
-            table.name,
-            shown_list(names.into_iter())
-        );
+        let mut found = Finding::of(Kind::FieldNotRead)
+            .in_recording(&table.name)
+            .detail("columns", shown_list(names.into_iter()));
         if let ([Some(x), Some(y), Some(z)], true) = (places, table.by_names) {
             let [x, y, z] = [x, y, z].map(|at| entry(&table.names, at));
-            words += &format!("; --columns 'mx={x},my={y},mz={z}' reads them");
+            let columns = format!("mx={x},my={y},mz={z}");
+            found = found.remedy(Remedy::set_to(OptionName::Columns, columns));
         }
-        Some(words)
+        Some(found)
     })
 }
 

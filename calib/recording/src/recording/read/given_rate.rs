@@ -1,12 +1,15 @@
 //! A rate that the user gave, against the stamps that it replaces.
 
+use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
+
+use findings::{Finding, Kind, OptionName, Remedy};
 
 use crate::clock::even::{Stamps, bursts, even_clock};
 use crate::recording::content::Recording;
 use crate::recording::options::ReadOptions;
 use crate::recording::stream::Stream;
-use crate::shown::{figure, significant};
+use crate::shown::significant;
 
 /// Rates that differ by less are those of two good oscillators.
 const SAME: f64 = 5e-4;
@@ -25,7 +28,7 @@ pub(super) fn contradicted(
     path: &Path,
     options: &ReadOptions,
     by_rate: &Recording,
-) -> Option<String> {
+) -> Option<Finding> {
     let given = options.rate?;
     let longer = by_rate
         .gyroscope
@@ -50,21 +53,20 @@ pub(super) fn contradicted(
     let off = given / rate - 1.0;
     let differs =
         off.abs() > SAME.max(3.0 * error) && (ANOTHER.recip()..ANOTHER).contains(&(given / rate));
-    let missing = match lost {
-        0 => String::new(),
-        lost => format!(", and {lost} samples are missing, which --rate passes over"),
-    };
-    differs.then(|| {
-        format!(
-            "{}: by its stamps the rate is {} Hz and not {}{missing}: angles between rests come out {} % too {}. Say --rate {}, or \
-             leave --rate out",
-            by_rate.name,
-            significant(rate, 6),
-            figure(given),
-            significant((100.0 * off).abs(), 2),
-            if off > 0.0 { "small" } else { "large" },
-            significant(rate, 6)
-        )
+    if !differs {
+        return None;
+    }
+    let found = Finding::of(Kind::RateContradicted)
+        .in_recording(&by_rate.name)
+        .number("rate", rate, "Hz")
+        .number("given", given, "Hz")
+        .number("share", off.abs(), "share")
+        .detail("size", if off > 0.0 { "small" } else { "large" })
+        .affects("turn", off.abs() * FRAC_PI_2, "rad")
+        .remedy(Remedy::set_to(OptionName::Rate, significant(rate, 6)));
+    Some(match lost {
+        0 => found,
+        lost => found.count("missing", lost as usize),
     })
 }
 

@@ -5,6 +5,7 @@ mod given_rate;
 use std::path::Path;
 use std::sync::Arc;
 
+use findings::{Finding, Kind};
 use sensor::Sensor;
 
 use super::assemble;
@@ -40,11 +41,11 @@ impl Recording {
     /// As [`Recording::read`]; [`Error::Parts`] for several on standard input, which cannot be read again.
     pub fn read_all(path: &Path, options: &ReadOptions) -> Result<Vec<Self>, Error> {
         match Self::read(path, options) {
-            Err(Error::Parts { message, count })
+            Err(Error::Parts { count, .. })
                 if path.as_os_str() != "-" && options.part.is_none() =>
             {
                 let name = shown_path(path);
-                each_part(count, &message, &name, options, |o| Self::read(path, o))
+                each_part(count, &name, options, |o| Self::read(path, o))
             }
             one => one.map(|recording| vec![recording]),
         }
@@ -60,11 +61,9 @@ impl Recording {
         options: &ReadOptions,
     ) -> Result<Vec<Self>, Error> {
         match Self::read_pair(accel, gyro, options) {
-            Err(Error::Parts { message, count }) if options.part.is_none() => {
+            Err(Error::Parts { count, .. }) if options.part.is_none() => {
                 let name = shown_path(accel);
-                each_part(count, &message, &name, options, |o| {
-                    Self::read_pair(accel, gyro, o)
-                })
+                each_part(count, &name, options, |o| Self::read_pair(accel, gyro, o))
             }
             one => one.map(|recording| vec![recording]),
         }
@@ -143,7 +142,6 @@ fn refuse_choice(source: &Source, options: &ReadOptions) -> Result<(), Error> {
 /// The recordings of a file one by one, the first of which says that there are several.
 fn each_part(
     count: usize,
-    message: &str,
     name: &str,
     options: &ReadOptions,
     read: impl Fn(&ReadOptions) -> Result<Recording, Error>,
@@ -155,16 +153,18 @@ fn each_part(
         })
     };
     let mut all: Vec<Recording> = (1..=count).map(part).collect::<Result<_, _>>()?;
-    let found = message.split_once("; ").map_or(message, |(found, _)| found);
     let names: Vec<String> = all.iter().map(|recording| recording.name.clone()).collect();
     let said = match all.len() {
         2 => names.join(" and "),
         _ => format!("{name}#1 to #{count}"),
     };
     if let Some(first) = all.first_mut() {
-        first
-            .warnings
-            .push_first(format!("{found}; read as {said}"));
+        first.warnings.push_first(
+            Finding::of(Kind::SeveralRecordings)
+                .in_recording(name)
+                .count("count", count)
+                .detail("names", said),
+        );
     }
     Ok(all)
 }

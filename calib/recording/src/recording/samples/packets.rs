@@ -1,13 +1,13 @@
 //! Rows that share their stamps because the stamps are coarser than the rate: samples of one packet, or of one tick of a coarse
 //! clock.
 
+use findings::{Finding, Kind};
 use nalgebra::Vector3;
 use sensor::Sensor;
 
 use super::Samples;
 use crate::clock::even::{Bursts, bursts};
 use crate::order_statistic::nth_smallest;
-use crate::shown::significant;
 
 /// Share of the rows from which shared stamps are those of packets.
 const SHARE: f64 = 0.02;
@@ -17,7 +17,7 @@ const SHARE: f64 = 0.02;
 const ALIKE: f64 = 2.0;
 
 /// The rows of packets apart again, on the even clock behind their stamps (s); what is said of it. Other samples stay as they are.
-pub(crate) fn apart(name: &str, sensor: Sensor, samples: &mut Samples) -> Option<String> {
+pub(crate) fn apart(name: &str, sensor: Sensor, samples: &mut Samples) -> Option<Finding> {
     let (twins, others) = (samples.twins.len(), samples.other_twins().count());
     let rows = samples.t.len() + twins;
     if (twins as f64) < SHARE * rows as f64 || 2 * others < twins {
@@ -32,14 +32,13 @@ pub(crate) fn apart(name: &str, sensor: Sensor, samples: &mut Samples) -> Option
     } = bursts(&t)?;
     let line = samples.line(0);
     *samples = Samples::of(even, values).beginning_at(line);
-    Some(format!(
-        "{name}: {} rows of the {} share their stamps with others ({} with one stamp on average): the stamps are coarser than the \
-         rate. The even clock behind them is used, {} Hz; --rate takes another",
-        rows - distinct(&t),
-        sensor.name(),
-        significant(size, 2),
-        significant(1.0 / step, 6)
-    ))
+    let found = Finding::of(Kind::StampsCoarse)
+        .in_recording(name)
+        .of_sensor(sensor)
+        .count("rows", rows - distinct(&t))
+        .number("size", size, "1")
+        .number("rate", step.recip(), "Hz");
+    Some(found)
 }
 
 fn distinct(t: &[f64]) -> usize {
@@ -81,10 +80,8 @@ mod tests {
             let packets = |k: usize| (k - k % size + size - 1) as f64 * 0.01;
             let mut found = samples(packets, |k| k as f64);
             let said = apart("a.csv", Sensor::Gyroscope, &mut found).unwrap();
-            assert!(
-                said.contains("100 Hz") || said.contains("99.9") || said.contains("100.0"),
-                "{said}"
-            );
+            let rate = said.value("rate").unwrap();
+            assert!((rate - 100.0).abs() < 0.1, "{rate}");
             assert_eq!(found.t.len(), 4000);
             assert!(
                 (found.values[777].x - 777.0).abs() < 0.11,

@@ -55,8 +55,26 @@ pub(crate) fn jump(readings: &[f64]) -> bool {
     whole && nth_smallest(steps, readings.len() / 2).is_some_and(|step| step >= JUMP)
 }
 
-/// The formulas that make °C of `readings`, as entries of `--columns` for the column called `column`.
-pub(crate) fn formulas(readings: &[f64], column: &str) -> Option<String> {
+/// A formula that makes °C of readings.
+pub(crate) struct Offered {
+    /// The columns with it.
+    pub entry: String,
+    /// The sensor or the unit that it belongs to.
+    of: &'static str,
+    /// The least and the highest temperature that it makes, °C.
+    celsius: [f64; 2],
+}
+
+impl Offered {
+    /// `30.0 to 30.9 °C (MPU-6050)`.
+    pub fn in_words(&self) -> String {
+        let [least, most] = self.celsius;
+        format!("{least:.1} to {most:.1} °C ({})", self.of)
+    }
+}
+
+/// The formulas that make °C of `readings`, for the column called `column`.
+pub(crate) fn formulas(readings: &[f64], column: &str) -> Vec<Offered> {
     let least = readings.iter().copied().fold(f64::INFINITY, f64::min);
     let most = readings.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let whole = readings.iter().all(|reading| reading.fract() == 0.0);
@@ -70,15 +88,12 @@ pub(crate) fn formulas(readings: &[f64], column: &str) -> Option<String> {
         .filter(fits)
         .take(OFFERED);
     let of_units = OF_UNITS.iter().filter(fits).take(1);
-    let shown = |formula: &Formula| {
-        let celsius = [least, most].map(|reading| reading / formula.divisor + formula.offset);
-        format!(
-            "--columns '{column}{}' ({}: {:.1} to {:.1} °C)",
-            formula.text, formula.of, celsius[0], celsius[1]
-        )
+    let offered = |formula: &Formula| Offered {
+        entry: format!("{column}{}", formula.text),
+        of: formula.of,
+        celsius: [least, most].map(|reading| reading / formula.divisor + formula.offset),
     };
-    let all: Vec<String> = of_counts.chain(of_units).map(shown).collect();
-    (!all.is_empty()).then(|| all.join(" or "))
+    of_counts.chain(of_units).map(offered).collect()
 }
 
 #[cfg(test)]
@@ -90,27 +105,34 @@ mod tests {
         for (readings, offered) in [
             (
                 [-2220.0, -1900.0],
-                "temp=raw/340+36.53' (MPU-6050: 30.0 to 30.9 °C)",
+                "temp=raw/340+36.53: 30.0 to 30.9 °C (MPU-6050)",
             ),
             (
                 [1024.0, 1536.0],
-                "temp=raw/512+23' (BMI160, BMI270: 25.0 to 26.0 °C)",
+                "temp=raw/512+23: 25.0 to 26.0 °C (BMI160, BMI270)",
             ),
-            ([293.2, 301.7], "temp=raw-273.15' (kelvin: 20.1 to 28.6 °C)"),
+            ([293.2, 301.7], "temp=raw-273.15: 20.1 to 28.6 °C (kelvin)"),
             (
                 [2510.0, 2630.0],
-                "temp=raw/100' (hundredths of °C: 25.1 to 26.3 °C)",
+                "temp=raw/100: 25.1 to 26.3 °C (hundredths of °C)",
             ),
             (
                 [-16000.0, -15000.0],
-                "temp=raw/280+82.14' (ITG-3200: 25.0 to 28.6 °C)",
+                "temp=raw/280+82.14: 25.0 to 28.6 °C (ITG-3200)",
             ),
         ] {
-            let found = formulas(&readings, "temp=raw").unwrap();
-            assert!(found.contains(offered), "{readings:?}: {found}");
-            assert!(found.matches("--columns").count() <= 4, "{found}");
+            let found = formulas(&readings, "temp=raw");
+            let found = found
+                .iter()
+                .map(|f| format!("{}: {}", f.entry, f.in_words()));
+            let found: Vec<String> = found.collect();
+            assert!(
+                found.iter().any(|f| f == offered),
+                "{readings:?}: {found:?}"
+            );
+            assert!(found.len() <= 4, "{found:?}");
         }
-        assert_eq!(formulas(&[-9e5, 9e5], "temp=raw"), None);
+        assert!(formulas(&[-9e5, 9e5], "temp=raw").is_empty());
     }
 
     #[test]

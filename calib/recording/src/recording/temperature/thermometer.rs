@@ -1,11 +1,12 @@
 //! Temperatures with stamps of their own: read between them, left out where they are of another clock.
 
+use findings::{Finding, Kind};
+
 use crate::Error;
 use crate::header::look::Look;
 use crate::recording::options::{ColumnMap, Role};
 use crate::recording::{Recording, Stream};
 use crate::rows::table::Table;
-use crate::shown::figure;
 use crate::source::place::in_file;
 
 /// Share of a recording over which the temperature has to be known; beyond its stamps it is taken as constant.
@@ -45,19 +46,17 @@ pub(crate) fn join(tables: &mut Vec<Table>) -> Result<(), Error> {
 
 /// Leaves out a temperature whose stamps are of another clock, and says where one begins late or ends early.
 pub(crate) fn check_clock(recording: &mut Recording) {
-    let Some((words, is_known)) = misfit(recording) else {
+    let Some(found) = misfit(recording) else {
         return;
     };
-    recording
-        .warnings
-        .push(format!("{}: {words}", recording.name));
-    if !is_known {
+    if found.kind == Kind::TemperatureOfAnotherClock {
         recording.temperature = None;
     }
+    recording.warnings.push(found);
 }
 
-/// What is wrong with the stamps of the temperature, and whether it can be used all the same.
-fn misfit(recording: &Recording) -> Option<(String, bool)> {
+/// What is wrong with the stamps of the temperature.
+fn misfit(recording: &Recording) -> Option<Finding> {
     let readings = recording.temperature.as_ref()?;
     let (first, last) = (*readings.t.first()?, *readings.t.last()?);
     let (from, to) = span(recording)?;
@@ -69,22 +68,17 @@ fn misfit(recording: &Recording) -> Option<(String, bool)> {
         return None;
     }
     let common = (last.min(to) - first.max(from)) / (to - from);
-    let spans = format!(
-        "the temperature is known from {} to {} s, the sensors from {} to {} s",
-        figure(first),
-        figure(last),
-        figure(from),
-        figure(to)
-    );
-    let is_known = common >= KNOWN;
-    let words = if is_known {
-        format!("{spans}: before and after it is taken as constant")
-    } else {
-        format!(
-            "{spans}: left out; are both stamps of one clock? Shift the temperature's to that of the sensors"
-        )
+    let kind = match common >= KNOWN {
+        true => Kind::TemperaturePartlyKnown,
+        false => Kind::TemperatureOfAnotherClock,
     };
-    Some((words, is_known))
+    let found = Finding::of(kind)
+        .in_recording(&recording.name)
+        .number("from", first, "s")
+        .number("to", last, "s")
+        .number("sensors_from", from, "s")
+        .number("sensors_to", to, "s");
+    Some(found)
 }
 
 /// First and last stamp of the sensors.

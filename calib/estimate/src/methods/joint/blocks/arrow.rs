@@ -113,6 +113,43 @@ impl Arrow {
         }
     }
 
+    /// Adds to the diagonal.
+    pub fn add_diagonal(&mut self, column: usize, value: f64) {
+        match self.places.of_column[column] {
+            Place::Own(place) => {
+                let own = self
+                    .places
+                    .own
+                    .iter()
+                    .position(|own| own.get(place) == Some(&column));
+                if let Some(group) = own {
+                    self.parts[group].own[(place, place)] += value;
+                }
+            }
+            Place::Shared(place) => self.last[(place, place)] += value,
+        }
+    }
+
+    /// The columns of which those before them, group by group and what is shared last, leave a smaller square than this.
+    pub fn dependent(&self, tolerance: f64) -> Vec<usize> {
+        let mut found = Vec::new();
+        let mut last = self.last.clone();
+        for (wing, columns) in self.parts.iter().zip(&self.places.own) {
+            let (lower, gone) = lower_without_dependent(&wing.own, tolerance);
+            found.extend(gone.iter().map(|&k| columns[k]));
+            let mut border = wing.border.clone();
+            for &k in &gone {
+                border.row_mut(k).fill(0.0);
+            }
+            solve_lower_triangular_in_place(lower.as_ref(), border.as_mut(), Par::Seq);
+            last -= border.transpose() * &border;
+        }
+        let (_, gone) = lower_without_dependent(&last, tolerance);
+        found.extend(gone.iter().map(|&k| self.places.shared[k]));
+        found.sort_unstable();
+        found
+    }
+
     /// The Cholesky factor, `λ` added to the diagonal; `None` where that is not positive.
     pub fn factor(&self, damping: f64) -> Option<ArrowFactor> {
         let held_up = |matrix: &Mat<f64>| {
@@ -137,6 +174,38 @@ impl Arrow {
             last: last.llt(Side::Lower).ok()?.L().to_owned(),
         })
     }
+}
+
+/// The Cholesky factor of a matrix of which columns that leave less than `tolerance` are replaced by unit ones, and these.
+fn lower_without_dependent(a: &Mat<f64>, tolerance: f64) -> (Mat<f64>, Vec<usize>) {
+    let n = a.nrows();
+    let mut lower = Mat::<f64>::zeros(n, n);
+    let mut gone = Vec::new();
+    // Row by row of `L`, as slices of its transpose.
+    let mut rows: Vec<Vec<f64>> = Vec::with_capacity(n);
+    for i in 0..n {
+        let mut row = vec![0.0; i + 1];
+        for k in 0..i {
+            if gone.binary_search(&k).is_err() {
+                let before = row[..k].iter().zip(&rows[k][..k]);
+                let sum: f64 = before.map(|(a, b)| a * b).sum();
+                row[k] = (a[(i, k)] - sum) / rows[k][k];
+            }
+        }
+        let square = a[(i, i)] - row[..i].iter().map(|v| v * v).sum::<f64>();
+        if square > tolerance {
+            row[i] = square.sqrt();
+        } else {
+            gone.push(i);
+            row.fill(0.0);
+            row[i] = 1.0;
+        }
+        for (k, value) in row.iter().enumerate() {
+            lower[(i, k)] = *value;
+        }
+        rows.push(row);
+    }
+    (lower, gone)
 }
 
 /// The lower triangle of `AᵀA` (`n × n`) of `A` (`m × n`).
@@ -199,6 +268,49 @@ impl ArrowFactor {
         }
         solve_lower_triangular_in_place(self.last.as_ref(), last.as_mut(), Par::Seq);
         (parts, last)
+    }
+
+    /// `E L⁻ᵀ` of rows `E` (`k × n`) that are zero outside of the columns of a group (`g`) and the shared ones (`s`), `rows`
+    /// (`k × c`) their entries at some of these; row by row without the zeros of other groups, and their number `g + s`.
+    pub fn forward_rows(
+        &self,
+        group: usize,
+        columns: &[usize],
+        rows: MatRef<'_, f64>,
+    ) -> (Vec<f64>, usize) {
+        let (lower, border) = &self.parts[group];
+        let (g, s, k) = (lower.nrows(), self.last.nrows(), rows.nrows());
+        let mut own = Mat::<f64>::zeros(g, k);
+        let mut shared = Mat::<f64>::zeros(s, k);
+        for (c, &column) in columns.iter().enumerate() {
+            for i in 0..k {
+                match self.places.of_column[column] {
+                    Place::Own(place) => own[(place, i)] = rows[(i, c)],
+                    Place::Shared(place) => shared[(place, i)] = rows[(i, c)],
+                }
+            }
+        }
+        solve_lower_triangular_in_place(lower.as_ref(), own.as_mut(), Par::Seq);
+        shared -= border.transpose() * &own;
+        solve_lower_triangular_in_place(self.last.as_ref(), shared.as_mut(), Par::Seq);
+        let mut all = Vec::with_capacity(k * (g + s));
+        for i in 0..k {
+            all.extend(own.col(i).iter().chain(shared.col(i).iter()));
+        }
+        (all, g + s)
+    }
+
+    /// By how much the diagonal of `(A + λ I)⁻¹` falls short of one at some columns, all together.
+    pub fn left_of_unit(&self, columns: std::ops::Range<usize>) -> f64 {
+        let mut b = vec![0.0; self.places.of_column.len()];
+        let one = |k: usize| {
+            b[k] = 1.0;
+            let (own, shared) = self.forward(&b);
+            b[k] = 0.0;
+            let own: f64 = own.iter().map(|own| own.squared_norm_l2()).sum();
+            1.0 - own - shared.squared_norm_l2()
+        };
+        columns.map(one).sum()
     }
 
     /// The trace of `(A + λ I)⁻¹ = L⁻ᵀ L⁻¹`: the sum of squares of the entries of `L⁻¹`.

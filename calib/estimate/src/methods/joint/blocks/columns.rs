@@ -146,6 +146,11 @@ impl Columns {
         &self.parts
     }
 
+    /// The columns that may differ from zero in a row.
+    pub fn columns_of_row(&self, row: usize) -> &[usize] {
+        &self.parts[self.groups.of(row)].columns
+    }
+
     /// The part of a group of rows, to be filled.
     pub fn part_mut(&mut self, group: usize) -> &mut Part {
         &mut self.parts[group]
@@ -200,6 +205,30 @@ impl Columns {
     /// These columns, then others in the same groups of rows.
     pub fn beside(&self, others: &Self) -> Self {
         Self::side_by_side(&self.groups, &[self, others])
+    }
+
+    /// The same with so many rows of zeros below, in a group of their own.
+    pub fn above_zeros(mut self, count: usize) -> Self {
+        let from = self.groups.rows();
+        let rows: Vec<usize> = (from..from + count).collect();
+        self.groups = self.groups.with_group(count);
+        self.parts.push(Part::zeros(&rows, &[]));
+        self
+    }
+
+    /// These columns beside `errors` of unit variance, which rows below that expect each to be zero hold: what they leave of
+    /// residuals with zeros below is what these columns alone leave under noise that contains the errors (Theil & Goldberger
+    /// 1961, mixed estimation).
+    pub fn beside_errors(&self, errors: &Self) -> Self {
+        let (first, count, above) = (self.count, errors.count, self.nrows());
+        let mut whole = self.beside(errors);
+        let columns: Vec<usize> = (first..first + count).collect();
+        let rows: Vec<usize> = (above..above + count).collect();
+        let mut held = Part::zeros(&rows, &columns);
+        held.values.diagonal_mut().column_vector_mut().fill(1.0);
+        whole.groups = whole.groups.with_group(count);
+        whole.parts.push(held);
+        whole
     }
 
     /// Columns in the same groups of rows, one after the other.

@@ -14,7 +14,7 @@ pub struct Covariance {
 }
 
 /// Rows, in ascending order, and what they share with each other (`k × k`).
-type Block = (Vec<usize>, Mat<f64>);
+pub type Block = (Vec<usize>, Mat<f64>);
 
 impl Covariance {
     /// Of blocks that have no row in common.
@@ -26,6 +26,11 @@ impl Covariance {
             }
         }
         Self { blocks, of_row }
+    }
+
+    /// Of nothing.
+    pub fn none(size: usize) -> Self {
+        Self::of_blocks(size, Vec::new())
     }
 
     /// Of any symmetric matrix.
@@ -54,6 +59,11 @@ impl Covariance {
     /// Number of rows `m`.
     pub fn size(&self) -> usize {
         self.of_row.len()
+    }
+
+    /// The blocks: rows, in ascending order, and what they share.
+    pub fn blocks(&self) -> &[Block] {
+        &self.blocks
     }
 
     /// The rows of every block.

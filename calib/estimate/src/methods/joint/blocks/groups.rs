@@ -35,6 +35,13 @@ impl RowGroups {
         Self::new(vec![0; rows])
     }
 
+    /// The same with so many rows more, in a group of their own.
+    pub fn with_group(&self, count: usize) -> Self {
+        let more = std::iter::repeat_n(self.groups.len(), count);
+        let of_row = self.of_row.iter().copied().chain(more);
+        Self::of_count(of_row.collect(), self.groups.len() + 1)
+    }
+
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.of_row.len()

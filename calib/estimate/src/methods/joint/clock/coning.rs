@@ -64,6 +64,7 @@ impl Coning {
 
     /// The rotation vector over the middle one of seven windows with the given angles (rad), and per window
     /// the `v` with `∂φ = ∂θ₀ + Σ_c ∂θ_c × v_c`: `v_c = Σ_b K_cb θ_b`.
+    #[inline(always)]
     pub fn rotation(
         &self,
         angles: &[Vector3<f64>; WINDOWS],

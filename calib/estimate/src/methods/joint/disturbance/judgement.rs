@@ -51,7 +51,7 @@ impl Run<'_> {
     pub(crate) fn weights_under(&self, noise: &RowNoise) -> Weights {
         let rows = self.rows(&[]);
         let white = White::new(noise, rows.first_turn_row());
-        let components = walks(noise, &white);
+        let components = walks(noise, &white, &rows.stations(noise));
         let given = self.request.bias_noise.as_ref();
         let levels = given.map(BiasNoise::levels).unwrap_or_default();
         Weights {
@@ -80,7 +80,8 @@ impl Run<'_> {
         let linear = point.undisturbed();
         let mut analysis = Analysis::new(&rows, &linear, &rows.noise(x), &free);
         if self.request.flicker {
-            analysis.components.extend(rows.flicker(x, &analysis.white));
+            let flicker = rows.flicker(x, &analysis.white, &analysis.stations);
+            analysis.components.extend(flicker);
         }
         if let Some(columns) = earth {
             analysis.carry(ComponentKind::EarthRotation, columns);

@@ -7,7 +7,6 @@ use statrs::distribution::{ChiSquared, ContinuousCDF};
 use crate::methods::joint::blocks::basis::{Basis, stacked};
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::disturbance::Suspect;
-use crate::methods::joint::noise::weights::Whitening;
 use crate::methods::joint::result::marginal::orthonormal;
 
 /// Chance of that anything is flagged in a clean recording.
@@ -57,13 +56,12 @@ struct Known {
 }
 
 impl<'a> Trial<'a> {
-    /// Of residuals, a Jacobian and the suspects' columns, all whitened by the white noise.
+    /// Of residuals, a Jacobian and the suspects' columns, all whitened.
     pub fn new(
         suspects: &'a [Suspect],
         columns: Columns,
-        jacobian: Columns,
-        residuals: &[f64],
-        whitening: &Whitening,
+        jacobian: &Columns,
+        residuals: Vec<f64>,
     ) -> Self {
         let ends = |begin: usize, count: fn(&Suspect) -> usize| {
             let mut ends = vec![begin];
@@ -79,9 +77,9 @@ impl<'a> Trial<'a> {
             suspects,
             first,
             alike,
-            columns: whitening.finish_columns(columns),
-            basis: Basis::of(&whitening.finish_columns(jacobian)),
-            residuals: whitening.finish_column(residuals),
+            columns,
+            basis: Basis::of(jacobian),
+            residuals,
         }
     }
 

@@ -1,9 +1,12 @@
 //! Walks of the biases about their means over the rests, which is what a calibration states.
 
 use faer::Mat;
+use nalgebra::DMatrix;
 use sensor::Sensor;
 
-use super::weights::{Component, ComponentKind, White};
+use super::chain::Chain;
+use super::weights::{Component, ComponentKind, Form, White};
+use crate::methods::joint::blocks::covariance::Covariance;
 use crate::methods::joint::noise::exposure::Exposure;
 use crate::methods::joint::noise::rows::RowNoise;
 use crate::methods::joint::result::analysis::whitened;
@@ -36,15 +39,45 @@ pub fn centred(
         };
         let exposures = whitened(&noise.exposures[place], white);
         let lengths = lengths(rows, sensor);
+        let weights = |own: &[usize]| (total(own, &exposures), shares(own, &lengths, white));
         Component {
             kind: component.kind,
             covariance: component.covariance.map(|own, c| {
-                let total = total(own, &exposures);
-                carried_over(c, &total, &shares(own, &lengths, white))
+                let (total, shares) = weights(own);
+                carried_over(c, &total, &shares)
             }),
+            form: match &component.form {
+                Form::Passed(chain) => Form::Passed(passed(chain, &component.covariance, weights)),
+                Form::Columns(columns) => Form::Columns(columns.clone()),
+            },
         }
     };
     components.iter().map(of).collect()
+}
+
+/// The same as what is passed on: `C + T Xᵀ + X Tᵀ` with `X = C Aᵀ + ½ T A C Aᵀ`.
+fn passed(
+    chain: &Chain,
+    covariance: &Covariance,
+    weights: impl Fn(&[usize]) -> (Mat<f64>, Mat<f64>),
+) -> Chain {
+    let mut of_row: Vec<Option<[f64; 6]>> = vec![None; covariance.size()];
+    for (rows, c) in covariance.blocks() {
+        let (total, shares) = weights(rows);
+        let moved = c * shares.transpose();
+        let x = &moved + faer::Scale(0.5) * (&total * (&shares * &moved));
+        for (i, &row) in rows.iter().enumerate() {
+            let of_axis = |k: usize| if k < 3 { total[(i, k)] } else { x[(i, k - 3)] };
+            of_row[row] = Some(std::array::from_fn(of_axis));
+        }
+    }
+    let all = chain.stations().all();
+    chain.with_both(|station| {
+        let rows = all[station].rows.clone();
+        let own: Option<Vec<[f64; 6]>> = rows.map(|row| of_row[row]).collect();
+        let own = own?;
+        Some([0, 3].map(|first| DMatrix::from_fn(own.len(), 3, |i, k| own[i][first + k])))
+    })
 }
 
 /// `(I + T A) C (I + T A)ᵀ`.

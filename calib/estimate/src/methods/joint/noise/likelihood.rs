@@ -1,24 +1,34 @@
 //! Levels of noise by restricted likelihood.
 
+#[cfg(test)]
+pub(crate) mod dense;
+
 use std::cell::Cell;
 
-use faer::linalg::solvers::{DenseSolveCore, Llt, Solve};
-use faer::{Mat, Side};
+use faer::Mat;
 
-use crate::methods::joint::blocks::basis::{RANK_TOLERANCE, orthonormal_with_pivots};
+use super::mixed::{At, Mixed, Slopes};
+use super::weights::Component;
 use crate::methods::joint::blocks::columns::Columns;
-use crate::methods::joint::blocks::covariance::Covariance;
 use crate::methods::joint::noise::bias::Within;
 
 /// Newton steps at most: usual ones are ten.
 const STEPS: usize = 40;
 
-/// Third powers of the number of rows that all steps of one search may take together, and fewest steps.
-const MOST_WORK: f64 = 1.5e9;
-const FEWEST_STEPS: f64 = 20.0;
+/// Products that all steps of one search may take together, and fewest steps.
+const MOST_WORK: f64 = 2e9;
+const FEWEST_STEPS: f64 = 40.0;
 
 /// A relative change of every variance below this ends the search.
 const SETTLED: f64 = 1e-3;
+
+/// A log-likelihood that rises by less than this has settled too: variances are then within a seventieth of their standard errors.
+const NOTHING: f64 = 1e-4;
+
+/// A likelihood that will stay so many times [`WORTH_IT`] below another, were the way ahead so many times what a Newton step
+/// promises, is not worked out further.
+const FAR: f64 = 10.0;
+const AHEAD: f64 = 20.0;
 
 /// Share by which the diagonal of the information is larger in a step.
 const HELD_UP: f64 = 1e-3;
@@ -27,95 +37,47 @@ const HELD_UP: f64 = 1e-3;
 /// it pass by chance, the variance being at the edge of what it can be (½ χ²₀ + ½ χ²₁).
 const WORTH_IT: f64 = 2.7;
 
-/// What is left of the residuals when the parameters have had their share: in every group of rows
-/// `z = Nᵀ r ~ N(S γ, I + Σ θ_c C_c)`, `N` the left null space of the columns of the whitened Jacobian that are the
-/// group's own, `S` those that it shares with others.
+/// The likelihood of what is left of the residuals when the parameters have had their share.
 #[derive(Clone, Debug)]
 pub struct Restricted {
-    parts: Vec<Part>,
-    /// Number of shared columns `s`.
-    shared: usize,
-    /// Number of components.
-    components: usize,
+    mixed: Mixed,
     /// Independent numbers whose variances depend on the same components.
     pub within: Vec<Within>,
+    /// How often the likelihood was worked out.
+    pub evaluations: Cell<usize>,
 }
 
-/// One group of rows.
-#[derive(Clone, Debug)]
-struct Part {
-    /// `Nᵀ r` (`q × 1`).
-    z: Mat<f64>,
-    /// `Nᵀ S` (`q × s`), orthonormal over all groups.
-    shared: Mat<f64>,
-    /// `Nᵀ C_c N` (`q × q`) of every component.
-    covariances: Vec<Mat<f64>>,
+/// The likelihood at some variances.
+struct Measured {
+    log_likelihood: f64,
+    at: At,
+    /// Variances of the independent numbers.
+    own: Vec<f64>,
 }
 
 impl Restricted {
-    /// Projects residuals `r` (`m`), Jacobian `J` (`m × n`, white whitened, full rank) and covariances.
-    pub fn new(residuals: &[f64], jacobian: &Columns, covariances: &[&Covariance]) -> Self {
-        let groups = jacobian.groups().connected_by(covariances.iter().copied());
-        let jacobian = jacobian.clone().regrouped(&groups);
-        let (norms, parts_of) = (jacobian.norms(), jacobian.parts_of());
-        let common: Vec<usize> = (0..parts_of.len()).filter(|&k| parts_of[k] > 1).collect();
-        let mut parts: Vec<Part> = jacobian
-            .parts()
-            .iter()
-            .map(|part| {
-                let (_, others) = part.own_and_shared(&parts_of);
-                let m = part.rows.len();
-                let null = left_null_space(&part.own_columns(&parts_of));
-                let mut shared = Mat::<f64>::zeros(m, common.len());
-                for place in others {
-                    let column = part.columns[place];
-                    if let Ok(to) = common.binary_search(&column) {
-                        for i in 0..m {
-                            shared[(i, to)] = part.values[(i, place)] / norms[column];
-                        }
-                    }
-                }
-                let r = Mat::from_fn(m, 1, |i, _| residuals[part.rows[i]]);
-                let projected = |c: &&Covariance| c.both_sides_of(&part.rows, &null);
-                Part {
-                    z: null.transpose() * &r,
-                    shared: null.transpose() * &shared,
-                    covariances: covariances.iter().map(projected).collect(),
-                }
-            })
-            .collect();
-        let shared = make_orthonormal(&mut parts);
+    /// Of residuals `r` (`m`), Jacobian `J` (`m × n`) and kinds of noise, all whitened by the white noise.
+    pub fn new(residuals: &[f64], jacobian: &Columns, components: &[&Component]) -> Self {
         Self {
-            parts,
-            shared,
-            components: covariances.len(),
+            mixed: Mixed::new(residuals, jacobian, components),
             within: Vec::new(),
+            evaluations: Cell::new(0),
         }
     }
 
-    /// Of one group of rows that shares nothing: numbers `z` (`q`) and covariances (`q × q`).
-    #[cfg(test)]
-    pub(crate) fn alone(z: &[f64], covariances: Vec<Mat<f64>>) -> Self {
-        Self {
-            components: covariances.len(),
-            parts: vec![Part {
-                z: Mat::from_fn(z.len(), 1, |i, _| z[i]),
-                shared: Mat::zeros(z.len(), 0),
-                covariances,
-            }],
-            shared: 0,
-            within: Vec::new(),
-        }
+    /// Numbers that one evaluation handles, in rows times columns squared.
+    pub fn work(&self) -> f64 {
+        self.mixed.work()
     }
 
     /// The variances that maximise the likelihood, those that are not worth it at zero; `kept` ones are
-    /// kept whatever they are worth.
-    pub fn variances(&self, kept: &[bool]) -> Vec<f64> {
-        let mut active = vec![true; self.components];
-        let mut from = vec![0.0; active.len()];
+    /// kept whatever they are worth. The search begins at the variances `from`.
+    pub fn variances(&self, kept: &[bool], from: &[f64]) -> Vec<f64> {
+        let mut active = vec![true; self.mixed.components()];
+        let mut from = from.to_vec();
         let left = Cell::new(self.most_steps());
         loop {
-            let (theta, whole) = self.maximise(&active, &from, &left);
+            let (theta, whole) = self.maximise(&active, &from, &left, None);
             from.clone_from(&theta);
             for (on, value) in active.iter_mut().zip(&theta) {
                 *on &= *value > 0.0;
@@ -125,7 +87,10 @@ impl Restricted {
                 .map(|c| {
                     let mut without = active.clone();
                     without[c] = false;
-                    (c, 2.0 * (whole - self.maximise(&without, &theta, &left).1))
+                    (
+                        c,
+                        2.0 * (whole - self.maximise(&without, &theta, &left, Some(whole)).1),
+                    )
                 });
             match gains.min_by(|a, b| a.1.total_cmp(&b.1)) {
                 Some((c, gain)) if gain < WORTH_IT => {
@@ -138,18 +103,14 @@ impl Restricted {
     }
 
     fn most_steps(&self) -> usize {
-        let cubes = self
-            .parts
-            .iter()
-            .map(|part| (part.z.nrows() as f64).powi(3));
-        (MOST_WORK / cubes.sum::<f64>().max(1.0)).max(FEWEST_STEPS) as usize
+        (MOST_WORK / self.mixed.work().max(1.0)).max(FEWEST_STEPS) as usize
     }
 
     /// The highest `log L` over all variances, up to a constant.
     pub fn highest(&self) -> f64 {
-        let count = self.components;
+        let count = self.mixed.components();
         let steps = Cell::new(self.most_steps());
-        self.maximise(&vec![true; count], &vec![0.0; count], &steps)
+        self.maximise(&vec![true; count], &vec![0.0; count], &steps, None)
             .1
     }
 
@@ -159,9 +120,16 @@ impl Restricted {
         Some(self.measure(theta, f64::NEG_INFINITY)?.log_likelihood)
     }
 
-    /// Newton steps by the average information (Gilmour, Thompson & Cullis 1995), in no more than the steps that are left, over the active components from the variances `from`, zero for the others; variances and
-    /// log-likelihood.
-    fn maximise(&self, active: &[bool], from: &[f64], left: &Cell<usize>) -> (Vec<f64>, f64) {
+    /// Newton steps by the average information (Gilmour, Thompson & Cullis 1995), in no more than the steps that are left, over the
+    /// active components from the variances `from`, zero for the others; variances and log-likelihood. Where that will stay far
+    /// below `whole`, how far is not worked out.
+    fn maximise(
+        &self,
+        active: &[bool],
+        from: &[f64],
+        left: &Cell<usize>,
+        whole: Option<f64>,
+    ) -> (Vec<f64>, f64) {
         let start = from.iter().zip(active);
         let mut theta: Vec<f64> = start.map(|(&t, &on)| if on { t } else { 0.0 }).collect();
         let mut at = match self.measure(&theta, f64::NEG_INFINITY) {
@@ -170,9 +138,16 @@ impl Restricted {
         };
         for _ in 0..STEPS.min(left.get()) {
             left.set(left.get() - 1);
-            let Some(step) = self.slopes(&at, active).step(&theta, active) else {
+            let slopes = self.slopes(&at, &theta, active);
+            let Some(step) = slopes.step(&theta, active) else {
                 break;
             };
+            let ahead: f64 = step.iter().zip(&slopes.score).map(|(a, b)| a * b).sum();
+            let is_far =
+                |whole: f64| 2.0 * (whole - at.log_likelihood) - AHEAD * ahead > FAR * WORTH_IT;
+            if whole.is_some_and(is_far) {
+                break;
+            }
             let mut factor = 1.0;
             let mut next = None;
             while factor > 1e-3 {
@@ -188,13 +163,14 @@ impl Restricted {
                 factor *= 0.3;
             }
             let Some((tried, measured)) = next else { break };
-            let moved = tried
-                .iter()
-                .zip(&theta)
+            let pairs = tried.iter().zip(&theta);
+            let moved = pairs
+                .clone()
                 .any(|(a, b)| (a - b).abs() > SETTLED * a.max(*b));
+            let gained = measured.log_likelihood - at.log_likelihood;
             theta = tried;
             at = measured;
-            if !moved {
+            if !moved || gained < NOTHING {
                 break;
             }
         }
@@ -203,165 +179,35 @@ impl Restricted {
 
     /// The log-likelihood; `None` where it is below `least`.
     fn measure(&self, theta: &[f64], least: f64) -> Option<Measured> {
-        let mut parts = Vec::with_capacity(self.parts.len());
-        let (mut log_determinant, mut square) = (0.0, 0.0);
-        let mut normal = Mat::<f64>::zeros(self.shared, self.shared);
-        let mut right = Mat::<f64>::zeros(self.shared, 1);
-        for part in &self.parts {
-            let q = part.z.nrows();
-            let mut v = Mat::<f64>::identity(q, q);
-            for (c, value) in part.covariances.iter().zip(theta) {
-                if *value > 0.0 {
-                    add_lower(&mut v, *value, c);
-                }
-            }
-            let factor = v.llt(Side::Lower).ok()?;
-            log_determinant += (0..q).map(|k| 2.0 * factor.L()[(k, k)].ln()).sum::<f64>();
-            let weighted = factor.solve(&part.z);
-            square += (part.z.transpose() * &weighted)[(0, 0)];
-            let shared = factor.solve(&part.shared);
-            normal += part.shared.transpose() * &shared;
-            right += part.shared.transpose() * &weighted;
-            parts.push(MeasuredPart {
-                factor,
-                weighted,
-                shared,
-            });
-        }
-        let common = match self.shared {
-            0 => None,
-            s => {
-                let factor = normal.llt(Side::Lower).ok()?;
-                log_determinant += (0..s).map(|k| 2.0 * factor.L()[(k, k)].ln()).sum::<f64>();
-                let taken = factor.solve(&right);
-                square -= (right.transpose() * &taken)[(0, 0)];
-                for part in &mut parts {
-                    part.weighted -= &part.shared * &taken;
-                }
-                Some(factor)
-            }
-        };
-        let mut log_likelihood = -0.5 * (log_determinant + square);
+        self.evaluations.set(self.evaluations.get() + 1);
+        let at = self.mixed.at(theta)?;
         let own: Vec<f64> = self.within.iter().map(|w| w.variance(theta)).collect();
-        for (w, v) in self.within.iter().zip(&own) {
-            log_likelihood -= 0.5 * (v.ln() + w.square / v);
-        }
-        if log_likelihood.is_nan() || log_likelihood < least {
-            return None;
-        }
-        Some(Measured {
+        let within = self.within.iter().zip(&own);
+        let within: f64 = within.map(|(w, v)| v.ln() + w.square / v).sum();
+        let log_likelihood = at.log_likelihood - 0.5 * within;
+        (log_likelihood >= least).then_some(Measured {
             log_likelihood,
-            parts,
-            common,
+            at,
             own,
         })
     }
 
     /// Derivatives of the log-likelihood, which the last point of a search is not asked for: half of the work.
-    fn slopes(&self, at: &Measured, active: &[bool]) -> Slopes {
-        let count = self.components;
-        let mut score = vec![0.0; count];
-        let mut information = vec![vec![0.0; count]; count];
-        // `Sᵀ V⁻¹ C_c P z` over all groups.
-        let mut of_shared: Vec<Mat<f64>> = vec![Mat::zeros(self.shared, 1); count];
-        for (part, at_part) in self.parts.iter().zip(&at.parts) {
-            let inverse = at_part.factor.inverse();
-            let moved: Vec<Option<Mat<f64>>> = part
-                .covariances
-                .iter()
-                .zip(active)
-                .map(|(c, on)| on.then(|| c * &at_part.weighted))
-                .collect();
-            for (i, own_moved) in moved.iter().enumerate() {
-                let Some(own_moved) = own_moved else { continue };
-                let mut trace = trace_of_product(&inverse, &part.covariances[i]);
-                if let Some(common) = &at.common {
-                    let c = &part.covariances[i];
-                    let through = at_part.shared.transpose() * (c * &at_part.shared);
-                    let inside = common.solve(&through);
-                    trace -= (0..self.shared).map(|k| inside[(k, k)]).sum::<f64>();
-                    of_shared[i] += at_part.shared.transpose() * own_moved;
-                }
-                let form = (at_part.weighted.transpose() * own_moved)[(0, 0)];
-                score[i] += 0.5 * (form - trace);
-                let through = at_part.factor.solve(own_moved);
-                for (j, other) in moved.iter().enumerate().take(i + 1) {
-                    let Some(other) = other else { continue };
-                    let sum = 0.5 * (other.transpose() * &through)[(0, 0)];
-                    information[i][j] += sum;
-                    if j < i {
-                        information[j][i] += sum;
-                    }
-                }
-            }
-        }
-        if let Some(common) = &at.common {
-            for i in 0..count {
-                let through = common.solve(&of_shared[i]);
-                for j in 0..count {
-                    information[i][j] -= 0.5 * (of_shared[j].transpose() * &through)[(0, 0)];
-                }
-            }
-        }
-        let own = &at.own;
-        for (w, v) in self.within.iter().zip(own) {
+    fn slopes(&self, at: &Measured, theta: &[f64], active: &[bool]) -> Slopes {
+        let mut slopes = self.mixed.slopes(&at.at, theta, active);
+        let count = active.len();
+        for (w, v) in self.within.iter().zip(&at.own) {
             for i in (0..count).filter(|&i| active[i]) {
                 let share = w.by_component[i] / v;
-                score[i] += 0.5 * share * (w.square / v - 1.0);
+                slopes.score[i] += 0.5 * share * (w.square / v - 1.0);
                 for j in (0..count).filter(|&j| active[j]) {
-                    information[i][j] += 0.5 * share * w.by_component[j] / v * (w.square / v);
+                    slopes.information[i][j] +=
+                        0.5 * share * w.by_component[j] / v * (w.square / v);
                 }
             }
         }
-        Slopes { score, information }
+        slopes
     }
-}
-
-/// Makes the shared columns of all groups together orthonormal; how many are left.
-fn make_orthonormal(parts: &mut [Part]) -> usize {
-    let rows = parts.iter().map(|part| part.z.nrows()).sum();
-    let count = parts.first().map_or(0, |part| part.shared.ncols());
-    let mut all = Mat::<f64>::zeros(rows, count);
-    let mut above = 0;
-    for part in parts.iter() {
-        let q = part.z.nrows();
-        all.as_mut().subrows_mut(above, q).copy_from(&part.shared);
-        above += q;
-    }
-    let basis = orthonormal_with_pivots(&all, RANK_TOLERANCE, &mut Vec::new());
-    above = 0;
-    for part in parts.iter_mut() {
-        let q = part.z.nrows();
-        part.shared = basis.as_ref().subrows(above, q).to_owned();
-        above += q;
-    }
-    basis.ncols()
-}
-
-/// The likelihood at some variances.
-struct Measured {
-    log_likelihood: f64,
-    parts: Vec<MeasuredPart>,
-    /// Of `Σ Sᵀ V⁻¹ S`; none where nothing is shared.
-    common: Option<Llt<f64>>,
-    /// Variances of the independent numbers.
-    own: Vec<f64>,
-}
-
-/// The same of one group of rows.
-struct MeasuredPart {
-    /// Of the covariance `V` of `z`.
-    factor: Llt<f64>,
-    /// `P z`: `V⁻¹ z` less what the shared columns take.
-    weighted: Mat<f64>,
-    /// `V⁻¹ S`.
-    shared: Mat<f64>,
-}
-
-/// First and second derivatives by the variances.
-struct Slopes {
-    score: Vec<f64>,
-    information: Vec<Vec<f64>>,
 }
 
 impl Slopes {
@@ -388,20 +234,6 @@ impl Slopes {
     }
 }
 
-/// `A += s B` on and below the diagonal, which is all that a Cholesky factor takes of a symmetric matrix.
-fn add_lower(a: &mut Mat<f64>, s: f64, b: &Mat<f64>) {
-    for k in 0..a.ncols() {
-        let below = a.col_as_slice_mut(k).iter_mut().zip(b.col_as_slice(k));
-        below.skip(k).for_each(|(a, b)| *a += s * b);
-    }
-}
-
-/// `tr(A B)` of symmetric matrices.
-fn trace_of_product(a: &Mat<f64>, b: &Mat<f64>) -> f64 {
-    let columns = a.col_iter().zip(b.col_iter());
-    columns.map(|(a, b)| a.transpose() * b).sum()
-}
-
 /// An orthonormal basis (`m × (m − n)`) of what is orthogonal to the columns of `J`.
 pub fn left_null_space(jacobian: &Mat<f64>) -> Mat<f64> {
     let (m, n) = (jacobian.nrows(), jacobian.ncols());
@@ -411,11 +243,14 @@ pub fn left_null_space(jacobian: &Mat<f64>) -> Mat<f64> {
 
 #[cfg(test)]
 mod tests {
-    use rand::SeedableRng;
-    use rand_distr::{Distribution, StandardNormal};
+    use recording::intervals::{Detector, segment};
+    use simulate::Spec;
 
+    use super::dense::Dense;
     use super::*;
-    use crate::methods::joint::blocks::groups::RowGroups;
+    use crate::methods::joint::blocks::covariance::Covariance;
+    use crate::methods::joint::noise::weights::Form;
+    use crate::methods::joint::{JointFit, JointRequest, fit_joint};
 
     #[test]
     fn the_left_null_space_is_orthogonal_to_every_column() {
@@ -426,66 +261,161 @@ mod tests {
         assert!((null.transpose() * &null - Mat::<f64>::identity(4, 4)).norm_max() < 1e-14);
     }
 
+    /// The device of all recordings.
+    const DEVICE: [(&str, f64); 15] = [
+        ("accel.s_x", 1.01),
+        ("accel.s_y", 0.995),
+        ("accel.s_z", 1.004),
+        ("accel.alpha_yz", 3e-3),
+        ("accel.alpha_zy", -2e-3),
+        ("accel.alpha_zx", 1e-3),
+        ("accel.b_x", 0.1),
+        ("accel.b_y", -0.15),
+        ("accel.b_z", 0.2),
+        ("gyro.s_x", 1.005),
+        ("gyro.s_y", 0.99),
+        ("gyro.s_z", 1.01),
+        ("gyro.b_x", 2e-3),
+        ("gyro.b_y", -3e-3),
+        ("gyro.b_z", 4e-3),
+    ];
+
+    /// Recordings of a gyroscope that feels the specific force, fitted without that.
+    fn fit(recordings: u64, placements: usize) -> JointFit {
+        let of = |seed: u64| {
+            let mut spec = Spec::hand_held(seed);
+            spec.motion = simulate::Motion::HandHeld(simulate::HandHeld {
+                placements: Some(placements),
+                ..simulate::HandHeld::default()
+            });
+            spec.accelerometer.random_walk = 1e-4;
+            spec.parameters
+                .extend(DEVICE.map(|(name, value)| (name.to_owned(), value)));
+            let effect = spec.effects.entry("gyro_g_sensitivity".into()).or_default();
+            effect.extend([("xx", 3e-4), ("yz", -1.5e-4)].map(|(k, v)| (k.to_owned(), v)));
+            let recording = spec.run().unwrap().recording;
+            let segmentation = segment(&recording, &Detector::default()).unwrap();
+            (recording, segmentation)
+        };
+        let all: Vec<_> = (1..=recordings).map(of).collect();
+        let pairs = all.iter().map(|(r, s)| (r, s)).collect();
+        fit_joint(&JointRequest::new(pairs, 9.80665)).unwrap()
+    }
+
     #[test]
-    fn the_variance_of_independent_residuals_has_its_closed_form() {
-        // One component C = I with 1 + θ = Σ z²/q at the maximum.
-        let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(5);
-        let z: Vec<f64> = (0..300)
-            .map(|_| {
-                let v: f64 = StandardNormal.sample(&mut random);
-                2.0 * v
+    fn what_is_passed_on_is_the_covariance() {
+        let fit = fit(2, 12);
+        let all = fit
+            .components
+            .iter()
+            .chain(&fit.flickering().0)
+            .cloned()
+            .collect::<Vec<_>>();
+        assert!(
+            all.iter().any(|c| c.form.chain().is_none()),
+            "no pattern was allowed for"
+        );
+        for component in all {
+            let Some(chain) = component.form.chain() else {
+                continue;
+            };
+            let (passed, whole) = (chain.to_dense(), component.covariance.to_dense());
+            let most = whole.norm_max();
+            for i in 0..whole.nrows() {
+                for k in 0..whole.ncols() {
+                    let error = passed[(i, k)] - whole[(i, k)];
+                    assert!(error.abs() < 1e-9 * most, "{:?} {i} {k}", component.kind);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_likelihood_and_its_slopes_are_those_of_dense_matrices() {
+        let fit = fit(2, 12);
+        let (flickering, _) = fit.flickering();
+        let flicker = flickering.iter().filter(|c| c.kind.is_flicker()).take(4);
+        let all: Vec<&Component> = fit.components.iter().chain(flicker).collect();
+        let covariances: Vec<Covariance> = all
+            .iter()
+            .map(|c| match &c.form {
+                Form::Passed(_) => c.covariance.clone(),
+                Form::Columns(columns) => Covariance::of_columns(columns),
             })
             .collect();
-        let closed = z.iter().map(|v| v * v).sum::<f64>() / 300.0 - 1.0;
-        let restricted = Restricted::alone(&z, vec![Mat::identity(300, 300)]);
-        assert!((restricted.variances(&[false])[0] / closed - 1.0).abs() < 2e-3);
-    }
-
-    #[test]
-    fn a_component_that_is_not_there_is_left_out() {
-        let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(6);
-        let z: Vec<f64> = (0..200)
-            .map(|_| StandardNormal.sample(&mut random))
-            .collect();
-        let walk = Mat::from_fn(200, 200, |i, j| (i.min(j) + 1) as f64);
-        let restricted = Restricted::alone(&z, vec![walk]);
-        assert_eq!(restricted.variances(&[false]), [0.0]);
-    }
-
-    #[test]
-    fn recordings_by_themselves_have_the_likelihood_of_all_rows_together() {
-        let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(7);
-        let r: Vec<f64> = (0..60)
-            .map(|_| StandardNormal.sample(&mut random))
-            .collect();
-        let whole = Mat::from_fn(60, 6, |i, k| {
-            let value = ((i * 7 + k * 5 + i * k) % 11) as f64 - 5.0;
-            if k < 2 || i / 30 == k / 4 { value } else { 0.0 }
-        });
-        let walk = Mat::from_fn(30, 30, |i, j| 0.1 * (i.min(j) + 1) as f64);
-        let blocks = [0, 30].map(|first| ((first..first + 30).collect(), walk.clone()));
-        let walk = Covariance::of_blocks(60, blocks.into());
-        let scatter = Covariance::of_blocks(60, vec![((5..35).collect(), Mat::identity(30, 30))]);
-        let groups = RowGroups::new((0..60).map(|i| i / 30).collect());
-        let likelihood = |groups: &RowGroups, all: &[&Covariance], theta: &[f64]| {
-            let jacobian = Columns::cut(&whole, groups);
-            Restricted::new(&r, &jacobian, all)
-                .log_likelihood(theta)
-                .unwrap()
+        let covariances: Vec<&Covariance> = covariances.iter().collect();
+        let (r, j) = (&fit.white_residuals, &fit.white_jacobian);
+        let (quick, dense) = (Restricted::new(r, j, &all), Dense::new(r, j, &covariances));
+        // As much of every component as makes the largest diagonal one or a hundredth.
+        let sizes = |by: f64| -> Vec<f64> {
+            let largest = covariances
+                .iter()
+                .map(|c| c.diagonal().fold(1e-300, f64::max));
+            largest
+                .enumerate()
+                .map(|(k, d)| by / (1.0 + k as f64) / d)
+                .collect()
         };
-        let one = RowGroups::whole(60);
-        let change = |groups: &RowGroups| {
-            likelihood(groups, &[&walk], &[0.7]) - likelihood(groups, &[&walk], &[0.0])
-        };
-        assert!((change(&groups) - change(&one)).abs() < 1e-10);
-        let both = [&walk, &scatter];
-        let [a, b] = [&groups, &one]
-            .map(|g| Restricted::new(&r, &Columns::cut(&whole, g), &both).variances(&[true, true]));
-        for (a, b) in a.iter().zip(&b) {
-            assert!((a - b).abs() < 1e-6 * (1.0 + b), "{a} {b}");
+        let none = vec![0.0; all.len()];
+        let constant = quick.log_likelihood(&none).unwrap() - dense.log_likelihood(&none).unwrap();
+        let active = vec![true; all.len()];
+        for theta in [sizes(0.01), sizes(1.0), sizes(100.0)] {
+            let at = quick.measure(&theta, f64::NEG_INFINITY).unwrap();
+            let exact = dense.log_likelihood(&theta).unwrap();
+            let error = at.log_likelihood - exact - constant;
+            // Errors of columns are not quite zero where they are zero.
+            assert!(
+                error.abs() < 1e-3 * (1.0 + exact.abs()).sqrt(),
+                "{error} of {exact}"
+            );
+            let slopes = quick.slopes(&at, &theta, &active);
+            let (score, information) = dense.derivatives(&theta, &active);
+            for i in 0..all.len() {
+                let scale = information[i][i].sqrt();
+                let error = slopes.score[i] - score[i];
+                assert!(
+                    error.abs() < 1e-4 * (scale + score[i].abs()),
+                    "{:?}",
+                    all[i].kind
+                );
+                for k in 0..all.len() {
+                    let scale = scale * information[k][k].sqrt();
+                    let error = slopes.information[i][k] - information[i][k];
+                    assert!(
+                        error.abs() < 1e-5 * scale,
+                        "{:?} {:?}",
+                        all[i].kind,
+                        all[k].kind
+                    );
+                }
+            }
         }
-        let [a, b] = [&groups, &one]
-            .map(|g| Restricted::new(&r, &Columns::cut(&whole, g), &[&walk]).variances(&[true]));
-        assert!((a[0] - b[0]).abs() < 1e-6 * b[0].max(1e-3), "{a:?} {b:?}");
+    }
+
+    #[test]
+    fn work_grows_with_the_recordings_and_no_faster() {
+        let work = |recordings: u64| {
+            let fit = fit(recordings, 12);
+            let all: Vec<&Component> = fit.components.iter().collect();
+            assert!(
+                all.iter().any(|c| c.form.chain().is_none()),
+                "no pattern was allowed for"
+            );
+            // Rows that are factored together are those of one recording.
+            assert_eq!(fit.whitening.groups().iter().len(), recordings as usize);
+            let quick = Restricted::new(&fit.white_residuals, &fit.white_jacobian, &all);
+            let none = vec![0.0; all.len()];
+            let kept: Vec<bool> = all.iter().map(|c| c.kind.is_noise()).collect();
+            quick.variances(&kept, &none);
+            (quick.evaluations.get() as f64, quick.work())
+        };
+        let (two, eight) = (work(2), work(8));
+        assert!(
+            eight.0 <= 1.5 * two.0 + 10.0,
+            "{} and {} evaluations",
+            two.0,
+            eight.0
+        );
+        assert!(eight.1 <= 4.4 * two.1, "{} and {} products", two.1, eight.1);
     }
 }

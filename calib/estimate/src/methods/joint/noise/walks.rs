@@ -1,13 +1,8 @@
 //! Expected densities of random walks: the restricted likelihood, group by group of rows.
 
-use std::sync::Arc;
-
-use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
-use faer::{Mat, Par, Side};
-
-use crate::methods::joint::blocks::arrow::{Arrow, Places, lower_gram};
+use super::mixed::{Mixed, Part};
+use super::weights::Component;
 use crate::methods::joint::blocks::columns::Columns;
-use crate::methods::joint::blocks::covariance::{Covariance, independent};
 
 /// Prior chance of no walk at all, over that of any. Every inertial sensor's bias walks, if often too little for a recording to
 /// show it: with as much chance on none as on any, one of 120 stated errors of effects that go with time was more than four
@@ -30,101 +25,31 @@ const DOUBLINGS: usize = 12;
 const ROUNDS: usize = 4;
 const SETTLED: f64 = 0.02;
 
-/// Pivots of the normal equations (unit columns) below this are combinations that nothing determines.
-const UNDETERMINED: f64 = 1e-11;
-
-/// Residuals and Jacobian under the covariance `I + Σ θ_c C_c`, cut into the groups of rows that share no
-/// noise: of `k` rows each, a factorisation costs `Σ k³` instead of `m³`.
+/// Residuals and Jacobian under noise of which the densities of the walks are not known.
 #[derive(Clone, Debug)]
 pub struct Walks {
-    groups: Vec<Group>,
-    /// Which columns belong to which recording.
-    places: Arc<Places>,
-    /// Number of columns of the Jacobian.
-    columns: usize,
+    mixed: Mixed,
     /// Number of walks.
     walks: usize,
-}
-
-/// Rows that share noise with each other only.
-#[derive(Clone, Debug)]
-struct Group {
-    /// The group of rows in the Jacobian that these are part of.
-    recording: usize,
-    /// The columns of the Jacobian that are not zero here.
-    columns: Vec<usize>,
-    /// These columns and the residuals (`k × (c + 1)`).
-    bordered: Mat<f64>,
-    /// What is always there besides the identity (`k × k`).
-    fixed: Option<Mat<f64>>,
-    /// `C_c` of every walk here (`k × k`); `None` where its rows do not feel it.
-    walks: Vec<Option<Mat<f64>>>,
-}
-
-/// `log |V|` of a group and the lower triangle of `[J r]ᵀ V⁻¹ [J r]`.
-#[derive(Clone, Debug)]
-struct Part {
-    log_determinant: f64,
-    gram: Mat<f64>,
-}
-
-/// What groups add up to.
-#[derive(Clone, Debug)]
-struct Sum {
-    /// `JᵀV⁻¹J`.
-    normal: Arrow,
-    /// `JᵀV⁻¹r`.
-    right: Vec<f64>,
-    /// `rᵀV⁻¹r`.
-    square: f64,
-    /// `log |V|`.
-    log_determinant: f64,
+    /// Variances of what is always there besides the white noise.
+    fixed: Vec<f64>,
 }
 
 impl Walks {
-    /// Of residuals (`m`) and a Jacobian (`m × n`), both whitened by the white noise, with the covariances of
-    /// walks of unit density and a covariance that is `fixed`.
+    /// Of residuals (`m`) and a Jacobian (`m × n`), both whitened by the white noise, with walks of unit density and other
+    /// noise of a `fixed` variance.
     pub fn new(
         residuals: &[f64],
         jacobian: &Columns,
-        walks: &[&Covariance],
-        fixed: Option<&Covariance>,
+        walks: &[&Component],
+        fixed: &[(&Component, f64)],
     ) -> Self {
-        let all: Vec<&Covariance> = walks.iter().copied().chain(fixed).collect();
-        let connected = jacobian.groups().connected_by(all.iter().copied());
-        let jacobian = jacobian.clone().regrouped(&connected);
-        let scales = jacobian.norms();
-        let part = |c: &Covariance, rows: &[usize]| {
-            let own = c.part(rows)?;
-            (own.norm_max() > 0.0).then_some(own)
-        };
-        let groups = independent(&all, residuals.len()).into_iter().map(|rows| {
-            let recording = rows.first().map_or(0, |&row| connected.of(row));
-            let own = &jacobian.parts()[recording];
-            let places = rows
-                .iter()
-                .filter_map(|row| own.rows.binary_search(row).ok());
-            let places: Vec<usize> = places.collect();
-            let used: Vec<usize> = (0..own.columns.len())
-                .filter(|&k| places.iter().any(|&i| own.values[(i, k)] != 0.0))
-                .collect();
-            let bordered = Mat::from_fn(rows.len(), used.len() + 1, |i, k| match used.get(k) {
-                Some(&k) => own.values[(places[i], k)] / scales[own.columns[k]],
-                None => residuals[rows[i]],
-            });
-            Group {
-                recording,
-                bordered,
-                fixed: fixed.and_then(|c| part(c, &rows)),
-                walks: walks.iter().map(|c| part(c, &rows)).collect(),
-                columns: used.into_iter().map(|k| own.columns[k]).collect(),
-            }
-        });
+        let others = fixed.iter().map(|(component, _)| *component);
+        let all: Vec<&Component> = walks.iter().copied().chain(others).collect();
         Self {
-            groups: groups.collect(),
-            places: Arc::new(Places::of(&jacobian)),
-            columns: scales.len(),
+            mixed: Mixed::new(residuals, jacobian, &all),
             walks: walks.len(),
+            fixed: fixed.iter().map(|(_, variance)| *variance).collect(),
         }
     }
 
@@ -136,10 +61,11 @@ impl Walks {
     /// as if it were none is then wrong by a factor of two. The average is calibrated either way.
     pub fn expected(&self, usual: &[f64], none: f64, from: &[f64]) -> Vec<f64> {
         let none_at_all = vec![0.0; self.walks];
-        let parts = |theta: &[f64]| -> Option<Vec<Part>> {
-            self.groups.iter().map(|g| g.part(theta)).collect()
+        let begun = |walks: &[f64]| {
+            let theta = [walks, &self.fixed].concat();
+            let parts = self.parts(&theta)?;
+            Some((theta, parts))
         };
-        let begun = |theta: &[f64]| Some((theta.to_vec(), parts(theta)?));
         let Some((mut theta, mut parts)) = begun(from).or_else(|| begun(&none_at_all)) else {
             return none_at_all;
         };
@@ -161,93 +87,49 @@ impl Walks {
                 }
             }
         }
+        theta.truncate(self.walks);
         theta
+    }
+
+    fn parts(&self, theta: &[f64]) -> Option<Vec<Part>> {
+        (0..self.mixed.lines())
+            .map(|line| self.mixed.part(line, theta))
+            .collect()
     }
 
     /// The expected variance of walk `c`.
     fn average(&self, c: usize, theta: &[f64], prior: (f64, f64), parts: &[Part]) -> f64 {
-        let (mut still, mut moved) = (self.nothing(), Vec::new());
-        for (group, part) in self.groups.iter().zip(parts) {
-            match group.walks[c] {
-                Some(_) => moved.push(group),
-                None => still.add(group, part),
+        let (mut still, mut moved) = (self.mixed.nothing(), Vec::new());
+        for (line, part) in parts.iter().enumerate() {
+            if self.mixed.feels(line, c) {
+                moved.push(line);
+            } else {
+                self.mixed.add(&mut still, line, part, theta);
             }
         }
         expected_square(prior, |size| {
             let mut theta = theta.to_vec();
             theta[c] = size * size;
             let mut sum = still.clone();
-            for group in &moved {
-                let Some(part) = group.part(&theta) else {
+            for &line in &moved {
+                let Some(part) = self.mixed.part(line, &theta) else {
                     return f64::NEG_INFINITY;
                 };
-                sum.add(group, &part);
+                self.mixed.add(&mut sum, line, &part, &theta);
             }
-            sum.log_likelihood()
+            self.mixed.log_likelihood(sum)
         })
     }
 
     /// Works out anew what walk `c` changes; `false` where that fails.
     fn update(&self, c: usize, theta: &[f64], parts: &mut [Part]) -> bool {
-        let touched = self.groups.iter().zip(parts);
-        touched
-            .filter(|(group, _)| group.walks[c].is_some())
-            .all(|(group, part)| group.part(theta).map(|new| *part = new).is_some())
-    }
-
-    fn nothing(&self) -> Sum {
-        Sum {
-            normal: Arrow::zeros(&self.places),
-            right: vec![0.0; self.columns],
-            square: 0.0,
-            log_determinant: 0.0,
-        }
-    }
-}
-
-impl Sum {
-    fn add(&mut self, group: &Group, part: &Part) {
-        let last = group.columns.len();
-        self.normal.add(group.recording, &group.columns, &part.gram);
-        for (k, &column) in group.columns.iter().enumerate() {
-            self.right[column] += part.gram[(last, k)];
-        }
-        self.square += part.gram[(last, last)];
-        self.log_determinant += part.log_determinant;
-    }
-
-    /// `−½ (log |V| + log |JᵀV⁻¹J| + rᵀ P r)`, up to a constant.
-    fn log_likelihood(&self) -> f64 {
-        // A unit prior of no weight: combinations that nothing determines stay what they are.
-        let Some(factor) = self.normal.factor(UNDETERMINED) else {
-            return f64::NEG_INFINITY;
-        };
-        let (own, shared) = factor.forward(&self.right);
-        let solved = own.iter().map(|own| own.squared_norm_l2()).sum::<f64>();
-        let pivots: f64 = factor.pivots().map(|pivot| 2.0 * pivot.ln()).sum();
-        let explained = solved + shared.squared_norm_l2();
-        -0.5 * (self.log_determinant + pivots + self.square - explained)
-    }
-}
-
-impl Group {
-    fn part(&self, theta: &[f64]) -> Option<Part> {
-        let k = self.bordered.nrows();
-        let mut v = Mat::<f64>::identity(k, k);
-        if let Some(fixed) = &self.fixed {
-            v += fixed;
-        }
-        for (walk, variance) in self.walks.iter().zip(theta) {
-            if let Some(c) = walk.as_ref().filter(|_| *variance > 0.0) {
-                v += faer::Scale(*variance) * c;
-            }
-        }
-        let factor = v.llt(Side::Lower).ok()?;
-        let mut whitened = self.bordered.clone();
-        solve_lower_triangular_in_place(factor.L(), whitened.as_mut(), Par::Seq);
-        Some(Part {
-            log_determinant: (0..k).map(|i| 2.0 * factor.L()[(i, i)].ln()).sum(),
-            gram: lower_gram(whitened.as_ref()),
+        let mut touched = parts
+            .iter_mut()
+            .enumerate()
+            .filter(|(line, _)| self.mixed.feels(*line, c));
+        touched.all(|(line, part)| {
+            let new = self.mixed.part(line, theta);
+            new.map(|new| *part = new).is_some()
         })
     }
 }
@@ -299,15 +181,49 @@ fn mean_square(points: &[(f64, f64, f64)]) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
+    use faer::{Mat, Par, Side};
+    use nalgebra::DMatrix;
     use rand::SeedableRng;
     use rand_distr::{Distribution, StandardNormal};
 
     use super::*;
-    use crate::methods::joint::Restricted;
+    use crate::methods::joint::blocks::covariance::Covariance;
     use crate::methods::joint::blocks::groups::RowGroups;
+    use crate::methods::joint::noise::chain::{Chain, Link};
+    use crate::methods::joint::noise::likelihood::dense::Dense;
+    use crate::methods::joint::noise::stations::Stations;
+    use crate::methods::joint::noise::weights::{ComponentKind, Form};
+
+    /// A walk of unit steps from row to row.
+    fn walk(groups: &RowGroups, rows: std::ops::Range<usize>) -> Component {
+        let one = |value: f64| DMatrix::from_element(1, 1, value);
+        let first = rows.start;
+        let link = |row: usize| {
+            let square = (row - first + 1) as f64;
+            let link = Link {
+                own: one(square),
+                gives: one(1.0),
+                takes: one(square),
+                keeps: vec![1.0],
+            };
+            (row, link)
+        };
+        let stations = Stations::single(groups);
+        let count = rows.len();
+        let values = Mat::from_fn(count, count, |i, k| (i.min(k) + 1) as f64);
+        Component {
+            kind: ComponentKind::GyroscopeWalk,
+            covariance: Covariance::of_blocks(
+                groups.rows(),
+                vec![(rows.clone().collect(), values)],
+            ),
+            form: Form::Passed(Chain::of_links(&stations, 1, rows.map(link))),
+        }
+    }
 
     /// Two groups of thirty rows with a walk each, one column across both and one in each.
-    fn example() -> (Vec<f64>, Columns, [Covariance; 2]) {
+    fn example() -> (Vec<f64>, Columns, [Component; 2]) {
         let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(8);
         let r = (0..60).map(|_| StandardNormal.sample(&mut random));
         let jacobian = Mat::from_fn(60, 3, |i, k| match k {
@@ -315,48 +231,19 @@ mod tests {
             1 => f64::from(u8::from(i < 30)),
             _ => f64::from(u8::from(i >= 30)) * (i as f64 - 45.0),
         });
-        let walk = |first: usize| {
-            let values = Mat::from_fn(30, 30, |i, k| (i.min(k) + 1) as f64);
-            Covariance::of_blocks(60, vec![((first..first + 30).collect(), values)])
-        };
         let groups = RowGroups::new((0..60).map(|i| i / 30).collect());
         let jacobian = Columns::cut(&jacobian, &groups);
-        (r.collect(), jacobian, [walk(0), walk(30)])
-    }
-
-    #[test]
-    fn the_likelihood_by_groups_differs_from_that_of_the_null_space_by_a_constant() {
-        let (r, jacobian, [a, b]) = example();
-        let walks = Walks::new(&r, &jacobian, &[&a, &b], None);
-        let whole = Restricted::new(&r, &jacobian, &[&a, &b]);
-        let parts = |theta: &[f64]| -> Vec<Part> {
-            walks
-                .groups
-                .iter()
-                .map(|g| g.part(theta).unwrap())
-                .collect()
-        };
-        let difference = |theta: &[f64]| {
-            let mut sum = walks.nothing();
-            let parts = parts(theta);
-            let all = walks.groups.iter().zip(&parts);
-            all.for_each(|(group, part)| sum.add(group, part));
-            sum.log_likelihood() - whole.log_likelihood(theta).unwrap()
-        };
-        let constant = difference(&[0.0, 0.0]);
-        for theta in [[0.1, 0.0], [0.0, 0.3], [1.0, 1e-3]] {
-            // What holds up undetermined combinations adds 1e-11 to pivots of a hundredth.
-            assert!((difference(&theta) - constant).abs() < 1e-7);
-        }
+        let walks = [walk(&groups, 0..30), walk(&groups, 30..60)];
+        (r.collect(), jacobian, walks)
     }
 
     #[test]
     fn the_average_is_that_of_a_finer_grid() {
         let (r, jacobian, [a, b]) = example();
-        let walks = Walks::new(&r, &jacobian, &[&a, &b], None);
+        let walks = Walks::new(&r, &jacobian, &[&a, &b], &[]);
         let usual = [0.3, 0.3];
         let found = walks.expected(&usual, 1.0, &[0.0, 0.0]);
-        let whole = Restricted::new(&r, &jacobian, &[&a, &b]);
+        let whole = Dense::new(&r, &jacobian, &[&a.covariance, &b.covariance]);
         let fine: Vec<(f64, f64, f64)> = (0..=400)
             .map(|k| {
                 let size = 0.3 * (f64::from(k) - 0.5).max(0.0) / 400.0;
@@ -379,11 +266,12 @@ mod tests {
     fn drifts(none: f64, draws: u32, moved: f64) -> Vec<f64> {
         let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(9);
         let rows = 24;
+        let groups = RowGroups::whole(rows);
+        let component = walk(&groups, 0..rows);
         let walk = Mat::from_fn(rows, rows, |i, k| (i.min(k) + 1) as f64);
         let density = moved / (rows as f64).sqrt();
         let jacobian = Mat::from_fn(rows, 2, |i, k| if k == 0 { 1.0 } else { i as f64 });
-        let covariance = Covariance::of_blocks(rows, vec![((0..rows).collect(), walk.clone())]);
-        let cut = Columns::cut(&jacobian, &RowGroups::whole(rows));
+        let cut = Columns::cut(&jacobian, &groups);
         let drift = |_| {
             let mut walked = 0.0;
             let r = Mat::from_fn(rows, 1, |_, _| {
@@ -392,7 +280,7 @@ mod tests {
                 walked += density * step;
                 walked + white
             });
-            let walks = Walks::new(r.col_as_slice(0), &cut, &[&covariance], None);
+            let walks = Walks::new(r.col_as_slice(0), &cut, &[&component], &[]);
             let usual = [3.0 / (rows as f64).sqrt()];
             let variance = walks.expected(&usual, none, &[0.0])[0];
             let v = Mat::<f64>::identity(rows, rows) + faer::Scale(variance) * &walk;

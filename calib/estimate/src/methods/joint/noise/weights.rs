@@ -5,6 +5,7 @@ use faer::{Mat, MatMut, Par, Side};
 use gyroscope::EARTH_RATE;
 use nalgebra::DMatrix;
 
+use super::chain::Chain;
 use super::exposure::Exposure;
 use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::blocks::columns::Columns;
@@ -156,8 +157,29 @@ impl White {
 pub struct Component {
     /// What it is.
     pub kind: ComponentKind,
-    /// `L⁻¹ C L⁻ᵀ` (`m × m`).
+    /// `L⁻¹ C L⁻ᵀ` (`m × m`) within the recordings; nothing of an error that all recordings share.
     pub covariance: Covariance,
+    /// The same in the form that takes time in proportion to the rows.
+    pub form: Form,
+}
+
+/// The form of a covariance.
+#[derive(Clone, Debug)]
+pub enum Form {
+    /// What is passed on along the recordings.
+    Passed(Chain),
+    /// `U Uᵀ` of a few columns.
+    Columns(Columns),
+}
+
+impl Form {
+    /// What is passed on.
+    pub fn chain(&self) -> Option<&Chain> {
+        match self {
+            Self::Passed(chain) => Some(chain),
+            Self::Columns(_) => None,
+        }
+    }
 }
 
 /// Kinds of noise that are estimated from the fit's own residuals.

@@ -2,14 +2,16 @@
 
 use sensor::Sensor;
 
-use super::analysis::{Analysis, shared, turn_rows};
+use super::analysis::{Analysis, identity, turn_rows, walk};
+use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::blocks::covariance::Covariance;
 use crate::methods::joint::data::Chunk;
 use crate::methods::joint::disturbance::Suspect;
-use crate::methods::joint::noise::exposure::{Exposure, covariance};
+use crate::methods::joint::noise::chain::Chain;
+use crate::methods::joint::noise::exposure::Exposure;
 use crate::methods::joint::noise::likelihood::Restricted;
-use crate::methods::joint::noise::weights::{Component, ComponentKind, NoiseLevel, White};
+use crate::methods::joint::noise::weights::{Component, ComponentKind, Form, NoiseLevel, White};
 use crate::methods::joint::result::left::Left;
 use crate::methods::joint::rows::Rows;
 use crate::methods::small_sample::{LEAST_SPARE, by_chance};
@@ -93,11 +95,11 @@ impl Analysis {
         levels: &[NoiseLevel],
     ) -> bool {
         let before = self.components.len();
-        let (jacobian, r) = self.whitened(known, &self.whitening(levels));
-        if self.is_quiet(rows, &r) {
+        let whitened = self.whitened(known, levels);
+        if self.is_quiet(rows, &whitened.residuals) {
             return false;
         }
-        let left = Left::of(&jacobian, &r);
+        let left = Left::of(&whitened.columns, &whitened.residuals);
         for (kind, groups) in groups(rows) {
             if self.components.iter().any(|c| c.kind == kind) {
                 continue;
@@ -128,12 +130,37 @@ impl Analysis {
     }
 
     fn allow(&mut self, rows: &Rows<'_>, kind: ComponentKind, groups: &[Vec<usize>]) {
-        let covariance = if kind == ComponentKind::RateScatter {
-            Covariance::of_columns(&self.rate_shifts(rows))
-        } else {
-            self.white.both_sides(&shared(groups, kind, rows.count()))
+        let component = match kind {
+            ComponentKind::RateScatter => self.shared_by_rests(kind, &self.rate_shifts(rows)),
+            ComponentKind::ForceScatter => {
+                let shifts: Vec<Column> = groups.iter().flat_map(|rows| by_axis(rows)).collect();
+                let shifts = self.white.sparse(&shifts.iter().collect::<Vec<_>>());
+                self.shared_by_rests(kind, &shifts)
+            }
+            _ => self.of_each_turn(kind, rows),
         };
-        self.components.push(Component { kind, covariance });
+        self.components.push(component);
+    }
+
+    /// Scatter of what every rest shifts, `columns` of it whitened by the white noise.
+    fn shared_by_rests(&self, kind: ComponentKind, columns: &Columns) -> Component {
+        Component {
+            kind,
+            covariance: Covariance::of_columns(columns),
+            form: Form::Passed(Chain::of_columns(&self.stations, columns)),
+        }
+    }
+
+    /// Scatter of the turns.
+    pub(super) fn of_each_turn(&self, kind: ComponentKind, rows: &Rows<'_>) -> Component {
+        let covariance = self
+            .white
+            .both_sides(&identity(&turn_rows(rows), rows.count()));
+        Component {
+            form: Form::Passed(Chain::of_each(&self.stations, &covariance)),
+            covariance,
+            kind,
+        }
     }
 
     /// Lets the walk of the accelerometer's bias begin anew in every rest, unless the rows, whose columns `taken` are
@@ -150,10 +177,11 @@ impl Analysis {
         if rows.spare_placements() < LEAST_SPARE {
             return;
         }
-        let within = Component {
-            kind: ComponentKind::AccelerometerWalk,
-            covariance: walk_within_rests(rows, &self.white),
-        };
+        let within = walk(
+            ComponentKind::AccelerometerWalk,
+            &exposures_within_rests(rows, &self.white),
+            &self.stations,
+        );
         let is_walk = |c: &Component| c.kind == ComponentKind::AccelerometerWalk;
         let Some(place) = self.components.iter().position(is_walk) else {
             return;
@@ -171,17 +199,13 @@ impl Analysis {
     fn likelihood_of_noise(&self, taken: &Columns) -> f64 {
         let own = self.components.iter();
         let own = own.filter(|c| c.kind.is_walk() || !c.kind.is_noise());
-        let own: Vec<&Covariance> = own
-            .filter(|c| !c.kind.is_of_orientation())
-            .map(|c| &c.covariance)
-            .collect();
+        let own: Vec<&Component> = own.filter(|c| !c.kind.is_of_orientation()).collect();
         Restricted::new(&self.residuals, taken, &own).highest()
     }
 }
 
-/// The covariance of a walk of the accelerometer's bias, of unit density, that is none at the begin of every
-/// rest; whitened by the white noise.
-fn walk_within_rests(rows: &Rows<'_>, white: &White) -> Covariance {
+/// How the rows feel a walk of the accelerometer's bias that is none at the begin of every rest; whitened by the white noise.
+fn exposures_within_rests(rows: &Rows<'_>, white: &White) -> Vec<Exposure> {
     let exposure = |(k, (_, chunk)): (usize, (usize, &Chunk))| {
         let span = chunk.accelerometer?.span;
         let begin = rows.data.rests[chunk.rest].span.from;
@@ -191,8 +215,17 @@ fn walk_within_rests(rows: &Rows<'_>, white: &White) -> Covariance {
         Some(white.exposure(&of_mean))
     };
     let means = rows.means(Sensor::Accelerometer).enumerate();
-    let exposures: Vec<Exposure> = means.filter_map(exposure).collect();
-    covariance(&exposures, rows.count())
+    means.filter_map(exposure).collect()
+}
+
+/// What a shift of a rest on each axis does to its rows of the accelerometer, unit columns.
+fn by_axis(rows: &[usize]) -> [Column; 3] {
+    [0, 1, 2].map(|axis| {
+        let mut column = Column::none();
+        let own = rows.iter().filter(|row| *row % 3 == axis);
+        own.for_each(|&row| column.set(row, 1.0));
+        column
+    })
 }
 
 /// The rows of every rest, by sensor, and of every turn.

@@ -7,10 +7,12 @@ use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::blocks::covariance::Covariance;
 use crate::methods::joint::disturbance::Suspect;
 use crate::methods::joint::disturbance::trial::Trial;
+use crate::methods::joint::noise::chain::Chain;
 use crate::methods::joint::noise::exposure::{Exposure, covariance};
 use crate::methods::joint::noise::rows::RowNoise;
+use crate::methods::joint::noise::stations::Stations;
 use crate::methods::joint::noise::weights::{
-    Component, ComponentKind, NoiseLevel, White, Whitening, weighing,
+    Component, ComponentKind, Form, NoiseLevel, White, Whitening, weighing,
 };
 use crate::methods::joint::rows::{Linear, Rows};
 
@@ -29,6 +31,8 @@ pub struct Analysis {
     pub(super) orientation: Vec<(ComponentKind, Columns)>,
     /// What is known to be in the noise by unit sizes, whitened by the white noise (`m × q` each).
     pub(super) carried: Vec<Columns>,
+    /// The rows in the order in which the biases pass them.
+    pub stations: Stations,
     /// How the gyroscope's means, then the turns, feel its bias.
     pub(super) rate_exposures: Vec<Exposure>,
     /// Whether the walk of the accelerometer's bias begins anew in every rest.
@@ -40,26 +44,33 @@ impl Analysis {
     pub fn new(rows: &Rows<'_>, linear: &Linear, noise: &RowNoise, free: &[usize]) -> Self {
         let white = White::new(noise, rows.first_turn_row());
         let (residuals, jacobian) = linear.whitened_by(free, &white);
+        let stations = rows.stations(noise);
         Self {
             residuals,
             jacobian,
             orientation: Vec::new(),
             carried: Vec::new(),
-            components: walks(noise, &white),
+            components: walks(noise, &white, &stations),
+            stations,
             rate_exposures: whitened(&noise.exposures[1], &white),
             walk_ends_with_rests: false,
             white,
         }
     }
 
-    /// The columns with those of the disturbances, and the residuals, whitened.
-    pub(super) fn whitened(
-        &self,
-        known: &[&Suspect],
-        whitening: &Whitening,
-    ) -> (Columns, Vec<f64>) {
-        let jacobian = whitening.finish_columns(self.with(known));
-        (jacobian, whitening.finish_column(&self.residuals))
+    /// The columns with those of the disturbances, and the residuals, whitened; errors that all recordings share held beside them.
+    pub(super) fn whitened(&self, known: &[&Suspect], levels: &[NoiseLevel]) -> Whitened {
+        let whitening = self.whitening(levels);
+        let errors = whitening.finish_columns(self.carried(levels));
+        let columns = whitening.finish_columns(self.with(known));
+        let mut residuals = whitening.finish_column(&self.residuals);
+        residuals.resize(self.residuals.len() + errors.ncols(), 0.0);
+        Whitened {
+            columns: columns.beside_errors(&errors),
+            residuals,
+            whitening,
+            errors: errors.ncols(),
+        }
     }
 
     /// What a shift of the gyroscope's reading in every rest does to the rows (`m × 3 rests`), whitened: what shifts it
@@ -103,9 +114,10 @@ impl Analysis {
         columns: &Columns,
         levels: &[NoiseLevel],
     ) -> Trial<'a> {
-        let (columns, jacobian) = (columns.clone(), self.jacobian.clone());
-        let whitening = self.whitening(levels);
-        Trial::new(suspects, columns, jacobian, &self.residuals, &whitening)
+        let whitened = self.whitened(&[], levels);
+        let columns = whitened.whitening.finish_columns(columns.clone());
+        let columns = columns.above_zeros(whitened.errors);
+        Trial::new(suspects, columns, &whitened.columns, whitened.residuals)
     }
 
     /// The columns of all suspects, then what looks like each of them, whitened by the white noise (`m × k`).
@@ -123,8 +135,20 @@ impl Analysis {
     }
 }
 
+/// A linearised problem under some levels of noise.
+pub struct Whitened {
+    /// The columns, with `errors` of them that rows below hold (`m + q × n + q`).
+    pub columns: Columns,
+    /// The residuals, and zeros below (`m + q`).
+    pub residuals: Vec<f64>,
+    /// What whitened the rows (`m`).
+    pub whitening: Whitening,
+    /// `q`.
+    pub errors: usize,
+}
+
 /// The walks of the biases, of unit density, whitened by the white noise.
-pub fn walks(noise: &RowNoise, white: &White) -> Vec<Component> {
+pub fn walks(noise: &RowNoise, white: &White, stations: &Stations) -> Vec<Component> {
     let kinds = [
         ComponentKind::AccelerometerWalk,
         ComponentKind::GyroscopeWalk,
@@ -132,11 +156,24 @@ pub fn walks(noise: &RowNoise, white: &White) -> Vec<Component> {
     let exposed = kinds.into_iter().zip(&noise.exposures);
     exposed
         .filter(|(_, exposures)| !exposures.is_empty())
-        .map(|(kind, exposures)| Component {
-            kind,
-            covariance: covariance(&whitened(exposures, white), noise.variance.len()),
-        })
+        .map(|(kind, exposures)| walk(kind, &whitened(exposures, white), stations))
         .collect()
+}
+
+/// A walk of unit density that rows feel so, whitened by the white noise.
+pub(super) fn walk(kind: ComponentKind, exposures: &[Exposure], stations: &Stations) -> Component {
+    Component {
+        kind,
+        covariance: covariance(exposures, stations.rows()),
+        form: Form::Passed(Chain::of_walk(stations, exposures)),
+    }
+}
+
+impl Rows<'_> {
+    /// The rows in the order in which the biases pass them.
+    pub(crate) fn stations(&self, noise: &RowNoise) -> Stations {
+        Stations::new(noise, self.first_turn_row())
+    }
 }
 
 /// The exposures of rows that the white noise has whitened.
@@ -153,13 +190,8 @@ pub(super) fn turn_rows(rows: &Rows<'_>) -> Vec<Vec<usize>> {
     (0..rows.data.turns.len()).map(of_turn).collect()
 }
 
-/// Covariance of a scatter that the chunks of a rest share, axis by axis; the rows of a turn share none.
-pub(super) fn shared(groups: &[Vec<usize>], kind: ComponentKind, m: usize) -> Covariance {
-    let alone = kind == ComponentKind::TurnScatter;
-    let of_group = |group: &Vec<usize>| {
-        let same = |a: usize, b: usize| if alone { a == b } else { a % 3 == b % 3 };
-        let value = |a: usize, b: usize| f64::from(u8::from(same(a, b)));
-        (group.clone(), Mat::from_fn(group.len(), group.len(), value))
-    };
+/// The identity of these rows (`m × m`).
+pub(super) fn identity(groups: &[Vec<usize>], m: usize) -> Covariance {
+    let of_group = |group: &Vec<usize>| (group.clone(), Mat::identity(group.len(), group.len()));
     Covariance::of_blocks(m, groups.iter().map(of_group).collect())
 }

@@ -6,7 +6,7 @@ use sensor::Sensor;
 use super::analysis::Analysis;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::blocks::covariance::Covariance;
-use crate::methods::joint::noise::weights::{Component, ComponentKind, NoiseLevel};
+use crate::methods::joint::noise::weights::{Component, ComponentKind, Form, NoiseLevel};
 use crate::methods::joint::rows::Rows;
 
 impl Analysis {
@@ -50,7 +50,8 @@ impl Analysis {
         let columns = Columns::cut(&columns, rows.groups());
         self.components.push(Component {
             kind,
-            covariance: Covariance::of_columns(&columns),
+            covariance: Covariance::none(rows.count()),
+            form: Form::Columns(columns.clone()),
         });
         self.orientation.push((kind, columns));
     }
@@ -62,6 +63,7 @@ impl Analysis {
         self.components.push(Component {
             kind,
             covariance: Covariance::of_columns(&whitened),
+            form: Form::Columns(whitened.clone()),
         });
         self.carried.push(whitened);
     }

@@ -1,9 +1,9 @@
 //! How large walks, scatter and flicker are: by restricted likelihood, without a refit.
 
-use super::analysis::{Analysis, shared, turn_rows};
+use super::analysis::Analysis;
 use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::blocks::columns::Columns;
-use crate::methods::joint::blocks::covariance::{Covariance, combined};
+use crate::methods::joint::blocks::covariance::Covariance;
 use crate::methods::joint::disturbance::Suspect;
 use crate::methods::joint::fit::JointFit;
 use crate::methods::joint::noise::bias::{Within, within};
@@ -46,23 +46,17 @@ impl Analysis {
             return likeliest(&self.residuals, &jacobian, &self.components, within);
         }
         let (walks, scatter) = (of(ComponentKind::is_walk), of(|kind| !kind.is_noise()));
-        let scatter = self.scatter(&jacobian, &walks, &scatter);
+        let scatter = self.scatter(&jacobian, &walks, &scatter, before);
         let known = self.components.iter();
         let known: Vec<(&Component, f64)> = known
             .filter_map(|c| Some((c, c.kind.known_variance()?)))
             .collect();
-        let fixed = scatter.iter().chain(&known);
-        let fixed: Vec<(f64, &Covariance)> = fixed.map(|(c, v)| (*v, &c.covariance)).collect();
-        let fixed = combined(self.residuals.len(), 0.0, &fixed);
-        let covariances: Vec<&Covariance> = walks.iter().map(|c| &c.covariance).collect();
-        let usual: Vec<f64> = covariances.iter().map(|c| usual_size(c, USUAL)).collect();
-        let begin = |walk: &&Component| {
-            let known = before.iter().find(|level| level.kind == walk.kind);
-            known.map_or(0.0, |level| level.size * level.size)
-        };
-        let from: Vec<f64> = walks.iter().map(begin).collect();
-        let expected = Walks::new(&self.residuals, &jacobian, &covariances, fixed.as_ref())
-            .expected(&usual, NO_WALK, &from);
+        let fixed: Vec<(&Component, f64)> = scatter.iter().chain(&known).copied().collect();
+        let usual = walks.iter().map(|walk| usual_size(&walk.covariance, USUAL));
+        let usual: Vec<f64> = usual.collect();
+        let from = variances_of(&walks, before);
+        let expected =
+            Walks::new(&self.residuals, &jacobian, &walks, &fixed).expected(&usual, NO_WALK, &from);
         walks
             .into_iter()
             .zip(expected)
@@ -81,13 +75,15 @@ impl Analysis {
         jacobian: &Columns,
         walks: &[&Component],
         scatter: &[&'a Component],
+        before: &[NoiseLevel],
     ) -> Vec<(&'a Component, f64)> {
         if scatter.is_empty() {
             return Vec::new();
         }
-        let all: Vec<&Covariance> = walks.iter().chain(scatter).map(|c| &c.covariance).collect();
+        let all: Vec<&Component> = walks.iter().chain(scatter).copied().collect();
         let kept: Vec<bool> = (0..all.len()).map(|c| c < walks.len()).collect();
-        let variances = Restricted::new(&self.residuals, jacobian, &all).variances(&kept);
+        let from = variances_of(&all, before);
+        let variances = Restricted::new(&self.residuals, jacobian, &all).variances(&kept, &from);
         let own = variances.into_iter().skip(walks.len());
         scatter.iter().copied().zip(own).collect()
     }
@@ -111,14 +107,12 @@ impl Analysis {
         }
         let units: Vec<Column> = (first..count).map(Column::unit).collect();
         let by_turn = self.white.sparse(&units.iter().collect::<Vec<_>>());
-        let covariance =
-            self.white
-                .both_sides(&shared(&turn_rows(rows), ComponentKind::TurnScatter, count));
-        let whitening = self.whitening(levels);
-        let by_turn = whitening.finish_columns(by_turn);
+        let kind = ComponentKind::TurnDoubt;
+        let component = self.of_each_turn(kind, rows);
+        let whitened = self.whitened(known, levels);
+        let by_turn = whitened.whitening.finish_columns(by_turn);
         let by_scatter = row_squares(&by_turn);
-        let (jacobian, r) = self.whitened(known, &whitening);
-        let left = Left::of(&jacobian, &r);
+        let left = Left::of(&whitened.columns, &whitened.residuals);
         let of_row = |i: usize| (left.square(i), left.spare(i), by_scatter[i]);
         let turns: Vec<(f64, f64, f64)> = (first..count).map(of_row).collect();
         let log_likelihood = |size: f64| {
@@ -128,10 +122,9 @@ impl Analysis {
             };
             turns.iter().map(of_turn).sum()
         };
-        let usual = usual_size(&covariance, USUAL_OF_TURNS);
+        let usual = usual_size(&component.covariance, USUAL_OF_TURNS);
         let size = expected_square((usual, NO_DOUBT), log_likelihood).sqrt();
-        let kind = ComponentKind::TurnDoubt;
-        self.components.push(Component { kind, covariance });
+        self.components.push(component);
         levels.push(NoiseLevel { kind, size });
     }
 }
@@ -145,7 +138,8 @@ impl JointFit {
         let rows = self.plain_rows();
         let x = &self.parameters.values()[..rows.layout.disturbance(0)];
         let own = self.components.iter().filter(|c| !c.kind.is_flicker());
-        let flicker = rows.flicker(x, &self.whitening.white);
+        let stations = rows.stations(&rows.noise(x));
+        let flicker = rows.flicker(x, &self.whitening.white, &stations);
         let components: Vec<Component> = own.cloned().chain(flicker).collect();
         let within = within(&self.data, &estimated_kinds(&components));
         let (residuals, jacobian) = (&self.white_residuals, &self.white_jacobian);
@@ -170,11 +164,11 @@ fn likeliest(
 ) -> Vec<NoiseLevel> {
     let kinds = estimated_kinds(components);
     let own = components.iter().filter(|c| kinds.contains(&c.kind));
-    let covariances: Vec<&Covariance> = own.map(|c| &c.covariance).collect();
-    let mut restricted = Restricted::new(residuals, jacobian, &covariances);
+    let own: Vec<&Component> = own.collect();
+    let mut restricted = Restricted::new(residuals, jacobian, &own);
     restricted.within = within.to_vec();
     let kept: Vec<bool> = kinds.iter().map(|kind| kind.is_noise()).collect();
-    let variances = restricted.variances(&kept);
+    let variances = restricted.variances(&kept, &vec![0.0; kept.len()]);
     let known = components.iter();
     let known = known.filter_map(|c| Some((c.kind, c.kind.known_variance()?)));
     let levels = kinds.iter().copied().zip(variances).chain(known);
@@ -183,6 +177,15 @@ fn likeliest(
         size: variance.sqrt(),
     };
     levels.map(level).collect()
+}
+
+/// The variances of components at these levels, zero where there is none.
+fn variances_of(components: &[&Component], levels: &[NoiseLevel]) -> Vec<f64> {
+    let of = |component: &&Component| {
+        let known = levels.iter().find(|level| level.kind == component.kind);
+        known.map_or(0.0, |level| level.size * level.size)
+    };
+    components.iter().map(of).collect()
 }
 
 /// The sum of squares of every row.

@@ -1,6 +1,7 @@
 //! A turn carried through the gyroscope, with its derivative by every sample in one pass.
 
 use nalgebra::{Matrix3, Vector3};
+use pulp::{Arch, Simd, WithSimd};
 
 use crate::methods::joint::clock::coning::{Coning, REACH};
 
@@ -61,20 +62,39 @@ fn backwards(
     coning: &Coning,
     rates: &[Vector3<f64>],
     lengths: &[f64],
-    mut visit: impl FnMut(usize, &Matrix3<f64>, &Window, &[Vector3<f64>]),
+    visit: impl FnMut(usize, &Matrix3<f64>, &Window, &[Vector3<f64>]),
 ) -> Matrix3<f64> {
-    let angles: Vec<Vector3<f64>> = rates.iter().zip(lengths).map(|(w, h)| w * *h).collect();
-    let mut after = Matrix3::identity();
-    for k in (MARGIN..angles.len().saturating_sub(MARGIN)).rev() {
-        let Some(around) = angles[k - REACH..].first_chunk() else {
-            continue;
-        };
-        let (phi, sums) = coning.rotation(around);
-        let window = Window::new(phi);
-        visit(k, &after, &window, &sums);
-        after *= window.rotation();
+    Arch::new().dispatch(Backwards {
+        coning,
+        angles: rates.iter().zip(lengths).map(|(w, h)| w * *h).collect(),
+        visit,
+    })
+}
+
+/// The same in the widest vectors of the machine: no product is fused with a sum, so that the bits are those of any other.
+struct Backwards<'a, V> {
+    coning: &'a Coning,
+    angles: Vec<Vector3<f64>>,
+    visit: V,
+}
+
+impl<V: FnMut(usize, &Matrix3<f64>, &Window, &[Vector3<f64>])> WithSimd for Backwards<'_, V> {
+    type Output = Matrix3<f64>;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(mut self, _simd: S) -> Matrix3<f64> {
+        let mut after = Matrix3::identity();
+        for k in (MARGIN..self.angles.len().saturating_sub(MARGIN)).rev() {
+            let Some(around) = self.angles[k - REACH..].first_chunk() else {
+                continue;
+            };
+            let (phi, sums) = self.coning.rotation(around);
+            let window = Window::new(phi);
+            (self.visit)(k, &after, &window, &sums);
+            after *= window.rotation();
+        }
+        after
     }
-    after
 }
 
 /// A window's rotation vector `φ` with `sin φ/φ`, `(1 − cos φ)/φ²` and `(φ − sin φ)/φ³`.
@@ -87,6 +107,7 @@ struct Window {
 }
 
 impl Window {
+    #[inline(always)]
     fn new(phi: Vector3<f64>) -> Self {
         let x = phi.norm_squared();
         let (sine, cosine, rest) = if x < SERIES {
@@ -110,16 +131,19 @@ impl Window {
     }
 
     /// `exp(−[φ]×) = I − sin φ/φ [φ]× + (1 − cos φ)/φ² [φ]×²`.
+    #[inline(always)]
     fn rotation(&self) -> Matrix3<f64> {
         self.blend(self.sine, self.cosine)
     }
 
     /// `J_r(φ)` with `exp(φ + ∂φ) ≈ exp(φ) exp(J_r ∂φ)`: `I − (1 − cos φ)/φ² [φ]× + (φ − sin φ)/φ³ [φ]×²`.
+    #[inline(always)]
     fn right_jacobian(&self) -> Matrix3<f64> {
         self.blend(self.cosine, self.rest)
     }
 
     /// `I − a [φ]× + b [φ]×²`, `[φ]×² = φφᵀ − φ² I`.
+    #[inline(always)]
     fn blend(&self, a: f64, b: f64) -> Matrix3<f64> {
         let (v, s) = (self.phi * a, self.phi * b);
         let d = 1.0 - b * self.square;
@@ -139,6 +163,7 @@ impl Window {
 }
 
 /// `gain −= M [v]×`, of which row `i` is `m_i × v`.
+#[inline(always)]
 fn subtract_cross(gain: &mut Matrix3<f64>, m: &Matrix3<f64>, v: &Vector3<f64>) {
     for i in 0..3 {
         let (a, b, c) = (m[(i, 0)], m[(i, 1)], m[(i, 2)]);

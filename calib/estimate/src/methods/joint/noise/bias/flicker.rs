@@ -7,7 +7,9 @@ use faer::Mat;
 use nalgebra::{DMatrix, Matrix2x3};
 
 use crate::methods::joint::blocks::covariance::Covariance;
+use crate::methods::joint::noise::chain::{Chain, Link};
 use crate::methods::joint::noise::exposure::{Path, paths, put};
+use crate::methods::joint::noise::stations::Stations;
 use crate::methods::joint::noise::weights::White;
 
 /// Shortest time constant, s: faster ones are white to a mean over seconds.
@@ -18,6 +20,9 @@ const RATIO: f64 = 4.0;
 
 /// The longest time constant is beyond so many times the length of the recordings: slower ones are a constant bias.
 const BEYOND: f64 = 8.0;
+
+/// After so many time constants nothing is left of a state.
+const FORGOTTEN: f64 = 40.0;
 
 /// Variance of the slope of a line through a window of length `T` in flicker noise of unit instability, times `T²`:
 /// `9/π`, from `−144/(π T²) ∫∫ x y ln|x − y| dx dy = 144/(16 π T²)` over the unit square about zero.
@@ -152,6 +157,39 @@ impl Flicker {
         };
         let paths = paths(all, |one| (one.recording, one.rows.clone()));
         Covariance::of_blocks(m, paths.into_iter().map(of_path).collect())
+    }
+
+    /// The same as what is passed on along the recordings.
+    pub fn chain(&self, all: &[Fading], axis: usize, stations: &Stations) -> Chain {
+        let width = self.taus.len();
+        let of_row = stations.of_first_row(stations.rows());
+        let mut at: Vec<Option<&Fading>> = vec![None; stations.all().len()];
+        for one in all {
+            if let Some(station) = of_row[one.rows.start] {
+                at[station] = Some(one);
+            }
+        }
+        let mut before: Option<(usize, f64)> = None;
+        let links = at.into_iter().flatten().map(|one| {
+            let d = one.rows.len();
+            let gap = before
+                .filter(|(recording, _)| *recording == one.recording)
+                .map_or(0.0, |(_, end)| (one.begin - end).max(0.0));
+            before = Some((one.recording, one.end));
+            // The state is that at the end of the group, of which its begin is so many time constants ahead.
+            let ahead = |tau: &f64| ((one.end - one.begin).max(0.0) / tau).min(FORGOTTEN);
+            let kept = |tau: &f64| (-gap / tau - ahead(tau)).exp();
+            let gives = |i: usize, k: usize| one.head[k][(i, axis)] * ahead(&self.taus[k]).exp();
+            let takes = |i: usize, k: usize| one.tail[k][(i, axis)] * Self::variance();
+            let link = Link {
+                own: one.own[axis].clone(),
+                gives: DMatrix::from_fn(d, width, gives),
+                takes: DMatrix::from_fn(d, width, takes),
+                keeps: self.taus.iter().map(kept).collect(),
+            };
+            (one.rows.start, link)
+        });
+        Chain::of_links(stations, width, links)
     }
 
     /// Covariance of an earlier and a later group of rows.

@@ -3,13 +3,19 @@
 use sensor::Sensor;
 
 use super::{FLICKERS, Fading, Flicker};
-use crate::methods::joint::noise::weights::{Component, White};
+use crate::methods::joint::noise::stations::Stations;
+use crate::methods::joint::noise::weights::{Component, Form, White};
 use crate::methods::joint::rows::Rows;
 use crate::methods::joint::rows::turn::MARGIN;
 
 impl Rows<'_> {
     /// The flicker of both biases, of unit instability, whitened by the white noise, at `x`.
-    pub(in crate::methods::joint) fn flicker(&self, x: &[f64], white: &White) -> Vec<Component> {
+    pub(in crate::methods::joint) fn flicker(
+        &self,
+        x: &[f64],
+        white: &White,
+        stations: &Stations,
+    ) -> Vec<Component> {
         let spans = self.data.rests.iter().map(|rest| rest.span);
         let (from, to) = spans.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), span| {
             (a.min(span.from), b.max(span.to))
@@ -22,6 +28,7 @@ impl Rows<'_> {
             let axis = move |axis: usize| Component {
                 kind: FLICKERS[place][axis],
                 covariance: flicker.covariance(&all, axis, self.count()),
+                form: Form::Passed(flicker.chain(&all, axis, stations)),
             };
             (0..3).map(axis).collect::<Vec<_>>()
         };

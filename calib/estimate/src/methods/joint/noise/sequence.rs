@@ -1,0 +1,438 @@
+//! Rows along one line of stations under noise that is passed on: factor, whitening and products in time proportional to
+//! their number.
+
+use super::chain::Chain;
+
+/// Most rows of a station.
+const MOST: usize = 3;
+
+/// A small square matrix, `MOST` numbers a row.
+type Small = [f64; MOST * MOST];
+
+/// Kinds of noise along one line of stations.
+#[derive(Clone, Debug)]
+pub struct Sequence {
+    stops: Vec<Stop>,
+    /// The component of every number of the state.
+    of_slot: Vec<usize>,
+    rows: usize,
+}
+
+/// One station.
+#[derive(Clone, Debug)]
+struct Stop {
+    /// First row in the line, and number of rows `d`.
+    first: usize,
+    rows: usize,
+    /// Covariances of its rows, by component.
+    own: Vec<(usize, Small)>,
+    /// `d × r` each, row by row.
+    gives: Vec<f64>,
+    takes: Vec<f64>,
+    /// What is kept of the state on the way to here (`r`); `None` where that is everything.
+    keeps: Option<Vec<f64>>,
+}
+
+/// The Cholesky factor of `I + Σ θ_c C_c`.
+#[derive(Clone, Debug)]
+pub struct Factor {
+    /// `ln |V|`.
+    pub log_determinant: f64,
+    /// Diagonal blocks.
+    lower: Vec<Small>,
+    /// What the state is told by the whitened rows (`d × r` each).
+    told: Vec<f64>,
+    /// Where each station's part of it begins.
+    begins: Vec<usize>,
+}
+
+impl Sequence {
+    /// The stations `line` of these chains, in the order of the components; `None` for a component that is no chain.
+    pub fn new(chains: &[Option<&Chain>], line: std::ops::Range<usize>) -> Self {
+        let here = |chain: &&Chain| chain.links()[line.clone()].iter().any(Option::is_some);
+        let mut of_slot = Vec::new();
+        let mut first_slot = vec![0; chains.len()];
+        for (c, chain) in chains.iter().enumerate() {
+            first_slot[c] = of_slot.len();
+            if let Some(chain) = chain.filter(here) {
+                of_slot.extend(std::iter::repeat_n(c, chain.width()));
+            }
+        }
+        let width = of_slot.len();
+        let mut rows = 0;
+        let mut stops = Vec::new();
+        let stations = chains.iter().flatten().next().map(|chain| chain.stations());
+        for k in stations.map_or(0..0, |_| line.clone()) {
+            let d = stations.map_or(0, |stations| stations.all()[k].rows.len());
+            let mut stop = Stop {
+                first: rows,
+                rows: d,
+                own: Vec::new(),
+                gives: vec![0.0; d * width],
+                takes: vec![0.0; d * width],
+                keeps: None,
+            };
+            for (c, chain) in chains.iter().enumerate() {
+                let Some(link) = chain.and_then(|chain| chain.links()[k].as_ref()) else {
+                    continue;
+                };
+                stop.own.push((c, small(&link.own)));
+                for slot in 0..link.keeps.len() {
+                    let to = first_slot[c] + slot;
+                    for i in 0..d {
+                        stop.gives[i * width + to] = link.gives[(i, slot)];
+                        stop.takes[i * width + to] = link.takes[(i, slot)];
+                    }
+                    if link.keeps[slot] != 1.0 {
+                        stop.keeps.get_or_insert_with(|| vec![1.0; width])[to] = link.keeps[slot];
+                    }
+                }
+            }
+            rows += d;
+            stops.push(stop);
+        }
+        Self {
+            stops,
+            of_slot,
+            rows,
+        }
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// Whether the rows feel a component.
+    pub fn feels(&self, component: usize) -> bool {
+        let mut own = self.stops.iter().flat_map(|stop| &stop.own);
+        own.any(|(c, block)| *c == component && block.iter().any(|v| *v != 0.0))
+    }
+
+    /// The factor at these variances; `None` where the covariance is not positive.
+    pub fn factor(&self, theta: &[f64]) -> Option<Factor> {
+        let r = self.of_slot.len();
+        let mut factor = Factor {
+            log_determinant: 0.0,
+            lower: Vec::with_capacity(self.stops.len()),
+            told: vec![0.0; self.rows * r],
+            begins: Vec::with_capacity(self.stops.len()),
+        };
+        let mut state = vec![0.0; r * r];
+        let mut seen = vec![0.0; MOST * r];
+        for stop in &self.stops {
+            let d = stop.rows;
+            keep_square(stop, r, &mut state);
+            times_state(stop, r, &state, &mut seen);
+            let mut block = [0.0; MOST * MOST];
+            for i in 0..d {
+                block[i * MOST + i] = 1.0;
+            }
+            for (c, own) in stop.own.iter().filter(|(c, _)| theta[*c] > 0.0) {
+                add(&mut block, theta[*c], own);
+            }
+            less_outer(stop, r, &seen, &mut block);
+            let lower = cholesky(&block, d)?;
+            for i in 0..d {
+                factor.log_determinant += 2.0 * lower[i * MOST + i].ln();
+            }
+            let begin = stop.first * r;
+            let told = &mut factor.told[begin..begin + d * r];
+            for i in 0..d {
+                for (s, c) in self.of_slot.iter().enumerate() {
+                    let at = i * r + s;
+                    told[at] = theta[*c].max(0.0) * stop.takes[at] - seen[at];
+                }
+            }
+            forward(&lower, d, told, r);
+            add_gram(&mut state, told, told, (d, r), 1.0);
+            factor.lower.push(lower);
+            factor.begins.push(begin);
+        }
+        Some(factor)
+    }
+
+    /// `tr(V⁻¹ C_c)`: the derivative of `ln |V|` by the variance of a component.
+    pub fn trace(&self, factor: &Factor, component: usize) -> f64 {
+        let r = self.of_slot.len();
+        let mut trace = 0.0;
+        let mut state = vec![0.0; r * r];
+        let mut seen = vec![0.0; MOST * r];
+        let mut moved = vec![0.0; MOST * r];
+        for (k, stop) in self.stops.iter().enumerate() {
+            let d = stop.rows;
+            keep_square(stop, r, &mut state);
+            times_state(stop, r, &state, &mut seen);
+            let mut block = [0.0; MOST * MOST];
+            for (_, own) in stop.own.iter().filter(|(c, _)| *c == component) {
+                add(&mut block, 1.0, own);
+            }
+            less_outer(stop, r, &seen, &mut block);
+            let lower = &factor.lower[k];
+            let relative = both_sides(lower, &block, d);
+            let told = &factor.told[factor.begins[k]..factor.begins[k] + d * r];
+            for i in 0..d {
+                trace += relative[i * MOST + i];
+                for (s, c) in self.of_slot.iter().enumerate() {
+                    let at = i * r + s;
+                    let takes = if *c == component { stop.takes[at] } else { 0.0 };
+                    moved[at] = takes - seen[at];
+                }
+            }
+            forward(lower, d, &mut moved, r);
+            for i in 0..d {
+                for j in 0..=i {
+                    let share = if i == j { 0.5 } else { 1.0 };
+                    let factor = share * relative[i * MOST + j];
+                    for s in 0..r {
+                        moved[i * r + s] -= factor * told[j * r + s];
+                    }
+                }
+            }
+            add_gram(&mut state, &moved, told, (d, r), 1.0);
+            add_gram(&mut state, told, &moved, (d, r), 1.0);
+        }
+        trace
+    }
+
+    /// `L⁻¹ A` in place, `A` (`rows × columns`) row by row.
+    pub fn whiten(&self, factor: &Factor, a: &mut [f64], columns: usize) {
+        let r = self.of_slot.len();
+        let mut state = vec![0.0; r * columns];
+        for (k, stop) in self.stops.iter().enumerate() {
+            let d = stop.rows;
+            keep_rows(stop, &mut state, columns);
+            let own = &mut a[stop.first * columns..(stop.first + d) * columns];
+            product(own, &stop.gives, &state, (d, r, columns), -1.0);
+            forward(&factor.lower[k], d, own, columns);
+            let told = &factor.told[factor.begins[k]..factor.begins[k] + d * r];
+            transposed_product(&mut state, told, own, (d, r, columns));
+        }
+    }
+
+    /// `L⁻ᵀ A` in place.
+    pub fn unwhiten(&self, factor: &Factor, a: &mut [f64], columns: usize) {
+        let r = self.of_slot.len();
+        let mut state = vec![0.0; r * columns];
+        for (k, stop) in self.stops.iter().enumerate().rev() {
+            let d = stop.rows;
+            let own = &mut a[stop.first * columns..(stop.first + d) * columns];
+            let told = &factor.told[factor.begins[k]..factor.begins[k] + d * r];
+            product(own, told, &state, (d, r, columns), -1.0);
+            backward(&factor.lower[k], d, own, columns);
+            transposed_product(&mut state, &stop.gives, own, (d, r, columns));
+            keep_rows(stop, &mut state, columns);
+        }
+    }
+
+    /// `C_c A` (`rows × columns`).
+    pub fn times(&self, component: usize, a: &[f64], columns: usize) -> Vec<f64> {
+        let slots: Vec<usize> = (0..self.of_slot.len())
+            .filter(|&s| self.of_slot[s] == component)
+            .collect();
+        let r = self.of_slot.len();
+        let mut out = vec![0.0; a.len()];
+        let mut state = vec![0.0; slots.len() * columns];
+        let keep = |stop: &Stop, state: &mut [f64]| {
+            let Some(keeps) = &stop.keeps else { return };
+            for (row, &slot) in state.chunks_exact_mut(columns).zip(&slots) {
+                if keeps[slot] != 1.0 {
+                    row.iter_mut().for_each(|v| *v *= keeps[slot]);
+                }
+            }
+        };
+        for stop in &self.stops {
+            keep(stop, &mut state);
+            for i in 0..stop.rows {
+                let at = (stop.first + i) * columns;
+                let to = &mut out[at..at + columns];
+                for (row, &slot) in state.chunks_exact(columns).zip(&slots) {
+                    add_scaled(to, stop.gives[i * r + slot], row);
+                }
+                for (_, own) in stop.own.iter().filter(|(c, _)| *c == component) {
+                    for j in 0..stop.rows {
+                        let from = (stop.first + j) * columns;
+                        add_scaled(to, own[i * MOST + j], &a[from..from + columns]);
+                    }
+                }
+            }
+            for i in 0..stop.rows {
+                let from = &a[(stop.first + i) * columns..][..columns];
+                for (row, &slot) in state.chunks_exact_mut(columns).zip(&slots) {
+                    add_scaled(row, stop.takes[i * r + slot], from);
+                }
+            }
+        }
+        state.fill(0.0);
+        for stop in self.stops.iter().rev() {
+            for i in 0..stop.rows {
+                let to = &mut out[(stop.first + i) * columns..][..columns];
+                for (row, &slot) in state.chunks_exact(columns).zip(&slots) {
+                    add_scaled(to, stop.takes[i * r + slot], row);
+                }
+            }
+            for i in 0..stop.rows {
+                let from = &a[(stop.first + i) * columns..][..columns];
+                for (row, &slot) in state.chunks_exact_mut(columns).zip(&slots) {
+                    add_scaled(row, stop.gives[i * r + slot], from);
+                }
+            }
+            keep(stop, &mut state);
+        }
+        out
+    }
+}
+
+fn small(a: &nalgebra::DMatrix<f64>) -> Small {
+    let mut small = [0.0; MOST * MOST];
+    for i in 0..a.nrows() {
+        for k in 0..a.ncols() {
+            small[i * MOST + k] = a[(i, k)];
+        }
+    }
+    small
+}
+
+fn add(a: &mut Small, by: f64, b: &Small) {
+    a.iter_mut().zip(b).for_each(|(a, b)| *a += by * b);
+}
+
+/// `a += s b`.
+fn add_scaled(a: &mut [f64], s: f64, b: &[f64]) {
+    if s != 0.0 {
+        a.iter_mut().zip(b).for_each(|(a, b)| *a += s * b);
+    }
+}
+
+/// `K S K`.
+fn keep_square(stop: &Stop, r: usize, state: &mut [f64]) {
+    let Some(keeps) = &stop.keeps else { return };
+    for (a, row) in keeps.iter().zip(state.chunks_exact_mut(r.max(1))) {
+        row.iter_mut().zip(keeps).for_each(|(v, b)| *v *= a * b);
+    }
+}
+
+/// `K S`.
+fn keep_rows(stop: &Stop, state: &mut [f64], columns: usize) {
+    let Some(keeps) = &stop.keeps else { return };
+    for (kept, row) in keeps.iter().zip(state.chunks_exact_mut(columns.max(1))) {
+        if *kept != 1.0 {
+            row.iter_mut().for_each(|v| *v *= kept);
+        }
+    }
+}
+
+/// `G S` (`d × r`).
+fn times_state(stop: &Stop, r: usize, state: &[f64], out: &mut [f64]) {
+    out[..stop.rows * r].fill(0.0);
+    let d = (stop.rows, r, r);
+    product(&mut out[..stop.rows * r], &stop.gives, state, d, 1.0);
+}
+
+/// `B −= (G S) Gᵀ`.
+fn less_outer(stop: &Stop, r: usize, seen: &[f64], block: &mut Small) {
+    for i in 0..stop.rows {
+        for k in 0..stop.rows {
+            let rows = seen[i * r..(i + 1) * r]
+                .iter()
+                .zip(&stop.gives[k * r..(k + 1) * r]);
+            block[i * MOST + k] -= rows.map(|(a, b)| a * b).sum::<f64>();
+        }
+    }
+}
+
+/// `out += sign A B`, `A` `d × r`, `B` `r × n`.
+fn product(out: &mut [f64], a: &[f64], b: &[f64], (d, r, n): (usize, usize, usize), sign: f64) {
+    for i in 0..d {
+        let to = &mut out[i * n..(i + 1) * n];
+        for s in 0..r {
+            add_scaled(to, sign * a[i * r + s], &b[s * n..(s + 1) * n]);
+        }
+    }
+}
+
+/// `out += Aᵀ B`, `A` `d × r`, `B` `d × n`.
+fn transposed_product(out: &mut [f64], a: &[f64], b: &[f64], (d, r, n): (usize, usize, usize)) {
+    for i in 0..d {
+        let from = &b[i * n..(i + 1) * n];
+        for s in 0..r {
+            add_scaled(&mut out[s * n..(s + 1) * n], a[i * r + s], from);
+        }
+    }
+}
+
+/// `S += s Aᵀ B`, `A` and `B` `d × r`.
+fn add_gram(state: &mut [f64], a: &[f64], b: &[f64], (d, r): (usize, usize), by: f64) {
+    for i in 0..d {
+        for s in 0..r {
+            let to = &mut state[s * r..(s + 1) * r];
+            add_scaled(to, by * a[i * r + s], &b[i * r..(i + 1) * r]);
+        }
+    }
+}
+
+/// `L⁻¹ A` in place.
+fn forward(lower: &Small, d: usize, a: &mut [f64], n: usize) {
+    for i in 0..d {
+        let (above, own) = a.split_at_mut(i * n);
+        let own = &mut own[..n];
+        for k in 0..i {
+            add_scaled(own, -lower[i * MOST + k], &above[k * n..(k + 1) * n]);
+        }
+        let pivot = lower[i * MOST + i].recip();
+        own.iter_mut().for_each(|v| *v *= pivot);
+    }
+}
+
+/// `L⁻ᵀ A` in place.
+fn backward(lower: &Small, d: usize, a: &mut [f64], n: usize) {
+    for i in (0..d).rev() {
+        let (own, below) = a.split_at_mut((i + 1) * n);
+        let own = &mut own[i * n..];
+        for k in i + 1..d {
+            add_scaled(
+                own,
+                -lower[k * MOST + i],
+                &below[(k - i - 1) * n..(k - i) * n],
+            );
+        }
+        let pivot = lower[i * MOST + i].recip();
+        own.iter_mut().for_each(|v| *v *= pivot);
+    }
+}
+
+/// `L` of a positive matrix (`d × d`).
+fn cholesky(a: &Small, d: usize) -> Option<Small> {
+    let mut lower = [0.0; MOST * MOST];
+    for i in 0..d {
+        for k in 0..=i {
+            let mut sum = a[i * MOST + k];
+            for j in 0..k {
+                sum -= lower[i * MOST + j] * lower[k * MOST + j];
+            }
+            if i == k {
+                if !(sum > 0.0 && sum.is_finite()) {
+                    return None;
+                }
+                lower[i * MOST + i] = sum.sqrt();
+            } else {
+                lower[i * MOST + k] = sum / lower[k * MOST + k];
+            }
+        }
+    }
+    Some(lower)
+}
+
+/// `L⁻¹ A L⁻ᵀ` of a symmetric matrix.
+fn both_sides(lower: &Small, a: &Small, d: usize) -> Small {
+    let mut half = *a;
+    forward(lower, d, &mut half, MOST);
+    let mut whole = [0.0; MOST * MOST];
+    for i in 0..d {
+        for k in 0..d {
+            whole[i * MOST + k] = half[k * MOST + i];
+        }
+    }
+    forward(lower, d, &mut whole, MOST);
+    whole
+}

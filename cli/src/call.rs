@@ -1,0 +1,42 @@
+//! The call as it was typed, for commands that repeat it with one option more.
+
+use std::ffi::OsString;
+use std::sync::OnceLock;
+
+use crate::quoted::printable;
+use crate::read_args::quoted;
+
+static WORDS: OnceLock<Vec<String>> = OnceLock::new();
+
+/// Options that say how much is said, and those that are added anew.
+const NOT_AGAIN: [&str; 7] = [
+    "-v",
+    "--verbose",
+    "-q",
+    "--quiet",
+    "--json",
+    "--force",
+    "--skip-existing",
+];
+
+/// Keeps the words of the call, the program's name first.
+pub fn remember(words: &[OsString]) {
+    let words = words.iter().skip(1);
+    let words = words.map(|word| printable(&word.to_string_lossy()).into_owned());
+    // A second call of one process keeps the first's words.
+    let _ = WORDS.set(words.collect());
+}
+
+/// The call with `more` behind it; `output` is where it writes, which is there already if it was given.
+pub fn again(more: &str, output: Option<&str>) -> String {
+    let words = WORDS.get().map_or(&[][..], Vec::as_slice);
+    let words = words
+        .iter()
+        .filter(|word| !NOT_AGAIN.contains(&word.as_str()));
+    let words: Vec<String> = words.map(|word| quoted(word)).collect();
+    let end = match output {
+        Some(output) => format!("-o {output}"),
+        None => "--force".to_owned(),
+    };
+    format!("stillpoint {} {more} {end}", words.join(" "))
+}

@@ -1,0 +1,155 @@
+//! The first screen of a calibration.
+
+use ::findings::{Front, Kind, gravest_first};
+use calib::calibrate::{Outcome, STANDARD_GRAVITY};
+use calib::recording::averages::root_mean_square;
+use calib::{Calibration, Recording};
+
+use super::arguments::Args;
+use super::judgement;
+use super::tables::units;
+use super::{compact, limits, reading_error, steps};
+use crate::commands::shared::first_screen::Screen;
+use crate::commands::shared::names::Names;
+use crate::pages::session::Session;
+use crate::pages::{calibration as pages, parameters};
+use crate::report::Level;
+use crate::show;
+
+/// A calibration that is to be shown, and how it was asked for.
+pub struct Shown<'a> {
+    /// The arguments.
+    pub args: &'a Args,
+    /// The recordings.
+    pub recordings: &'a [Recording],
+    /// The calibration.
+    pub calibration: &'a Calibration,
+    /// Its recordings as they were cut, where the method has that.
+    pub session: Option<&'a Session<'a>>,
+    /// Residuals in words: at rest and after a turn.
+    pub residual: String,
+}
+
+/// The residuals of a fit, raw and calibrated.
+pub fn residual(outcome: &Outcome) -> String {
+    let calibration = &outcome.calibration;
+    let mut parts = Vec::new();
+    if let Some(triad) = &calibration.accelerometer {
+        let rests = outcome.choices.iter().flat_map(|c| &c.segmentation.statics);
+        let raw =
+            rests.filter_map(|rest| Some(rest.accelerometer?.mean.norm() - calibration.gravity));
+        let raw = root_mean_square(&raw.collect::<Vec<_>>());
+        // Readings that are no m/s² have no misfit of their own.
+        let raw = Some(raw).filter(|_| units(outcome)[0] == "m/s²");
+        parts.push(arrow(
+            raw.map(|v| 1e3 * v),
+            1e3 * triad.residual_rms,
+            " mm/s² at rest",
+        ));
+    }
+    let turns = match (&outcome.joint, &outcome.gyroscope) {
+        (Some(fit), _) if !fit.chords.is_empty() => Some((
+            root_mean_square(&fit.chords_before),
+            root_mean_square(&fit.chords),
+        )),
+        (None, Some(fit)) => Some((fit.rms_before(), fit.rms())),
+        _ => None,
+    };
+    if let Some((before, after)) = turns {
+        let raw = Some(before.to_degrees()).filter(|_| units(outcome)[1] == "rad/s");
+        parts.push(arrow(raw, after.to_degrees(), "° after a turn"));
+    }
+    let parts = parts.join(", ");
+    let word = if parts.contains('→') { "raw " } else { "" };
+    format!("{word}{parts}")
+}
+
+fn arrow(raw: Option<f64>, left: f64, unit: &str) -> String {
+    let left = show::figures(left, 3);
+    raw.map_or(format!("{left}{unit}"), |raw| {
+        format!("{} → {left}{unit}", show::figures(raw, 3))
+    })
+}
+
+/// What is on it.
+pub fn screen(shown: &Shown<'_>) -> Screen {
+    let Shown {
+        args,
+        recordings,
+        calibration,
+        session,
+        ..
+    } = shown;
+    let names = Names::of(*recordings);
+    let coverage = session.and_then(pages::covered);
+    let judgement = judgement::of(calibration);
+    let reasons = limits::reasons(calibration);
+    let (mut remarks, mut said) = (Vec::new(), judgement.said.clone());
+    for finding in gravest_first(&calibration.warnings) {
+        let text = finding.text(Front::CommandLine);
+        // What would be gained by the place is among the next steps.
+        let of_gravity = judgement.level != Level::Bad && finding.kind == Kind::GravityAssumed;
+        match of_gravity {
+            true => said.push(text),
+            false if !said.contains(&text) => remarks.push(text),
+            false => {}
+        }
+    }
+    let mut figures = Vec::new();
+    figures.extend(limits::kept(&calibration.limits).map(|kept| ["limits".into(), kept]));
+    if !shown.residual.is_empty() {
+        figures.push(["residual".into(), shown.residual.clone()]);
+    }
+    figures.extend(of_readings(calibration));
+    figures.extend(parameters::weakest(calibration).map(|weakest| {
+        let [_, value, note] = weakest.words();
+        let name = note.split(", 95 %").next().unwrap_or(note);
+        ["weakest parameter".into(), format!("{name} {value} (95 %)")]
+    }));
+    Screen {
+        verdict: vec![names.short(&judgement.sentence)],
+        figures,
+        tables: Some(compact::text(calibration))
+            .filter(|table| !table.is_empty())
+            .into_iter()
+            .collect(),
+        next: steps::next(args, calibration, &judgement, coverage.as_ref()),
+        written: written(args),
+        said: names.all_short(&said),
+        remarks: names.all_short(&remarks),
+        reserved: reasons
+            .iter()
+            .map(|reason| {
+                show::wrapped(&format!("stillpoint: {reason}"))
+                    .lines()
+                    .count()
+            })
+            .sum(),
+    }
+}
+
+/// How far corrected readings may be off.
+fn of_readings(calibration: &Calibration) -> Option<[String; 2]> {
+    let error = reading_error::of(calibration);
+    let mut parts = Vec::new();
+    if let Some(force) = error.force {
+        let mg = 1e3 * force / STANDARD_GRAVITY;
+        let (force, mg) = (show::rounded(1e3 * force, 2), show::rounded(mg, 2));
+        parts.push(format!("± {force} mm/s² ({mg} mg) at one g"));
+    }
+    if let Some(heading) = error.heading {
+        let heading = show::rounded(heading.to_degrees(), 2);
+        parts.push(format!("± {heading}° per 90° turn"));
+    }
+    (!parts.is_empty()).then(|| ["corrected reading".into(), parts.join(", ")])
+}
+
+/// What was written.
+fn written(args: &Args) -> String {
+    let mut files: Vec<String> = args.output.iter().map(|path| show::path(path)).collect();
+    files.extend(args.pictures.paths().iter().map(|path| show::path(path)));
+    match files.as_slice() {
+        [] => "Nothing was written; -o cal.json keeps the calibration.".into(),
+        files => format!("Wrote {}.", files.join(" and ")),
+    }
+}

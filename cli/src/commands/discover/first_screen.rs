@@ -1,0 +1,357 @@
+//! The first screen of a discovery: what is missing, how large it is, and what could not be told.
+
+use ::findings::{Front, Kind, gravest_first};
+use calib::Recording;
+use calib::discover::{Channel, EffectFinding, Findings, Integrity, Verdict};
+use calib::gravity::GravitySource;
+
+use super::Args;
+use super::size;
+use super::words::{gaps, or, unit_of};
+use crate::call;
+use crate::commands::calibrate::limits;
+use crate::commands::convert::command_line;
+use crate::commands::shared::first_screen::{Screen, Step};
+use crate::commands::shared::names::Names;
+use crate::pages::session::short_names;
+use crate::show;
+
+/// Names, faults and ties that are said one by one.
+const MOST: usize = 3;
+
+/// What is on it.
+pub fn screen(
+    args: &Args,
+    findings: &Findings,
+    recordings: &[Recording],
+    remarks: &[String],
+) -> Screen {
+    let names = Names::of(recordings);
+    let calibration = &findings.calibration;
+    let reasons = limits::reasons(calibration);
+    let bad = reasons
+        .first()
+        .map(|reason| format!("Not to be used as it is: {}.", show::gist(reason)));
+    let mut all: Vec<String> = Vec::new();
+    let mut said = Vec::new();
+    let read = remarks.iter().cloned().map(|remark| (false, remark));
+    let fitted = gravest_first(&calibration.warnings).into_iter();
+    // What would be gained by the place is among the next steps.
+    let fitted = fitted.map(|finding| {
+        (
+            finding.kind == Kind::GravityAssumed,
+            finding.text(Front::CommandLine),
+        )
+    });
+    for (is_said, remark) in fitted.chain(read) {
+        let list = if is_said { &mut said } else { &mut all };
+        if !list.contains(&remark) {
+            list.push(remark);
+        }
+    }
+    let mut written: Vec<String> = args.output.iter().map(|path| show::path(path)).collect();
+    written.extend(
+        args.emit_effect
+            .iter()
+            .filter(|_| findings.proposed.is_some())
+            .map(|path| show::path(path)),
+    );
+    written.extend(args.pictures.paths().iter().map(|path| show::path(path)));
+    let tables = [named(findings), names.short(&open(findings))];
+    Screen {
+        verdict: bad.into_iter().chain([brief(findings)]).collect(),
+        tables: tables
+            .into_iter()
+            .filter(|table| !table.is_empty())
+            .collect(),
+        next: next(args, findings),
+        written: match written.as_slice() {
+            [] => "Nothing was written; -o findings.json keeps it.".into(),
+            files => format!("Wrote {}.", files.join(" and ")),
+        },
+        said,
+        remarks: names.all_short(&all),
+        reserved: reasons
+            .iter()
+            .map(|reason| {
+                show::wrapped(&format!("stillpoint: {reason}"))
+                    .lines()
+                    .count()
+            })
+            .sum(),
+        ..Screen::default()
+    }
+}
+
+/// The verdict in at most thirty words.
+pub fn brief(findings: &Findings) -> String {
+    if findings.verdict == Verdict::Nothing {
+        return "Nothing is missing that could show here: the base models explain the recording to within its noise.".into();
+    }
+    let mut sentences = Vec::new();
+    if !findings.effects.is_empty() {
+        let names = findings.effects.iter().map(|effect| {
+            let ties = effect.indistinguishable_from.get(..1).unwrap_or_default();
+            or(&effect.name, ties)
+        });
+        sentences.push(format!(
+            "The base models lack {}.",
+            listed(&names.collect::<Vec<_>>())
+        ));
+    }
+    if !findings.integrity.is_empty() {
+        let mut kinds: Vec<String> = Vec::new();
+        for fault in &findings.integrity {
+            let kind = fault.name.replace('_', " ");
+            if !kinds.contains(&kind) {
+                kinds.push(kind);
+            }
+        }
+        sentences.push(format!(
+            "The recording itself is at fault: {}.",
+            listed(&kinds)
+        ));
+    }
+    match (&findings.unexplained, &findings.proposed) {
+        (Some(_), Some(_)) => sentences.push("A formula is proposed for what remains.".into()),
+        (Some(_), None) if findings.effects.is_empty() => {
+            sentences.push("Something is missing that no effect of the catalogue explains.".into());
+        }
+        (Some(_), None) => sentences.push("Something remains unexplained.".into()),
+        (None, _) => {}
+    }
+    sentences.join(" ")
+}
+
+/// `a, b and c`; of many the first.
+fn listed(names: &[String]) -> String {
+    match names {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first @ .., last] if names.len() <= MOST => format!("{} and {last}", first.join(", ")),
+        many => format!(
+            "{} and {} more",
+            many[..MOST - 1].join(", "),
+            many.len() + 1 - MOST
+        ),
+    }
+}
+
+/// The channel in few words.
+fn short(channel: Channel) -> &'static str {
+    match channel {
+        Channel::StaticNorm => "norm at rest",
+        Channel::StaticRate => "rate at rest",
+        Channel::Direction => "turns",
+        Channel::MovingForce => "force in motion",
+    }
+}
+
+/// The names, their sizes, and the gap before and after.
+fn named(findings: &Findings) -> String {
+    let mut rows = vec![["missing", "size", "gap of", "in the fit", "left out"].map(str::to_owned)];
+    let arrow = |before: f64, after: f64| gaps(before, after).join(" → ");
+    for effect in &findings.effects {
+        rows.push([
+            effect.name.clone(),
+            size::of(effect, findings.calibration.gravity),
+            short(effect.channel).into(),
+            arrow(effect.gap_before, effect.gap_after),
+            arrow(effect.held_out_gap_before, effect.held_out_gap_after),
+        ]);
+    }
+    if let Some(proposal) = &findings.proposed {
+        rows.push([
+            "a formula".into(),
+            show::counted(proposal.terms.len(), "term"),
+            short(proposal.channel).into(),
+            String::new(),
+            arrow(proposal.held_out_gap_before, proposal.held_out_gap_after),
+        ]);
+    }
+    if rows.len() == 1 {
+        return String::new();
+    }
+    let width = |k: usize| {
+        rows.iter()
+            .map(|row| row[k].chars().count())
+            .max()
+            .unwrap_or(0)
+    };
+    let widths = [0, 1, 2, 3, 4].map(width);
+    let line = |row: &[String; 5]| {
+        let [a, b, c, d, e] = row;
+        let [wa, wb, wc, wd, we] = widths;
+        format!("  {a:<wa$}  {b:>wb$}  {c:<wc$}  {d:>wd$}  {e:>we$}")
+    };
+    let mut lines: Vec<String> = rows.iter().map(line).collect();
+    let whole = lines
+        .iter()
+        .map(|line| line.chars().count())
+        .max()
+        .unwrap_or(0);
+    if whole > crate::terminal::width() {
+        // A long name leaves no room for what the size of the gap is of.
+        let line = |row: &[String; 5]| {
+            let [a, b, _, d, e] = row;
+            let [wa, wb, _, wd, we] = widths;
+            format!("  {a:<wa$} {b:>wb$} {d:>wd$} {e:>we$}")
+        };
+        lines = rows.iter().map(line).collect();
+    }
+    lines.push("  A gap of 1 is explained to the noise.".into());
+    lines.join("\n")
+}
+
+/// What could not be told, a line or two each.
+fn open(findings: &Findings) -> String {
+    let mut lines = Vec::new();
+    if let Some(proposal) = &findings.proposed {
+        lines.push(format!("proposed, not named: {}", proposal.equation));
+    }
+    for effect in &findings.effects {
+        if !effect.indistinguishable_from.is_empty() {
+            let ties = effect.indistinguishable_from.join(" or ");
+            lines.push(format!(
+                "{} or {ties}: not told apart by these recordings",
+                effect.name
+            ));
+        }
+        if effect.latitude_in_doubt.is_some() {
+            lines.push(format!(
+                "{} or another latitude: not told apart",
+                effect.name
+            ));
+        }
+    }
+    if let Some(rest) = &findings.unexplained {
+        let size = rest.rms.map_or_else(String::new, |rms| {
+            let (factor, unit) = unit_of(rest.channel);
+            format!(" ({} {unit} rms are left)", show::figures(factor * rms, 3))
+        });
+        let whose = rest.recording.iter();
+        let whose: String = whose.map(|name| format!("in {name} alone: ")).collect();
+        lines.push(format!("unexplained: {whose}{}{size}", rest.shape));
+    }
+    lines.extend(faults(&findings.integrity));
+    match findings.not_observable.len() {
+        0 => {}
+        1 => lines.push(format!(
+            "could not have shown here: {}",
+            findings.not_observable[0]
+        )),
+        n => lines.push(format!(
+            "{n} effects could not have shown here (-v names them)"
+        )),
+    }
+    let lines = lines
+        .iter()
+        .map(|line| show::wrapped(&format!("  • {line}")));
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// The faults of the recordings, a line for each kind.
+fn faults(integrity: &[Integrity]) -> Vec<String> {
+    let mut kinds: Vec<(&str, Vec<&Integrity>)> = Vec::new();
+    for fault in integrity {
+        match kinds.iter_mut().find(|(name, _)| *name == fault.name) {
+            Some((_, all)) => all.push(fault),
+            None => kinds.push((fault.name, vec![fault])),
+        }
+    }
+    let recordings: Vec<&str> = integrity
+        .iter()
+        .map(|fault| fault.recording.as_str())
+        .collect();
+    let mut whole = recordings.clone();
+    whole.sort_unstable();
+    whole.dedup();
+    let called = short_names(&whole);
+    let of = |fault: &Integrity| {
+        let k = whole.iter().position(|name| *name == fault.recording);
+        let recording = k.map_or("", |k| called[k].as_str());
+        let kind = if fault.name == "outlying_turn" {
+            "turn"
+        } else {
+            "interval"
+        };
+        match fault.interval {
+            Some(k) => format!(
+                "{recording}, {kind} {k} ({:.0} to {:.0} s)",
+                fault.t0, fault.t1
+            ),
+            None => recording.to_owned(),
+        }
+    };
+    let line = |(name, all): &(&str, Vec<&Integrity>)| {
+        let places: Vec<String> = all.iter().map(|fault| of(fault)).collect();
+        format!("{}: {}", name.replace('_', " "), listed(&places))
+    };
+    kinds.iter().map(line).collect()
+}
+
+/// Commands for what comes next, the most telling first.
+fn next(args: &Args, findings: &Findings) -> Vec<Step> {
+    let given = args.output.as_deref().map(command_line);
+    let document = given.clone().unwrap_or("findings.json".into());
+    let inputs = args.recordings.command_line() + &args.read.command_line();
+    let place = args.place.command_line();
+    let mut steps = Vec::new();
+    let tied = |effect: &&EffectFinding| effect.told_apart_by.is_some();
+    if findings.effects.iter().any(|effect| tied(&effect)) {
+        steps.push(Step::new(
+            "plan what tells them apart",
+            format!("stillpoint plan {document}"),
+        ));
+    }
+    if !findings.effects.is_empty() && findings.validation.is_empty() {
+        steps.push(Step::new(
+            "see the names confirmed",
+            format!("stillpoint discover {inputs}{place} --validation SECOND"),
+        ));
+    }
+    let rest = findings.unexplained.as_ref();
+    if let Some(effect) = rest.and_then(|rest| rest.fitted_by) {
+        steps.push(Step::new(
+            "fit what is not named",
+            format!("stillpoint calibrate {inputs}{place} --effects {effect} -o cal.json"),
+        ));
+    }
+    if findings.unexplained.is_some() && findings.effects.is_empty() {
+        steps.push(Step::words(
+            "Record the device once more: what returns with the same shape belongs to it, anything else to the day.",
+        ));
+    }
+    let remedy = findings
+        .integrity
+        .iter()
+        .find_map(|fault| Some((fault.name, fault.remedy?)));
+    if let Some((fault, remedy)) = remedy {
+        steps.push(Step::words(format!(
+            "Against {}: {remedy}.",
+            fault.replace('_', " ")
+        )));
+    }
+    let calibration = &findings.calibration;
+    if calibration.failed_gates.is_empty() {
+        let one = args.recordings.recordings.first();
+        let one = one.map_or("RECORDING".into(), |path| command_line(path));
+        let read = args.read.command_line();
+        steps.push(Step::new(
+            "correct a recording",
+            format!("stillpoint apply {document} {one}{read} -o corrected.csv"),
+        ));
+        if calibration.gravity_source == GravitySource::Assumed {
+            let output = if given.is_some() {
+                None
+            } else {
+                Some(document.as_str())
+            };
+            steps.push(Step::new(
+                "give the place",
+                call::again("--latitude DEG", output),
+            ));
+        }
+    }
+    steps
+}

@@ -1,0 +1,36 @@
+//! Steps of long work as lines on standard error, for a program that runs this one, such as the page in a browser.
+
+use std::io::Write;
+use std::ops::ControlFlow;
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
+
+use calib::watch::{Progress, watched};
+
+use crate::exit::Failure;
+
+/// Asks for the lines where it is set.
+const ASKED: &str = "STILLPOINT_PROGRESS";
+/// The beginning of a line: a character that no other line has, so that the reader can take them out.
+const MARK: &str = "\u{1e}progress";
+/// Shortest time between two lines.
+const PAUSE: Duration = Duration::from_millis(50);
+
+/// What `work` gives; its steps are told where the environment asks for them: `\u{1e}progress fitting 34`.
+pub fn told(work: impl FnOnce() -> Result<(), Failure>) -> Result<(), Failure> {
+    if std::env::var_os(ASKED).is_none() {
+        return work();
+    }
+    let last: Mutex<Option<Instant>> = Mutex::new(None);
+    let tell = move |progress: Progress| {
+        if let Ok(mut last) = last.lock()
+            && last.is_none_or(|last| last.elapsed() >= PAUSE)
+        {
+            *last = Some(Instant::now());
+            let (stage, steps) = (progress.stage.name(), progress.steps);
+            let _ = writeln!(std::io::stderr(), "{MARK} {stage} {steps}");
+        }
+        ControlFlow::Continue(())
+    };
+    watched(Arc::new(tell), || Ok(work()))?
+}

@@ -1,0 +1,192 @@
+//! The first screen: the verdict first, and no more than a terminal of 24 lines and 80 columns shows.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+#[path = "../common/mod.rs"]
+mod common;
+#[path = "../../../tests/src/needed_data.rs"]
+mod needed_data;
+
+use std::path::{Path, PathBuf};
+
+use calib::recording::to_csv;
+use calib::simulate::{HandHeld, Motion, Spec};
+use common::{status, stderr, stdout, stillpoint};
+
+const LINES: usize = 24;
+const COLUMNS: usize = 80;
+
+/// Runs a command, whose output and messages together fill one terminal at most.
+#[track_caller]
+fn on_one_screen(folder: &Path, args: &[&str]) -> String {
+    let run = stillpoint(folder, args);
+    let (said, remarks) = (stdout(&run), stderr(&run));
+    assert_eq!(status(&run), 0, "{args:?}: {remarks}");
+    let all = format!("{said}{remarks}");
+    assert!(all.lines().count() <= LINES, "{args:?}:\n{all}");
+    for line in all.lines() {
+        assert!(line.chars().count() <= COLUMNS, "{args:?}: {line}");
+    }
+    said
+}
+
+/// A folder with `good.csv`, a session that begins with half a minute at rest.
+fn folder() -> (tempfile::TempDir, PathBuf) {
+    let dir = tempfile::tempdir().unwrap();
+    let mut spec = Spec::hand_held(11);
+    spec.motion = Motion::HandHeld(HandHeld {
+        placements: Some(14),
+        initial_rest: Some(30.0),
+        ..HandHeld::default()
+    });
+    let path = dir.path().to_owned();
+    let mut session = spec.run().unwrap();
+    std::fs::write(path.join("good.csv"), to_csv(&mut session.recording)).unwrap();
+    (dir, path)
+}
+
+/// The commands over the recordings of a device; the first is looked at on its own.
+fn every_command(folder: &Path, recordings: &[&str]) {
+    let one = recordings[0];
+    let with = |command: &str, more: &[&str]| {
+        let words = [&[command][..], recordings, more].concat();
+        on_one_screen(folder, &words)
+    };
+    let said = with("calibrate", &["-o", "cal.json"]);
+    let levels = ["Good: ", "With care: ", "Not to be used: "];
+    assert!(levels.iter().any(|level| said.starts_with(level)), "{said}");
+    assert!(
+        said.contains("scale, ppm") && said.contains("weakest parameter"),
+        "{said}"
+    );
+    assert!(said.contains("Wrote cal.json."), "{said}");
+    let next = said.split_once("\nNext\n").unwrap().1;
+    assert!(next.contains("stillpoint "), "{said}");
+    let said = with("discover", &["-o", "findings.json"]);
+    let verdict: Vec<&str> = said
+        .split("\n\n")
+        .next()
+        .unwrap()
+        .split_whitespace()
+        .collect();
+    assert!(verdict.len() <= 30, "{} words: {said}", verdict.len());
+    let begins = [
+        "The base models lack",
+        "The recording itself",
+        "Nothing is missing",
+        "Something is missing",
+    ];
+    assert!(begins.iter().any(|words| said.starts_with(words)), "{said}");
+    on_one_screen(folder, &["evaluate", one, "--calibration", "cal=cal.json"]);
+    on_one_screen(folder, &["bias", "cal.json", one, "-o", "today.json"]);
+    on_one_screen(folder, &["segment", one]);
+    on_one_screen(folder, &["info", one]);
+    for command in [&["calibrate"][..], &["discover"]] {
+        let quiet = stillpoint(folder, &[command, recordings, &["-q"]].concat());
+        assert!(stdout(&quiet).lines().count() <= 4, "{}", stdout(&quiet));
+        assert_eq!(stderr(&quiet), "");
+    }
+}
+
+#[test]
+fn every_command_fills_one_screen_on_a_simulated_session() {
+    let (_dir, folder) = folder();
+    every_command(&folder, &["good.csv"]);
+    on_one_screen(&folder, &["allan", "good.csv", "--rest", "0,19"]);
+    let devices = folder.join("devices");
+    std::fs::create_dir(&devices).unwrap();
+    for k in 0..30 {
+        std::fs::copy(
+            folder.join("good.csv"),
+            devices.join(format!("unit_{k}.csv")),
+        )
+        .unwrap();
+    }
+    let said = on_one_screen(&folder, &["batch", "devices", "-o", "out"]);
+    assert!(said.starts_with("30 of 30 devices pass"), "{said}");
+}
+
+#[test]
+fn the_demonstration_fills_one_screen_and_says_that_it_is_simulated() {
+    let (_dir, folder) = folder();
+    for args in [&["demo"][..], &["demo", "--out", "demo"]] {
+        let said = on_one_screen(&folder, args);
+        assert!(said.starts_with("The hidden effect is found"), "{said}");
+        assert!(said.lines().next().unwrap().contains("simulated"), "{said}");
+        assert!(
+            said.contains("truth") && said.contains("estimate"),
+            "{said}"
+        );
+    }
+}
+
+/// What `-v` adds is what stands behind the screen, in SI units.
+#[test]
+fn details_stand_behind_the_screen() {
+    let (_dir, folder) = folder();
+    let brief = stdout(&stillpoint(&folder, &["calibrate", "good.csv"]));
+    let whole = stillpoint(&folder, &["calibrate", "good.csv", "-v"]);
+    let said = stdout(&whole);
+    assert_eq!(brief.lines().next(), said.lines().next());
+    for words in [
+        "std error",
+        "alpha_yz",
+        "heading error per turn",
+        "condition",
+    ] {
+        assert!(said.contains(words) && !brief.contains(words), "{words}");
+    }
+    assert!(
+        stderr(&whole).contains("give --gravity"),
+        "{}",
+        stderr(&whole)
+    );
+}
+
+/// Two recordings whose files have one name are told apart by their folders, and a path is in no table.
+#[test]
+fn recordings_have_short_names_that_no_other_has() {
+    let (_dir, folder) = folder();
+    let text = std::fs::read_to_string(folder.join("good.csv")).unwrap();
+    let lines: Vec<&str> = text.lines().collect();
+    for (day, count) in [("day_1", lines.len()), ("day_2", lines.len() * 9 / 10)] {
+        let day = folder.join("long/way/to").join(day);
+        std::fs::create_dir_all(&day).unwrap();
+        std::fs::write(day.join("run.csv"), lines[..count].join("\n")).unwrap();
+    }
+    let args = [
+        "calibrate",
+        "long/way/to/day_1/run.csv",
+        "long/way/to/day_2/run.csv",
+        "-v",
+        "--force-device",
+    ];
+    let run = stillpoint(&folder, &args);
+    let said = stdout(&run);
+    assert_eq!(status(&run), 0, "{said}{}", stderr(&run));
+    let (screen, details) = said.split_once("Accelerometer   a = T").unwrap();
+    assert!(!details.contains("long/way"), "{details}");
+    // But a command has them as they are typed.
+    assert!(screen.contains("long/way/to/day_1/run.csv"), "{screen}");
+}
+
+#[test]
+fn every_command_fills_one_screen_on_the_phones_recordings() {
+    let Some(phone) = needed_data::needed("phone") else {
+        return;
+    };
+    let dir = tempfile::tempdir().unwrap();
+    for name in ["rec_1", "rec_2", "rec_3"] {
+        let from = phone
+            .join("multi_position")
+            .join(name)
+            .canonicalize()
+            .unwrap();
+        std::os::unix::fs::symlink(from, dir.path().join(name)).unwrap();
+    }
+    every_command(dir.path(), &["rec_1", "rec_2"]);
+    on_one_screen(
+        dir.path(),
+        &["evaluate", "rec_3", "--calibration", "cal=cal.json"],
+    );
+    on_one_screen(dir.path(), &["allan", "rec_2"]);
+}

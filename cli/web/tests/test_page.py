@@ -1,0 +1,219 @@
+"""The page in a browser against the command line. `.ci/page` builds both and says where they are:
+
+STILLPOINT_PAGE  the page
+STILLPOINT_BIN   the program
+"""
+
+import json
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from browser import Browser, chromium
+from differences import furthest
+
+PAGE = os.environ.get("STILLPOINT_PAGE", "")
+PROGRAM = os.environ.get("STILLPOINT_BIN", "")
+# Rounding differs: the processor of the command line multiplies and adds in one step, WebAssembly in two.
+CLOSE = 1e-9
+
+pytestmark = pytest.mark.skipif(not (PAGE and PROGRAM and chromium()), reason="no page, no program or no Chromium")
+
+
+def command_line(folder, *words):
+    """Runs the program in a folder."""
+    return subprocess.run([PROGRAM, *words], cwd=folder, capture_output=True, text=True, check=False)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """A simulated session, and what the command line makes of it."""
+    made = tmp_path_factory.mktemp("page")
+    assert command_line(made, "demo", "--out", "demo").returncode == 0
+    (made / "demo/recording.csv").rename(made / "session.csv")
+    lines = (made / "session.csv").read_text().splitlines()
+    # The same session on two clocks, as an app's folder has it.
+    (made / "phone").mkdir()
+    for name, begin in (("acc", 1), ("gyro", 4)):
+        rows = [",".join([row.split(",")[0], *row.split(",")[begin : begin + 3]]) for row in lines]
+        (made / "phone" / f"{name}.csv").write_text("\n".join(rows) + "\n")
+    # Rows of two devices.
+    header, *rows = lines
+    both = []
+    for row in rows:
+        t, *values = row.split(",")
+        off = [f"{float(value) + bias:.6f}" for value, bias in zip(values, (0.3, -0.2, 0.4, 0.02, -0.03, 0.01))]
+        both += [",".join([t, "0", *values]), ",".join([t, "1", *off])]
+    (made / "two.csv").write_text("\n".join([header.replace("t,", "t,I,"), *both]) + "\n")
+    return made
+
+
+@pytest.fixture
+def browser():
+    """A browser with the page open."""
+    opened = Browser(chromium())
+    opened.open(PAGE)
+    yield opened
+    opened.close()
+
+
+def idle(browser):
+    browser.until("document.getElementById('busy').hidden && !document.body.hasAttribute('aria-busy')")
+
+
+def given(browser, *files, field="#files"):
+    """Gives files to the page and waits until it says what is in them."""
+    browser.run("document.getElementById('what').replaceChildren()")
+    browser.choose(field, *files)
+    browser.until("document.getElementById('what').children.length > 0")
+    idle(browser)
+
+
+def calibrated(browser):
+    browser.click("#calibrate")
+    browser.until("!document.getElementById('result').hidden")
+    idle(browser)
+    return browser.saved("cal.json")
+
+
+def test_a_recording_gives_the_calibration_of_the_command_line(browser, folder):
+    given(browser, folder / "session.csv")
+    assert "accelerometer" in browser.text("#what")
+    mine = calibrated(browser)
+    words = ["calibrate", "session.csv", "-o", "cal.json", "--report", "report.html"]
+    assert "stillpoint " + " ".join(words) in browser.run("document.getElementById('command').textContent")
+    assert command_line(folder, *words, "--force").returncode == 0
+    distance, place = furthest(json.loads(mine), json.loads((folder / "cal.json").read_text()))
+    assert distance < CLOSE, place
+    shown = browser.run("document.querySelector('.shown').shadowRoot.textContent")
+    assert "What to do next" in shown
+    assert browser.run("document.querySelector('#pictures .shown').shadowRoot.querySelectorAll('svg').length") > 5
+
+
+def test_a_folder_is_one_recording_and_two_files_of_one_sensor_each_are_too(browser, folder):
+    given(browser, folder / "phone", field="#folder")
+    whole = json.loads(calibrated(browser))
+    given(browser, folder / "phone/acc.csv", folder / "phone/gyro.csv")
+    assert "calibrate recording -o" in browser.run("document.getElementById('command').textContent")
+    apart = json.loads(calibrated(browser))
+    assert apart["gyroscope"] == whole["gyroscope"]
+
+
+def test_a_file_that_is_dropped_is_taken_as_one_that_is_chosen(browser, folder):
+    text = json.dumps((folder / "session.csv").read_text())
+    browser.run(
+        f"(() => {{ const data = new DataTransfer(); data.items.add(new File([{text}], 'dropped.csv'));"
+        "document.getElementById('drop').dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true })); })()"
+    )
+    browser.until("document.querySelectorAll('#what table').length > 0")
+    assert "dropped.csv" in browser.text("#what")
+
+
+def test_a_choice_that_a_message_offers_is_a_button(browser, folder):
+    given(browser, folder / "two.csv")
+    assert "2 devices" in browser.text("#what")
+    buttons = "[...document.querySelectorAll('#what .failure button')]"
+    assert browser.run(f"{buttons}.map((b) => b.textContent)") == ["Use --instance 0", "Use --instance 1"]
+    browser.run(f"{buttons}[1].click()")
+    browser.until("document.querySelectorAll('#what table').length > 0")
+    idle(browser)
+    assert "--instance 1" in browser.run("document.getElementById('command').textContent")
+
+
+def test_discovery_export_and_another_recording_follow_a_calibration(browser, folder):
+    given(browser, folder / "session.csv")
+    calibrated(browser)
+    browser.click("#discover")
+    browser.until("document.querySelector('#discovered .shown')")
+    idle(browser)
+    findings = json.loads(browser.saved("findings.json"))
+    assert findings["effects"][0]["name"] == "gyro_g_sensitivity"
+    browser.click("#export")
+    browser.until("document.querySelector('#done a')")
+    assert b"CAL_ACC0_XOFF" in browser.saved("imu.params")
+    browser.choose("#other", folder / "session.csv")
+    browser.until("!document.getElementById('correct').disabled")
+    browser.click("#correct")
+    browser.until("document.querySelector('#done a[download=\"corrected.csv\"]')")
+    assert browser.saved("corrected.csv").startswith(b"t,ax,ay,az,gx,gy,gz")
+    browser.click("#evaluate")
+    browser.until("document.querySelector('#done .shown')")
+    assert "Evaluating" in browser.text("#done h2")
+
+
+def test_the_keyboard_alone_is_enough_and_escape_cancels(browser, folder):
+    given(browser, folder / "session.csv")
+    browser.run("document.getElementById('calibrate').focus()")
+    browser.key("Enter", 13)
+    browser.until("!document.getElementById('busy').hidden")
+    browser.key("Escape", 27)
+    browser.until("!document.getElementById('problem').hidden")
+    assert "Cancelled" in browser.text("#problem")
+    browser.key("Enter", 13)
+    browser.until("!document.getElementById('result').hidden")
+    # What a key reaches is a control, and no control is out of its reach.
+    reached = set()
+    for _ in range(60):
+        browser.key("Tab", 9)
+        reached.add(browser.run("document.activeElement.id"))
+    assert {"choose-files", "discover", "target", "export", "choose-other", "keep"} <= reached
+
+
+def test_a_simulated_recording_is_at_hand_for_those_who_have_none(browser):
+    browser.click("#try")
+    browser.until("document.querySelectorAll('#what table').length > 0")
+    assert "recording.csv" in browser.text("#what")
+
+
+def test_nothing_is_asked_of_a_network_and_no_script_of_a_file_runs(browser, folder):
+    nasty = folder / "<img src=x onerror=document.title='run'>.csv"
+    nasty.write_bytes((folder / "session.csv").read_bytes())
+    given(browser, nasty)
+    calibrated(browser)
+    assert browser.run("document.title") == "Stillpoint"
+    kinds = {url.split(":")[0] for url in browser.requests}
+    assert kinds <= {"file", "blob", "data", "about"}, browser.requests
+    assert [url for url in browser.requests if url.startswith("file")] == [Path(PAGE).resolve().as_uri()]
+    with pytest.raises(RuntimeError):
+        browser.run("fetch('https://example.invalid/')")
+    assert not [text for text in browser.logs if "example.invalid" not in text]
+
+
+def test_broken_files_are_refused_with_a_reason_and_the_page_goes_on(browser, folder):
+    for name, content in {"empty.csv": b"", "noise.ulg": bytes(range(256)) * 40, "zip.zip": b"PK\3\4" + b"\0" * 99}.items():
+        (folder / name).write_bytes(content)
+        given(browser, folder / name)
+        assert name in browser.text("#what .failure"), browser.text("#what")
+    given(browser, folder / "session.csv")
+    assert "accelerometer" in browser.text("#what")
+
+
+def test_a_file_that_is_too_large_is_refused_by_its_size_with_the_way_out(browser, folder):
+    large = folder / "large.csv"
+    with large.open("wb") as file:
+        file.truncate(301_000_000)
+    given(browser, large)
+    said = browser.text("#what")
+    assert "301 MB" in said and "stillpoint calibrate large.csv" in said
+
+
+def test_no_part_is_wider_than_a_phone(browser, folder):
+    browser.look(390, "dark")
+    given(browser, folder / "session.csv")
+    calibrated(browser)
+    assert browser.run("document.documentElement.scrollWidth") <= 390
+
+
+def test_a_calibration_is_kept_only_on_request(browser, folder):
+    given(browser, folder / "session.csv")
+    calibrated(browser)
+    assert browser.run("localStorage.length") == 0
+    browser.click("#keep")
+    assert browser.run("localStorage.length") == 1
+    browser.open(PAGE)
+    assert "cal.json" in browser.text("#kept")
+    browser.click("#kept button")
+    browser.click("#export")
+    browser.until("document.querySelector('#done a')")
