@@ -47,7 +47,7 @@ const TRF: [([f64; 2], usize); 4] = [
 ];
 
 #[test]
-fn twenty_decays_take_hardly_more_jacobians_than_scipys_trf_to_the_same_tolerance() {
+fn twenty_decays_take_no_more_jacobians_than_scipys_trf_to_the_same_tolerance() {
     // The cost is offset² of itself above the minimum.
     let options = Options {
         gradient_tolerance: 1e-4,
@@ -69,7 +69,7 @@ fn twenty_decays_take_hardly_more_jacobians_than_scipys_trf_to_the_same_toleranc
         theirs += jacobians;
     }
     println!("{ours} Jacobians, trf {theirs}");
-    assert!(ours * 10 <= theirs * 11, "{ours} Jacobians, trf {theirs}");
+    assert!(ours <= theirs, "{ours} Jacobians, trf {theirs}");
 }
 
 #[test]

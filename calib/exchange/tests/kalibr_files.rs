@@ -63,7 +63,7 @@ fn without_biases_it_is_said_of_the_sensors_that_have_none() {
     };
     assert!(said(&without("    b: [0.01, 0.02, 0.03]\n")).contains("its gyroscopes have no bias"));
     let neither = without("    b: [0.01, 0.02, 0.03]\n").replace("    b: [0.1, 0.2, 0.3]\n", "");
-    assert!(said(&neither).contains("its file has no biases"));
+    assert!(said(&neither).contains("its accelerometers and gyroscopes have no bias"));
     let other = imu_calib("scale-misalignment").replace("    b: [0.1", "    offset: [0.1");
     assert!(said(&other).contains("accelerometers.offset is not read"));
 }

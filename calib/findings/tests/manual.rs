@@ -10,11 +10,15 @@ fn the_chapter_of_findings_has_the_table_of_all_kinds() {
     let text = std::fs::read_to_string(&chapter).unwrap();
     let (before, table) = text.split_at(text.find("| kind |").unwrap());
     if std::env::var_os("STILLPOINT_WRITE").is_some() {
-        std::fs::write(&chapter, before.to_owned() + &findings::manual_table()).unwrap();
+        std::fs::write(
+            &chapter,
+            before.to_owned() + &stillpoint_findings::manual_table(),
+        )
+        .unwrap();
         return;
     }
     assert!(
-        table == findings::manual_table(),
+        table == stillpoint_findings::manual_table(),
         "write the table anew: STILLPOINT_WRITE=1 cargo test -p stillpoint-findings --test manual"
     );
 }

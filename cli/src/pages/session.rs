@@ -337,21 +337,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_recordings_name_is_no_part_of_what_is_said_of_it() {
-        let recording = Recording {
-            name: "touched".into(),
-            ..Recording::default()
-        };
-        let cut = Segmentation::from_spans(&recording, &[], 1.0);
-        let session = Session::of([(&recording, &cut)].into_iter(), None, 9.8).unwrap();
-        assert_eq!(
-            session.body("touched: turn 3 lasts 20 s"),
-            "turn 3 lasts 20 s"
-        );
-        assert_eq!(session.body("gravity was assumed"), "gravity was assumed");
-    }
-
-    #[test]
     fn recordings_of_one_name_are_told_apart() {
         let names = short_names(&[
             "a/run.csv",

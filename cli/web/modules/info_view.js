@@ -2,6 +2,7 @@
 import { element, table } from "./elements.js";
 
 const SENSORS = ["sensor", "unit", "rows", "for s", "rate Hz", "gaps"];
+const TOPIC = /--topic (\S+)/;
 const STREAMS = ["sensor", "source", "rows", "rate Hz", "option"];
 
 /** What `info` found in a file. */
@@ -29,6 +30,20 @@ export function notes(title, texts) {
     const list = element("ul", {}, texts.map((text) => element("li", {}, text)));
     const summary = element("summary", {}, `${title} (${texts.length})`);
     return element("details", { open: texts.length <= 3, className: "notes" }, summary, list);
+}
+
+/** The options that a log of several sensors asks about: for each accelerometer its own, with the gyroscope of the same number. */
+export function optionsOf(streams) {
+    const of = (name) => streams.filter(({ sensor, option }) => sensor === name && option);
+    const [accelerometers, gyroscopes] = [of("accelerometer"), of("gyroscope")];
+    const first = accelerometers.length > 0 ? accelerometers : gyroscopes;
+    const options = first.map((stream) => {
+        const isBeside = ({ instance, option }) => instance === stream.instance && option !== stream.option;
+        const isOne = gyroscopes.some(({ option }) => option === stream.option);
+        const topic = isOne ? undefined : gyroscopes.find(isBeside)?.option.match(TOPIC)?.[1];
+        return topic ? stream.option.replace(TOPIC, `--topic $1,${topic}`) : stream.option;
+    });
+    return [...new Set(options)];
 }
 
 function sensorRow(sensor) {

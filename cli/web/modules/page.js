@@ -5,7 +5,7 @@ import { chosen, dropped, joined, recordings, tooLarge } from "./dropped.js";
 import { button, copied, element, focus, saved, show } from "./elements.js";
 import { failureOf, failureView, parsed } from "./failure_view.js";
 import { Further } from "./further.js";
-import { infoView } from "./info_view.js";
+import { infoView, optionsOf } from "./info_view.js";
 import { Cancelled, Program } from "./program.js";
 import { commandLine } from "./shell_words.js";
 import { verdictView } from "./verdict_view.js";
@@ -110,11 +110,7 @@ class Page {
         this.files = joined(this.files, documents);
         const choose = (line, isOpen) => this.choose(line, isOpen);
         // A log of several sensors has been read as far as this: which of them is asked.
-        const all = documents.flatMap((document) => document.streams ?? []);
-        // The gyroscope that belongs to an accelerometer is found by itself.
-        const first = all.filter(({ sensor }) => sensor === "accelerometer");
-        const streams = first.length > 0 ? first : all;
-        const options = [...new Set(streams.map(({ option }) => option).filter(Boolean))];
+        const options = optionsOf(documents.flatMap((document) => document.streams ?? []));
         const asked = options.map((line) => button(`Use ${line}`, () => choose(line, false)));
         show(
             $("what"),

@@ -122,6 +122,18 @@ def test_a_choice_that_a_message_offers_is_a_button(browser, folder):
     assert "--instance 1" in browser.run("document.getElementById('command').textContent")
 
 
+def test_a_log_of_several_sensors_asks_for_an_accelerometer_with_its_gyroscope(browser):
+    log = Path(os.environ.get("STILLPOINT_DATA", Path(__file__).resolve().parents[4] / "shared/data")) / "formats/px4_sample_log_small.ulg"
+    if not log.exists():
+        pytest.skip(f"{log} is not there")
+    given(browser, log)
+    offers = browser.run("[...document.querySelectorAll('#what .choices button')].map((b) => b.textContent)")
+    assert "Use --topic sensor_accel,sensor_gyro --instance 1" in offers and len(offers) == 4
+    browser.run("document.querySelectorAll('#what .choices button')[1].click()")
+    browser.until("document.querySelectorAll('#what tbody tr').length === 2")
+    assert "gyroscope" in browser.text("#what table")
+
+
 def test_discovery_export_and_another_recording_follow_a_calibration(browser, folder):
     given(browser, folder / "session.csv")
     calibrated(browser)

@@ -184,7 +184,12 @@ fn main() -> Result<(), Failure> {
         return Err("at least one round".into());
     };
     let least: Vec<f64> = (0..count)
-        .map(|k| first.iter().map(|run| run.costs[k]).fold(f64::INFINITY, f64::min))
+        .map(|k| {
+            first
+                .iter()
+                .map(|run| run.costs[k])
+                .fold(f64::INFINITY, f64::min)
+        })
         .collect();
     println!("{count} decays of 20 values and 2 parameters, one thread, medians of {rounds} turns");
     println!("| solver | µs a problem | batch / it | at the least cost |");
@@ -196,10 +201,21 @@ fn main() -> Result<(), Failure> {
         "levenberg-marquardt, dual numbers",
     ];
     for (place, name) in names.iter().enumerate() {
-        let micros = median(turns.iter().map(|t| 1e6 * t[place].seconds / count as f64).collect());
-        let ratio = median(turns.iter().map(|t| t[0].seconds / t[place].seconds).collect());
+        let micros = median(
+            turns
+                .iter()
+                .map(|t| 1e6 * t[place].seconds / count as f64)
+                .collect(),
+        );
+        let ratio = median(
+            turns
+                .iter()
+                .map(|t| t[0].seconds / t[place].seconds)
+                .collect(),
+        );
         let costs = &first[place].costs;
-        let same = (costs.iter().zip(&least)).filter(|(cost, least)| **cost <= **least * (1.0 + SAME));
+        let same =
+            (costs.iter().zip(&least)).filter(|(cost, least)| **cost <= **least * (1.0 + SAME));
         println!("| {name} | {micros:.2} | {ratio:.3} | {} |", same.count());
     }
     Ok(())

@@ -1,6 +1,6 @@
 //! The first screen of a calibration.
 
-use ::findings::{Front, Kind, gravest_first};
+use ::findings::{Front, Grade, Kind, gravest_first};
 use calib::calibrate::{Outcome, STANDARD_GRAVITY};
 use calib::recording::averages::root_mean_square;
 use calib::{Calibration, Recording};
@@ -13,7 +13,6 @@ use crate::commands::shared::first_screen::Screen;
 use crate::commands::shared::names::Names;
 use crate::pages::session::Session;
 use crate::pages::{calibration as pages, parameters};
-use crate::report::Level;
 use crate::show;
 
 /// A calibration that is to be shown, and how it was asked for.
@@ -88,7 +87,7 @@ pub fn screen(shown: &Shown<'_>) -> Screen {
     for finding in gravest_first(&calibration.warnings) {
         let text = finding.text(Front::CommandLine);
         // What would be gained by the place is among the next steps.
-        let of_gravity = judgement.level != Level::Bad && finding.kind == Kind::GravityAssumed;
+        let of_gravity = judgement.grade != Grade::Bad && finding.kind == Kind::GravityAssumed;
         match of_gravity {
             true => said.push(text),
             false if !said.contains(&text) => remarks.push(text),

@@ -1,14 +1,12 @@
 //! The verdict that the first screen says, out of the findings of a calibration.
 
-use ::findings::{Finding, Front, Grade, gravest_first};
+use ::findings::{Finding, Front, Grade, Level as Weight, gravest_first};
 use calib::Calibration;
-
-use crate::report::Level;
 
 /// How good a calibration is, why, and what was said with that.
 pub struct Judgement {
     /// How good.
-    pub level: Level,
+    pub grade: Grade,
     /// The verdict in a sentence.
     pub sentence: String,
     /// Findings that ask for something, the gravest first.
@@ -21,23 +19,17 @@ pub struct Judgement {
 pub fn of(calibration: &Calibration) -> Judgement {
     let verdict = calibration.verdict();
     let all = calibration.findings();
-    let asks = |finding: &&Finding| finding.level > ::findings::Level::Remark;
-    let findings: Vec<Finding> = gravest_first(&all)
-        .into_iter()
-        .filter(asks)
-        .cloned()
-        .collect();
-    let said = findings
-        .first()
-        .map(|finding| finding.text(Front::CommandLine));
+    let sorted = gravest_first(&all).into_iter();
+    let asks = |finding: &&Finding| finding.level > Weight::Remark;
+    let findings: Vec<Finding> = sorted.filter(asks).cloned().collect();
+    let first = findings.first().filter(|_| verdict.level != Grade::Good);
     Judgement {
-        level: match verdict.level {
-            Grade::Good => Level::Good,
-            Grade::Care => Level::Care,
-            Grade::Bad => Level::Bad,
-        },
+        grade: verdict.level,
         sentence: verdict.sentence(),
+        said: first
+            .iter()
+            .map(|finding| finding.text(Front::CommandLine))
+            .collect(),
         findings,
-        said: said.into_iter().collect(),
     }
 }

@@ -1,6 +1,6 @@
 //! Commands for what comes after a calibration.
 
-use ::findings::{Front, Remedy};
+use ::findings::{Front, Grade, Remedy};
 use calib::Calibration;
 use calib::gravity::GravitySource;
 
@@ -10,7 +10,6 @@ use crate::call;
 use crate::commands::convert::command_line;
 use crate::commands::shared::first_screen::Step;
 use crate::pages::coverage::Coverage;
-use crate::report::Level;
 use crate::show;
 
 /// Commands for what comes next, the most telling first.
@@ -20,7 +19,6 @@ pub fn next(
     judgement: &Judgement,
     coverage: Option<&Coverage>,
 ) -> Vec<Step> {
-    let level = judgement.level;
     let given = args.output.as_deref().map(command_line);
     let cal = given.clone().unwrap_or("cal.json".into());
     let inputs = args.recordings.command_line() + &args.read.command_line();
@@ -47,10 +45,22 @@ pub fn next(
         ));
     }
     for finding in &judgement.findings {
-        let has_command = [Some(&Remedy::Discover), Some(&Remedy::Plan), None];
-        let is_words = !has_command.contains(&finding.remedies.first());
-        let advice = finding.advice(Front::CommandLine).filter(|_| is_words);
-        steps.extend(advice.map(|advice| Step::words(show::capital(&advice) + ".")));
+        let step = match (
+            finding.remedies.first(),
+            finding.place.t0.zip(finding.place.t1),
+        ) {
+            (None | Some(Remedy::Discover | Remedy::Plan), _) => None,
+            (Some(Remedy::LeaveOut), Some((t0, t1))) => {
+                let which = number(calibration, finding.place.recording.as_deref());
+                let option = format!("--leave-out {which}{:.1}", 0.5 * (t0 + t1));
+                Some(Step::new("leave out what was touched", again(&option)))
+            }
+            _ => {
+                let advice = finding.advice(Front::CommandLine);
+                advice.map(|advice| Step::words(show::capital(&advice) + "."))
+            }
+        };
+        steps.extend(step.filter(|step| !steps.contains(step)));
     }
     let lacks_placements = coverage.and_then(Coverage::advice).is_some();
     if lacks_placements || remedies().any(|remedy| *remedy == Remedy::Plan) {
@@ -62,7 +72,7 @@ pub fn next(
             format!("stillpoint plan {known}"),
         ));
     }
-    if level == Level::Bad {
+    if judgement.grade == Grade::Bad {
         return steps;
     }
     if calibration.gravity_source == GravitySource::Assumed && calibration.accelerometer.is_some() {
@@ -110,4 +120,13 @@ fn gained(calibration: &Calibration) -> Option<String> {
             ppm(then)
         )
     })
+}
+
+/// `2:` of the second of several recordings, as `--leave-out` takes it.
+fn number(calibration: &Calibration, recording: Option<&str>) -> String {
+    let inputs = &calibration.provenance.inputs;
+    let is_its = |name: &str| Some(name) == recording;
+    let place = inputs.iter().position(|input| is_its(&input.recording));
+    let place = place.filter(|_| inputs.len() > 1);
+    place.map_or_else(String::new, |k| format!("{}:", k + 1))
 }

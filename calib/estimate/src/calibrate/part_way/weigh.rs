@@ -67,8 +67,8 @@ pub(super) fn solved_in_place<const ALL: usize>(
     let largest = (0..m)
         .map(|k| normal[k][k])
         .fold(f64::NEG_INFINITY, f64::max);
-    for k in 0..m {
-        normal[k][k] += damping * normal[k][k] + 1e-12 * largest;
+    for (k, row) in normal.iter_mut().enumerate().take(m) {
+        row[k] += damping * row[k] + 1e-12 * largest;
     }
     for i in 0..m {
         for k in 0..=i {

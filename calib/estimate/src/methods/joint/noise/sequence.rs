@@ -1,13 +1,14 @@
 //! Rows along one line of stations under noise that is passed on: factor, whitening and products in time proportional to
 //! their number.
 
+mod small;
+
+use small::{
+    MOST, Small, add, add_gram, add_scaled, backward, both_sides, cholesky, forward, product,
+    small, transposed_product,
+};
+
 use super::chain::Chain;
-
-/// Most rows of a station.
-const MOST: usize = 3;
-
-/// A small square matrix, `MOST` numbers a row.
-type Small = [f64; MOST * MOST];
 
 /// Kinds of noise along one line of stations.
 #[derive(Clone, Debug)]
@@ -283,27 +284,6 @@ impl Sequence {
     }
 }
 
-fn small(a: &nalgebra::DMatrix<f64>) -> Small {
-    let mut small = [0.0; MOST * MOST];
-    for i in 0..a.nrows() {
-        for k in 0..a.ncols() {
-            small[i * MOST + k] = a[(i, k)];
-        }
-    }
-    small
-}
-
-fn add(a: &mut Small, by: f64, b: &Small) {
-    a.iter_mut().zip(b).for_each(|(a, b)| *a += by * b);
-}
-
-/// `a += s b`.
-fn add_scaled(a: &mut [f64], s: f64, b: &[f64]) {
-    if s != 0.0 {
-        a.iter_mut().zip(b).for_each(|(a, b)| *a += s * b);
-    }
-}
-
 /// `K S K`.
 fn keep_square(stop: &Stop, r: usize, state: &mut [f64]) {
     let Some(keeps) = &stop.keeps else { return };
@@ -339,100 +319,4 @@ fn less_outer(stop: &Stop, r: usize, seen: &[f64], block: &mut Small) {
             block[i * MOST + k] -= rows.map(|(a, b)| a * b).sum::<f64>();
         }
     }
-}
-
-/// `out += sign A B`, `A` `d × r`, `B` `r × n`.
-fn product(out: &mut [f64], a: &[f64], b: &[f64], (d, r, n): (usize, usize, usize), sign: f64) {
-    for i in 0..d {
-        let to = &mut out[i * n..(i + 1) * n];
-        for s in 0..r {
-            add_scaled(to, sign * a[i * r + s], &b[s * n..(s + 1) * n]);
-        }
-    }
-}
-
-/// `out += Aᵀ B`, `A` `d × r`, `B` `d × n`.
-fn transposed_product(out: &mut [f64], a: &[f64], b: &[f64], (d, r, n): (usize, usize, usize)) {
-    for i in 0..d {
-        let from = &b[i * n..(i + 1) * n];
-        for s in 0..r {
-            add_scaled(&mut out[s * n..(s + 1) * n], a[i * r + s], from);
-        }
-    }
-}
-
-/// `S += s Aᵀ B`, `A` and `B` `d × r`.
-fn add_gram(state: &mut [f64], a: &[f64], b: &[f64], (d, r): (usize, usize), by: f64) {
-    for i in 0..d {
-        for s in 0..r {
-            let to = &mut state[s * r..(s + 1) * r];
-            add_scaled(to, by * a[i * r + s], &b[i * r..(i + 1) * r]);
-        }
-    }
-}
-
-/// `L⁻¹ A` in place.
-fn forward(lower: &Small, d: usize, a: &mut [f64], n: usize) {
-    for i in 0..d {
-        let (above, own) = a.split_at_mut(i * n);
-        let own = &mut own[..n];
-        for k in 0..i {
-            add_scaled(own, -lower[i * MOST + k], &above[k * n..(k + 1) * n]);
-        }
-        let pivot = lower[i * MOST + i].recip();
-        own.iter_mut().for_each(|v| *v *= pivot);
-    }
-}
-
-/// `L⁻ᵀ A` in place.
-fn backward(lower: &Small, d: usize, a: &mut [f64], n: usize) {
-    for i in (0..d).rev() {
-        let (own, below) = a.split_at_mut((i + 1) * n);
-        let own = &mut own[i * n..];
-        for k in i + 1..d {
-            add_scaled(
-                own,
-                -lower[k * MOST + i],
-                &below[(k - i - 1) * n..(k - i) * n],
-            );
-        }
-        let pivot = lower[i * MOST + i].recip();
-        own.iter_mut().for_each(|v| *v *= pivot);
-    }
-}
-
-/// `L` of a positive matrix (`d × d`).
-fn cholesky(a: &Small, d: usize) -> Option<Small> {
-    let mut lower = [0.0; MOST * MOST];
-    for i in 0..d {
-        for k in 0..=i {
-            let mut sum = a[i * MOST + k];
-            for j in 0..k {
-                sum -= lower[i * MOST + j] * lower[k * MOST + j];
-            }
-            if i == k {
-                if !(sum > 0.0 && sum.is_finite()) {
-                    return None;
-                }
-                lower[i * MOST + i] = sum.sqrt();
-            } else {
-                lower[i * MOST + k] = sum / lower[k * MOST + k];
-            }
-        }
-    }
-    Some(lower)
-}
-
-/// `L⁻¹ A L⁻ᵀ` of a symmetric matrix.
-fn both_sides(lower: &Small, a: &Small, d: usize) -> Small {
-    let mut half = *a;
-    forward(lower, d, &mut half, MOST);
-    let mut whole = [0.0; MOST * MOST];
-    for i in 0..d {
-        for k in 0..d {
-            whole[i * MOST + k] = half[k * MOST + i];
-        }
-    }
-    forward(lower, d, &mut whole, MOST);
-    whole
 }

@@ -7,7 +7,7 @@ use crate::output::{Output, Replace};
 
 /// The page that `cli/web/build` has written.
 #[cfg(feature = "page")]
-const PAGE: Option<&[u8]> = Some(include_bytes!("../../web/stillpoint.html"));
+const PAGE: Option<&[u8]> = Some(include_bytes!("../../../web/stillpoint.html"));
 #[cfg(not(feature = "page"))]
 const PAGE: Option<&[u8]> = None;
 

@@ -1,0 +1,177 @@
+//! The likelihood station by station against dense matrices, and how its work grows.
+
+use recording::intervals::{Detector, segment};
+use simulate::Spec;
+
+use super::dense::Dense;
+use super::*;
+use crate::methods::joint::blocks::covariance::Covariance;
+use crate::methods::joint::noise::weights::Form;
+use crate::methods::joint::{JointFit, JointRequest, fit_joint};
+
+#[test]
+fn the_left_null_space_is_orthogonal_to_every_column() {
+    let j = Mat::from_fn(7, 3, |i, k| ((i * 5 + k * 3) % 11) as f64 - 4.0);
+    let null = left_null_space(&j);
+    assert_eq!((null.nrows(), null.ncols()), (7, 4));
+    assert!((null.transpose() * &j).norm_max() < 1e-13);
+    assert!((null.transpose() * &null - Mat::<f64>::identity(4, 4)).norm_max() < 1e-14);
+}
+
+/// The device of all recordings.
+const DEVICE: [(&str, f64); 15] = [
+    ("accel.s_x", 1.01),
+    ("accel.s_y", 0.995),
+    ("accel.s_z", 1.004),
+    ("accel.alpha_yz", 3e-3),
+    ("accel.alpha_zy", -2e-3),
+    ("accel.alpha_zx", 1e-3),
+    ("accel.b_x", 0.1),
+    ("accel.b_y", -0.15),
+    ("accel.b_z", 0.2),
+    ("gyro.s_x", 1.005),
+    ("gyro.s_y", 0.99),
+    ("gyro.s_z", 1.01),
+    ("gyro.b_x", 2e-3),
+    ("gyro.b_y", -3e-3),
+    ("gyro.b_z", 4e-3),
+];
+
+/// Recordings of a gyroscope that feels the specific force, fitted without that.
+fn fit(recordings: u64, placements: usize) -> JointFit {
+    let of = |seed: u64| {
+        let mut spec = Spec::hand_held(seed);
+        spec.motion = simulate::Motion::HandHeld(simulate::HandHeld {
+            placements: Some(placements),
+            ..simulate::HandHeld::default()
+        });
+        spec.accelerometer.random_walk = 1e-4;
+        spec.parameters
+            .extend(DEVICE.map(|(name, value)| (name.to_owned(), value)));
+        let effect = spec.effects.entry("gyro_g_sensitivity".into()).or_default();
+        effect.extend([("xx", 3e-4), ("yz", -1.5e-4)].map(|(k, v)| (k.to_owned(), v)));
+        let recording = spec.run().unwrap().recording;
+        let segmentation = segment(&recording, &Detector::default()).unwrap();
+        (recording, segmentation)
+    };
+    let all: Vec<_> = (1..=recordings).map(of).collect();
+    let pairs = all.iter().map(|(r, s)| (r, s)).collect();
+    fit_joint(&JointRequest::new(pairs, 9.80665)).unwrap()
+}
+
+#[test]
+fn what_is_passed_on_is_the_covariance() {
+    let fit = fit(2, 12);
+    let all = fit
+        .components
+        .iter()
+        .chain(&fit.flickering().0)
+        .cloned()
+        .collect::<Vec<_>>();
+    assert!(
+        all.iter().any(|c| c.form.chain().is_none()),
+        "no pattern was allowed for"
+    );
+    for component in all {
+        let Some(chain) = component.form.chain() else {
+            continue;
+        };
+        let (passed, whole) = (chain.to_dense(), component.covariance.to_dense());
+        let most = whole.norm_max();
+        for i in 0..whole.nrows() {
+            for k in 0..whole.ncols() {
+                let error = passed[(i, k)] - whole[(i, k)];
+                assert!(error.abs() < 1e-9 * most, "{:?} {i} {k}", component.kind);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_likelihood_and_its_slopes_are_those_of_dense_matrices() {
+    let fit = fit(2, 12);
+    let (flickering, _) = fit.flickering();
+    let flicker = flickering.iter().filter(|c| c.kind.is_flicker()).take(4);
+    let all: Vec<&Component> = fit.components.iter().chain(flicker).collect();
+    let covariances: Vec<Covariance> = all
+        .iter()
+        .map(|c| match &c.form {
+            Form::Passed(_) => c.covariance.clone(),
+            Form::Columns(columns) => Covariance::of_columns(columns),
+        })
+        .collect();
+    let covariances: Vec<&Covariance> = covariances.iter().collect();
+    let (r, j) = (&fit.white_residuals, &fit.white_jacobian);
+    let (quick, dense) = (Restricted::new(r, j, &all), Dense::new(r, j, &covariances));
+    // As much of every component as makes the largest diagonal one or a hundredth.
+    let sizes = |by: f64| -> Vec<f64> {
+        let largest = covariances
+            .iter()
+            .map(|c| c.diagonal().fold(1e-300, f64::max));
+        largest
+            .enumerate()
+            .map(|(k, d)| by / (1.0 + k as f64) / d)
+            .collect()
+    };
+    let none = vec![0.0; all.len()];
+    let constant = quick.log_likelihood(&none).unwrap() - dense.log_likelihood(&none).unwrap();
+    let active = vec![true; all.len()];
+    for theta in [sizes(0.01), sizes(1.0), sizes(100.0)] {
+        let at = quick.measure(&theta, f64::NEG_INFINITY).unwrap();
+        let exact = dense.log_likelihood(&theta).unwrap();
+        let error = at.log_likelihood - exact - constant;
+        // Errors of columns are not quite zero where they are zero.
+        assert!(
+            error.abs() < 1e-3 * (1.0 + exact.abs()).sqrt(),
+            "{error} of {exact}"
+        );
+        let slopes = quick.slopes(&at, &theta, &active);
+        let (score, information) = dense.derivatives(&theta, &active);
+        for i in 0..all.len() {
+            let scale = information[i][i].sqrt();
+            let error = slopes.score[i] - score[i];
+            assert!(
+                error.abs() < 1e-4 * (scale + score[i].abs()),
+                "{:?}",
+                all[i].kind
+            );
+            for k in 0..all.len() {
+                let scale = scale * information[k][k].sqrt();
+                let error = slopes.information[i][k] - information[i][k];
+                assert!(
+                    error.abs() < 1e-5 * scale,
+                    "{:?} {:?}",
+                    all[i].kind,
+                    all[k].kind
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn work_grows_with_the_recordings_and_no_faster() {
+    let work = |recordings: u64| {
+        let fit = fit(recordings, 12);
+        let all: Vec<&Component> = fit.components.iter().collect();
+        assert!(
+            all.iter().any(|c| c.form.chain().is_none()),
+            "no pattern was allowed for"
+        );
+        // Rows that are factored together are those of one recording.
+        assert_eq!(fit.whitening.groups().iter().len(), recordings as usize);
+        let quick = Restricted::new(&fit.white_residuals, &fit.white_jacobian, &all);
+        let none = vec![0.0; all.len()];
+        let kept: Vec<bool> = all.iter().map(|c| c.kind.is_noise()).collect();
+        quick.variances(&kept, &none);
+        (quick.evaluations.get() as f64, quick.work())
+    };
+    let (two, eight) = (work(2), work(8));
+    assert!(
+        eight.0 <= 1.5 * two.0 + 10.0,
+        "{} and {} evaluations",
+        two.0,
+        eight.0
+    );
+    assert!(eight.1 <= 4.4 * two.1, "{} and {} products", two.1, eight.1);
+}
