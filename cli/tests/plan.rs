@@ -33,6 +33,16 @@ fn a_plan_of_twelve_placements_has_words_turns_predictions_and_pictures() {
             .len(),
         21
     );
+    let axes: Vec<&str> = steps.iter().map(|s| s["axes"].as_str().unwrap()).collect();
+    assert_eq!(
+        axes[..6],
+        ["z up", "z down", "x up", "x down", "y up", "y down"]
+    );
+    for step in &steps[1..] {
+        let words = step["turn_words"].as_str().unwrap();
+        assert!(words.split_whitespace().count() <= 15, "{words}");
+        assert!(!words.contains("way round first"), "{words}");
+    }
     let page = std::fs::read_to_string(dir.path().join("plan.html")).unwrap();
     assert_eq!(page.matches("<svg").count(), 12);
     assert!(page.contains("default-src 'none'; style-src 'sha256-") && page.contains("<main>"));
@@ -96,6 +106,41 @@ fn of_a_calibration_more_placements_lower_every_standard_error() {
     assert_eq!(plan["steps"].as_array().unwrap().len(), 4);
     let error = |when: &str| plan[when]["force_error"].as_f64();
     assert!(error("after").unwrap() < error("before").unwrap());
+}
+
+#[test]
+fn errors_of_a_calibration_are_those_of_its_file_and_gravity_is_not_told_by_placements() {
+    let (_dir, folder) = folder();
+    for given in [&["--gravity", "9.80665"][..], &[]] {
+        let call = ["calibrate", "good.csv", "--force", "-o", "cal.json"];
+        assert_eq!(
+            status(&stillpoint(&folder, &[&call[..], given].concat())),
+            0
+        );
+        let file = std::fs::read(folder.join("cal.json")).unwrap();
+        let file: serde_json::Value = serde_json::from_slice(&file).unwrap();
+        let run = stillpoint(&folder, &["plan", "cal.json", "--next", "4", "--json"]);
+        assert_eq!(status(&run), 0, "{}", stderr(&run));
+        let document = json(&run);
+        let names = document["parameters"].as_array().unwrap();
+        let own = file["parameters"].as_array().unwrap();
+        for (k, name) in names.iter().enumerate() {
+            let place = own.iter().position(|n| n == name).unwrap();
+            let stated = file["covariance"][place][place].as_f64().unwrap().sqrt();
+            let before = document["plan"]["before"]["standard_errors"][k]
+                .as_f64()
+                .unwrap();
+            assert!(
+                (before / stated - 1.0).abs() < 1e-6,
+                "{name}: {before} {stated}"
+            );
+        }
+        let after = document["plan"]["after"]["standard_errors"][0]
+            .as_f64()
+            .unwrap();
+        // What is not known of gravity on the earth stays in every scale factor.
+        assert_eq!(after > 2e-3, given.is_empty(), "{after}");
+    }
 }
 
 #[test]

@@ -65,6 +65,7 @@ pub fn follow(recording: &Recording, after: usize, gravity: f64) -> Result<Follo
     let known = Known {
         information: Some(plan::recorded(&ups, &noise, &timing)),
         up: ups.last().copied(),
+        scale: [0.0; 6],
     };
     let planned = plan::plan(&advised, &known, &noise, &timing, Words::Phone);
     let mut follows = motion(&planned, &timing);

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::direction::Direction;
+use crate::promise::Shortfall;
 
 /// What to do now.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -43,8 +44,20 @@ pub enum Instruction {
     Paused,
     /// The device does not answer: wait, or go nearer.
     Reconnecting,
-    /// Enough is known: done.
+    /// What was promised is reached: done.
     Enough,
+    /// So many placements that more would not help, and less is known than promised: done.
+    Short {
+        /// What falls furthest short.
+        of: Shortfall,
+    },
+}
+
+impl Instruction {
+    /// Whether the session ends with it.
+    pub fn ends(&self) -> bool {
+        matches!(self, Self::Enough | Self::Short { .. })
+    }
 }
 
 /// What became of a placement.
@@ -55,7 +68,7 @@ pub enum Verdict {
     Good,
     /// It was another one, which tells as much.
     GoodToo,
-    /// It was there before and tells little.
+    /// It tells little beside those before.
     Repeated,
 }
 

@@ -11,6 +11,7 @@ use crate::attitude::Attitude;
 use crate::direction::Direction;
 use crate::instruction::{Instruction, Verdict};
 use crate::motion::{Detector, Motion, WINDOW, moments};
+use crate::promise::{PROMISE, Shortfall};
 use crate::rails::Rails;
 use crate::running::Estimate;
 use crate::source::{Batch, Event};
@@ -25,7 +26,7 @@ const AS_GOOD: f64 = 0.5;
 const SAME: f64 = 0.990_268_068_741_570_4;
 /// What is told of the plan's information that is enough once the planned number is there.
 const ENOUGH: f64 = 0.8;
-/// Placements beyond the plan, as a factor, after which what is determined is enough.
+/// Placements beyond the plan, as a factor, after which the session ends with what is determined.
 const AT_MOST: f64 = 1.2;
 /// A hand, a shaken table or a rail is spoken of after so long and for so long, s.
 const PATIENCE: f64 = 1.5;
@@ -77,7 +78,7 @@ pub struct Placement {
 ///
 /// ```text
 ///              samples                       hold done
-/// Wait ──► LayDown ──► Hold ──────────────────────────► Turn ──► Hold ──► … ──► Enough
+/// Wait ──► LayDown ──► Hold ──────────────────────────► Turn ──► Hold ──► … ──► Enough, Short
 ///             ▲         │ moved                          │ ▲
 ///             └─────────┘                    LetGo · Shaken · TooFast · Paused · Reconnecting
 /// ```
@@ -171,7 +172,10 @@ impl Session {
     /// What to do now.
     pub fn instruction(&self) -> Instruction {
         if self.done {
-            return Instruction::Enough;
+            return match self.shortfall() {
+                Some(of) => Instruction::Short { of },
+                None => Instruction::Enough,
+            };
         }
         if self.lost {
             return Instruction::Reconnecting;
@@ -208,6 +212,11 @@ impl Session {
     /// Standard errors now.
     pub fn estimate(&self) -> &Estimate {
         &self.estimate
+    }
+
+    /// What is known worse than promised, the furthest.
+    pub fn shortfall(&self) -> Option<Shortfall> {
+        PROMISE.shortfall(&self.estimate)
     }
 
     /// What is wanted next.
@@ -441,13 +450,14 @@ impl Session {
         self.done = self.is_enough(&ups);
     }
 
-    /// The planned number with nearly the plan's information, or so many that the plan will not be reached; in both cases
-    /// only where everything is determined.
+    /// The planned number with nearly the plan's information and what was promised, or so many that more would not help; in
+    /// both cases only where everything is determined.
     fn is_enough(&self, ups: &[Vector3<f64>]) -> bool {
         let planned = self.aim.placements;
         let told = ups.len() >= planned && session_efficiency(ups, planned) >= ENOUGH;
         let at_most = (AT_MOST * planned as f64).floor() as usize;
-        self.estimate.is_complete() && (told || ups.len() >= at_most)
+        let reached = told && self.shortfall().is_none();
+        self.estimate.is_complete() && (reached || ups.len() >= at_most)
     }
 
     fn mean_direction(&self, span: Span) -> Option<Vector3<f64>> {

@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::direction::Direction;
 use crate::instruction::{Instruction, Verdict};
 use crate::motion::Motion;
+use crate::promise::{PROMISE, Promise};
 use crate::running::Estimate;
 use crate::session::Session;
 
@@ -29,6 +30,8 @@ pub struct View {
     pub attitude: [f64; 4],
     /// Standard errors now.
     pub estimate: Estimate,
+    /// The standard errors that the session ends with.
+    pub promise: Promise,
     /// Samples of accelerometer and gyroscope.
     pub samples: [usize; 2],
     /// Time since the first sample, s.
@@ -57,6 +60,7 @@ impl View {
             up: session.up().map(Into::into),
             attitude: session.attitude(),
             estimate: session.estimate().clone(),
+            promise: PROMISE,
             samples: streams.map(|s| s.map_or(0, |s| s.len())),
             seconds: streams[0].and_then(length).unwrap_or(0.0),
         }

@@ -27,6 +27,7 @@ mod requirement;
 mod sequence;
 mod session;
 mod turn;
+mod turn_words;
 
 pub use accelerometer::{
     FORCE_NAMES, FORCE_PARAMETERS, FORCE_PLACES, ForceMatrix, ForceRow, error_weights,
@@ -37,13 +38,15 @@ pub use direction::{
 };
 pub use exchange::{Criterion, exchange};
 pub use next::{next_placement, session_efficiency, worth};
-pub use protocol::{Known, Plan, Protocol, Step, best, finest, follow, force_part, plan, recorded};
+pub use protocol::{
+    Known, Plan, Protocol, Step, best, finest, follow, force_part, plan, plan_session, recorded,
+};
 pub use relaxation::{Efficiency, d_efficiency, efficiency, relaxation, weighted_information};
 pub use requirement::{
     Coverage, REQUIREMENT, Requirement, Wanted, best_next, coverage, fewest, is_determined,
     turns_wanted,
 };
-pub use sequence::{Sequence, sequence};
+pub use sequence::{Sequence, sequence, session_of};
 pub use session::{
     Information, Noise, PARAMETERS, Prediction, Timing, information_of, parameter_names, predict,
     session_information,

@@ -224,8 +224,7 @@ fn unknown(information: &ForceMatrix) -> Vec<&'static str> {
     })
 }
 
-/// What placements cover and which ones to add: the fewest that meet [`REQUIREMENT`], missing faces first among those
-/// that are as good.
+/// What placements cover and which ones to add: the missing faces, then the fewest that meet [`REQUIREMENT`].
 pub fn coverage(directions: &[Vector3<f64>]) -> Coverage {
     let mut distinct: Vec<Vector3<f64>> = Vec::new();
     for u in directions {
@@ -258,13 +257,8 @@ fn missing_faces(directions: &[Vector3<f64>]) -> Vec<usize> {
     (0..faces.len()).filter(is_missing).collect()
 }
 
-/// The fewest placements that meet the requirement: those by which the parameters are known where they come to the
-/// missing faces too, else these faces and what is needed beside them.
+/// The missing faces, and the fewest placements beside them that meet the requirement.
 fn fewest_with_faces(directions: &[Vector3<f64>], missing: &[usize]) -> Vec<Vector3<f64>> {
-    let known = fewest(directions);
-    if missing_faces(&[directions, &known].concat()).is_empty() {
-        return known;
-    }
     let mut added: Vec<Vector3<f64>> = missing.iter().map(|k| faces()[*k]).collect();
     added.extend(fewest(&[directions, &added].concat()));
     added
@@ -317,6 +311,20 @@ mod tests {
         assert_eq!(found.wanted.len(), 4, "{}", found.advice());
         assert!(found.missing_faces.is_empty() && found.before.is_none());
         println!("{} {:?}", found.advice(), found.after);
+    }
+
+    #[test]
+    fn a_face_that_is_missing_is_asked_for_in_the_same_words() {
+        let all = faces_edges_corners();
+        for (k, face) in faces().iter().enumerate() {
+            // Nothing within 50° of it.
+            let others = all.iter().filter(|u| u.dot(face) < 0.6).copied();
+            let found = coverage(&others.collect::<Vec<_>>());
+            assert_eq!(found.missing_faces, [k]);
+            let words = axes_up(face);
+            assert_eq!(found.missing(), format!("no placement has {words}"));
+            assert_eq!(found.wanted[0].axes, words, "{}", found.advice());
+        }
     }
 
     #[test]

@@ -1,18 +1,31 @@
 //! In which order placements come, and by which way from one to the next.
 
+use std::f64::consts::FRAC_PI_2;
+
 use nalgebra::Vector3;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
+use crate::direction::{edges, faces};
 use crate::session::{
-    Chain, Information, Link, Noise, Place, Timing, covariance, place, reading_errors,
+    Chain, Information, Link, Noise, Place, Timing, place, reading_errors, variances,
 };
-use crate::turn::{Turn, ways};
+use crate::turn::{Turn, Way, ways};
 
-/// Sequences looked at, each an information matrix of both sensors.
-const BUDGET: usize = 9000;
+/// Sequences looked at, each an information matrix of both sensors: of placements that are given, and of ones to choose.
+const BUDGET: [usize; 2] = [9000, 90_000];
 /// Random orders to begin with.
-const STARTS: usize = 6;
+const STARTS: usize = 5;
+/// A sequence that is worse by about this share is taken at first, to come out of a hollow, and none in the last part.
+const WARMTH: f64 = 0.03;
+const WARM: f64 = 0.85;
+/// How much it counts where one sensor's error is bought by the other's.
+const BALANCE: f64 = 0.5;
+/// The errors of both sensors are in balance where that of the gyroscope is so much of what a quarter turn misses, as in the
+/// sessions that are best by their product without regard to the hand.
+const IN_BALANCE: f64 = 0.49;
+/// Directions closer than this are one.
+const SAME: f64 = 1e-6;
 
 /// Placements in order with the turns between them.
 #[derive(Clone, Debug)]
@@ -25,11 +38,11 @@ pub struct Sequence {
     pub information: Information,
 }
 
-/// The best order and ways of `ups`, from `start` where the device lies already, beside what is known: the product of
-/// the errors of corrected readings of both sensors is the least.
+/// The best order and ways of `ups`, from `start` where the device lies already, beside what is known: the faces first, and
+/// the product of the errors of corrected readings of both sensors the least for what a hand has to do.
 ///
-/// Local search from random orders with a fixed number of trials: reversals, swaps and other ways. The same call gives
-/// the same sequence.
+/// Simulated annealing from random orders with a fixed number of trials: reversals, swaps and other ways. The same call
+/// gives the same sequence.
 pub fn sequence(
     ups: &[Vector3<f64>],
     start: Option<&Vector3<f64>>,
@@ -39,38 +52,80 @@ pub fn sequence(
 ) -> Sequence {
     let mut all: Vec<Vector3<f64>> = start.into_iter().copied().collect();
     all.extend_from_slice(ups);
-    let fixed = usize::from(start.is_some());
-    let table = Table::new(&all, noise, timing);
+    let begin = usize::from(start.is_some());
+    let mut first = in_order_of_faces(ups);
+    first.iter_mut().for_each(|k| *k += begin);
+    let fixed: Vec<usize> = (0..begin).chain(first).collect();
+    let others = (0..all.len()).filter(|k| !fixed.contains(k)).collect();
     let search = Search {
-        table: &table,
+        table: &Table::new(&all, noise, timing),
         known,
         noise,
-        first_known: fixed == 1,
+        first_known: begin == 1,
+        others: Vec::new(),
+        balance: balance(noise, timing),
     };
-    let mut random = ChaCha8Rng::seed_from_u64(all.len() as u64);
-    let mut best: Option<(f64, Path)> = None;
-    for _ in 0..STARTS {
-        let mut order: Vec<usize> = (0..all.len()).collect();
-        for k in (fixed + 1..order.len()).rev() {
-            order.swap(k, random.random_range(fixed..=k));
-        }
-        let found = search.improve(order, fixed, &mut random);
-        if best.as_ref().is_none_or(|(value, _)| found.0 < *value) {
-            best = Some(found);
-        }
+    let mut found = search.best(&fixed, others);
+    found.order = found.order.split_off(begin.min(found.order.len()));
+    found.order.iter_mut().for_each(|k| *k -= begin);
+    found
+}
+
+/// The best session of `count` placements from nothing that a hand can follow: the faces first, then edges (and faces again)
+/// that lower the errors of both sensors most, as [`sequence`]; the placements in order beside it.
+pub fn session_of(count: usize, noise: &Noise, timing: &Timing) -> (Vec<Vector3<f64>>, Sequence) {
+    // A corner is hard to hold, and turns between corners hard to say.
+    let all = [faces().to_vec(), edges()].concat();
+    let first: Vec<usize> = in_order_of_faces(&all).into_iter().take(count).collect();
+    let search = Search {
+        table: &Table::new(&all, noise, timing),
+        known: &Information::zeros(),
+        noise,
+        first_known: false,
+        others: (0..all.len()).collect(),
+        balance: balance(noise, timing),
+    };
+    let edge = faces().len();
+    let begin = (first.len()..count)
+        .map(|k| edge + k % edges().len())
+        .collect();
+    let mut found = search.best(&first, begin);
+    let ups = found.order.iter().map(|k| all[*k]).collect();
+    found.order = (0..found.order.len()).collect();
+    (ups, found)
+}
+
+/// The places of the faces among `ups` in the order they are asked for: z up, z down, x up, x down, y up, y down.
+fn in_order_of_faces(ups: &[Vector3<f64>]) -> Vec<usize> {
+    let faces = faces();
+    let wanted = [4, 5, 0, 1, 2, 3].map(|k| faces[k]);
+    let place = |face: Vector3<f64>| ups.iter().position(|up| (up - face).norm() < SAME);
+    wanted.into_iter().filter_map(place).collect()
+}
+
+/// See [`IN_BALANCE`].
+fn balance(noise: &Noise, timing: &Timing) -> f64 {
+    let force = (noise.force.powi(2) / timing.used(1) + noise.placement.powi(2)).sqrt();
+    let quarter = (FRAC_PI_2 / timing.pace.rate).max(timing.pace.shortest) + 2.0 * timing.cut;
+    let directions = 2.0 * (force / noise.gravity).powi(2);
+    let turn = (directions + noise.rate.powi(2) * quarter + noise.turn.powi(2)).sqrt();
+    IN_BALANCE * turn / force
+}
+
+/// What a turn has to gain, as a share of the product of both sensors' errors, to be asked of a hand.
+fn effort(turn: &Turn) -> f64 {
+    match turn.way {
+        Way::Short => 0.0,
+        Way::Via | Way::Long => 0.002,
+        Way::SpinLeft | Way::SpinRight => 0.004,
+        Way::Round => 0.012,
     }
-    let path = best.map_or_else(Path::default, |(_, path)| path);
-    Sequence {
-        information: search.information(&path),
-        turns: path
-            .pairs()
-            .map(|(from, to, way)| table.turns[from][to][way].clone())
-            .collect(),
-        order: path.order[fixed.min(path.order.len())..]
-            .iter()
-            .map(|k| k - fixed)
-            .collect(),
-    }
+}
+
+/// The same of a placement: corners are hard to hold.
+fn hold(up: &Vector3<f64>) -> f64 {
+    let parts = up.iter().filter(|c| c.abs() > SAME).count();
+    [0.0, 0.0, 0.002, 0.008][parts]
 }
 
 /// All turns between all placements.
@@ -79,6 +134,7 @@ struct Table {
     turns: Vec<Vec<Vec<Turn>>>,
     first: Vec<Place>,
     later: Vec<Place>,
+    hold: Vec<f64>,
 }
 
 impl Table {
@@ -101,6 +157,7 @@ impl Table {
                 .collect(),
             first: all.iter().map(|up| place(up, 0, timing)).collect(),
             later: all.iter().map(|up| place(up, 1, timing)).collect(),
+            hold: all.iter().map(hold).collect(),
             turns,
         }
     }
@@ -126,41 +183,92 @@ struct Search<'a> {
     noise: &'a Noise,
     /// The first placement is in what is known already.
     first_known: bool,
+    /// What a placement may be replaced by.
+    others: Vec<usize>,
+    /// The gyroscope's error in rad/s for 1 m/s² of the accelerometer's where both are alike.
+    balance: f64,
 }
 
-impl Search<'_> {
-    fn information(&self, path: &Path) -> Information {
-        let mut chain = Chain::new(self.known, self.noise);
-        let Some(&first) = path.order.first() else {
-            return *self.known;
-        };
-        let place = if self.first_known {
-            &self.table.later[first]
-        } else {
-            &self.table.first[first]
-        };
-        chain.begin(place);
-        for (from, to, way) in path.pairs() {
-            let ways = &self.table.links[from][to];
-            chain.turn_to(&ways[way.min(ways.len() - 1)], &self.table.later[to]);
+impl<'a> Search<'a> {
+    /// The best of a few starts, `fixed` first.
+    fn best(&self, fixed: &[usize], movable: Vec<usize>) -> Sequence {
+        let mut random = ChaCha8Rng::seed_from_u64((fixed.len() + movable.len()) as u64);
+        let mut best: Option<(f64, Path)> = None;
+        for _ in 0..STARTS {
+            let mut order = [fixed, &movable].concat();
+            for k in (fixed.len() + 1..order.len()).rev() {
+                order.swap(k, random.random_range(fixed.len()..=k));
+            }
+            let found = self.improve(order, fixed.len(), &mut random);
+            if best.as_ref().is_none_or(|(value, _)| found.0 < *value) {
+                best = Some(found);
+            }
         }
-        chain.close()
+        let path = best.map_or_else(Path::default, |(_, path)| path);
+        Sequence {
+            information: self.information(&path),
+            turns: path
+                .pairs()
+                .map(|(from, to, way)| self.table.turns[from][to][way].clone())
+                .collect(),
+            order: path.order,
+        }
     }
 
-    /// `ln` of the product of the errors; where parameters are open, far above, less with more information.
-    fn value(&self, path: &Path) -> f64 {
-        let information = self.information(path);
+    fn information(&self, path: &Path) -> Information {
+        let chains = self.follow(path, 0, None);
+        chains
+            .last()
+            .map_or(*self.known, |chain| chain.clone().close())
+    }
+
+    /// What is told after each placement of `path` from place `begin` on, `before` of which is what is told before it.
+    fn follow(&self, path: &Path, begin: usize, before: Option<&Chain<'a>>) -> Vec<Chain<'a>> {
+        let mut chains: Vec<Chain<'a>> = Vec::with_capacity(path.order.len() - begin);
+        for (k, to) in path.order.iter().enumerate().skip(begin) {
+            let next = match chains.last().or(before).filter(|_| k > 0) {
+                Some(chain) => {
+                    let ways = &self.table.links[path.order[k - 1]][*to];
+                    let mut chain = chain.clone();
+                    chain.turn_to(&ways[path.ways[k - 1]], &self.table.later[*to]);
+                    chain
+                }
+                None => {
+                    let first = if self.first_known {
+                        &self.table.later
+                    } else {
+                        &self.table.first
+                    };
+                    let mut chain = Chain::new(self.known, self.noise);
+                    chain.begin(&first[*to]);
+                    chain
+                }
+            };
+            chains.push(next);
+        }
+        chains
+    }
+
+    /// `ln` of the product of the errors and what a hand has to do; where parameters are open, far above, less with more
+    /// information.
+    fn value(&self, path: &Path, last: Option<&Chain<'a>>) -> f64 {
+        let turns = path.pairs();
+        let efforts = turns.map(|(from, to, way)| effort(&self.table.turns[from][to][way]));
+        let holds = path.order.iter().map(|k| self.table.hold[*k]);
+        let asked: f64 = efforts.chain(holds).sum();
+        let information = last.map_or(*self.known, |chain| chain.clone().close());
         let ridge = Information::identity();
-        match covariance(&information) {
+        let value = match variances(&information) {
             Some(c) => {
                 let [force, rate] = reading_errors(&c, self.noise.gravity);
-                (force * rate).ln()
+                (force * rate).ln() + BALANCE * (rate / force / self.balance).ln().abs()
             }
-            None => covariance(&(information + ridge)).map_or(f64::INFINITY, |c| {
+            None => variances(&(information + ridge)).map_or(f64::INFINITY, |c| {
                 let [force, rate] = reading_errors(&c, self.noise.gravity);
                 100.0 + (force * rate).ln()
             }),
-        }
+        };
+        asked + value
     }
 
     fn improve(&self, order: Vec<usize>, fixed: usize, random: &mut ChaCha8Rng) -> (f64, Path) {
@@ -169,42 +277,65 @@ impl Search<'_> {
             order,
             ways: vec![0; links],
         };
-        let mut value = self.value(&path);
+        let mut chains = self.follow(&path, 0, None);
+        let mut value = self.value(&path, chains.last());
         if path.order.len() < 2 {
             return (value, path);
         }
         let movable = path.order.len() - fixed;
-        for _ in 0..BUDGET / STARTS {
+        let kinds = match movable {
+            0 => 2,
+            _ if self.others.is_empty() => 4,
+            _ => 6,
+        };
+        let steps = BUDGET[usize::from(!self.others.is_empty())] / STARTS;
+        let mut best = (value, path.clone());
+        for step in 0..steps {
             let mut trial = path.clone();
-            let kind = if movable < 2 {
-                0
-            } else {
-                random.random_range(0..4)
-            };
-            if kind < 2 {
-                let k = random.random_range(0..links);
-                let count = self.table.turns[trial.order[k]][trial.order[k + 1]].len();
-                trial.ways[k] = random.random_range(0..count);
-            } else {
-                let i = random.random_range(fixed..trial.order.len());
-                let j = random.random_range(fixed..trial.order.len());
-                let (i, j) = (i.min(j), i.max(j));
-                if kind == 2 {
-                    trial.order.swap(i, j);
-                } else {
-                    trial.order[i..=j].reverse();
+            let changed = match random.random_range(0..kinds) {
+                0 | 1 => {
+                    let k = random.random_range(0..links);
+                    let count = self.table.turns[trial.order[k]][trial.order[k + 1]].len();
+                    trial.ways[k] = random.random_range(0..count);
+                    k + 1
                 }
-            }
+                kind @ (2 | 3) => {
+                    let i = random.random_range(fixed..trial.order.len());
+                    let j = random.random_range(fixed..trial.order.len());
+                    let (i, j) = (i.min(j), i.max(j));
+                    if kind == 2 {
+                        trial.order.swap(i, j);
+                    } else {
+                        trial.order[i..=j].reverse();
+                    }
+                    i
+                }
+                _ => {
+                    let k = random.random_range(fixed..trial.order.len());
+                    trial.order[k] = self.others[random.random_range(0..self.others.len())];
+                    k
+                }
+            };
             for (k, pair) in trial.order.windows(2).enumerate() {
                 let count = self.table.turns[pair[0]][pair[1]].len();
                 trial.ways[k] = trial.ways[k].min(count - 1);
             }
-            let found = self.value(&trial);
-            if found < value {
+            let before = changed.checked_sub(1).and_then(|k| chains.get(k));
+            let told = self.follow(&trial, changed, before);
+            let found = self.value(&trial, told.last());
+            let cooled = step as f64 / (WARM * steps as f64);
+            let warmth = WARMTH * (1.0 - cooled).max(0.0);
+            let luck: f64 = random.random_range(f64::EPSILON..1.0);
+            if found < value - warmth * luck.ln() {
                 (path, value) = (trial, found);
+                chains.truncate(changed);
+                chains.extend(told);
+                if value < best.0 {
+                    best = (value, path.clone());
+                }
             }
         }
-        (value, path)
+        best
     }
 }
 

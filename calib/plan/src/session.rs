@@ -268,11 +268,27 @@ pub struct Prediction {
     pub rate_error: f64,
 }
 
+impl Prediction {
+    /// With an error that the elements of the accelerometer's `T` have together.
+    #[must_use]
+    pub(crate) fn with_scale(mut self, moved: &[f64; 6], noise: &Noise) -> Self {
+        for (error, moved) in self.standard_errors.iter_mut().zip(moved) {
+            *error = error.hypot(*moved);
+        }
+        let square: f64 = moved.iter().map(|v| v * v).sum();
+        self.force_error = self
+            .force_error
+            .hypot((square / 3.0).sqrt() * noise.gravity);
+        self
+    }
+}
+
 /// Below this share of the largest a scaled pivot is rounding.
 const OPEN: f64 = 1e-11;
 
-/// Covariance of information with parameters of different units; `None` where one is open.
-pub(crate) fn covariance(information: &Information) -> Option<Information> {
+/// Variances by information with parameters of different units, from the columns of the inverted factor; `None` where a
+/// parameter is open.
+pub(crate) fn variances(information: &Information) -> Option<[f64; PARAMETERS]> {
     let scale = information
         .diagonal()
         .map(|v| if v > 0.0 { v.sqrt().recip() } else { 0.0 });
@@ -281,22 +297,30 @@ pub(crate) fn covariance(information: &Information) -> Option<Information> {
     }
     let scaled = Information::from_fn(|i, j| information[(i, j)] * scale[i] * scale[j]);
     let factor = scaled.cholesky()?;
-    let least = factor.l_dirty().diagonal().min();
+    let l = factor.l_dirty();
+    let least = l.diagonal().min();
     if least * least < OPEN {
         return None;
     }
-    let inverse = factor.inverse();
-    Some(Information::from_fn(|i, j| {
-        inverse[(i, j)] * scale[i] * scale[j]
-    }))
+    let mut all = [0.0; PARAMETERS];
+    for (k, variance) in all.iter_mut().enumerate() {
+        let mut column = [0.0; PARAMETERS];
+        for i in k..PARAMETERS {
+            let own = if i == k { 1.0 } else { 0.0 };
+            let sum: f64 = (k..i).map(|j| l[(i, j)] * column[j]).sum();
+            column[i] = (own - sum) / l[(i, i)];
+        }
+        *variance = column.iter().map(|v| v * v).sum::<f64>() * scale[k] * scale[k];
+    }
+    Some(all)
 }
 
 /// What information comes to. Where the gyroscope is open the accelerometer is judged by its own part.
 pub fn predict(information: &Information, noise: &Noise) -> Prediction {
-    if let Some(c) = covariance(information) {
-        let [force_error, rate_error] = reading_errors(&c, noise.gravity);
+    if let Some(variances) = variances(information) {
+        let [force_error, rate_error] = reading_errors(&variances, noise.gravity);
         return Prediction {
-            standard_errors: c.diagonal().iter().map(|v| v.sqrt()).collect(),
+            standard_errors: variances.iter().map(|v| v.sqrt()).collect(),
             force_error,
             rate_error,
         };
@@ -321,8 +345,7 @@ pub fn predict(information: &Information, noise: &Noise) -> Prediction {
 }
 
 /// Errors of corrected readings of both sensors, at gravity and at 1 rad/s.
-pub(crate) fn reading_errors(c: &Information, gravity: f64) -> [f64; 2] {
-    let d = c.diagonal();
+pub(crate) fn reading_errors(d: &[f64; PARAMETERS], gravity: f64) -> [f64; 2] {
     let force = (0..6).map(|k| d[k] * gravity * gravity / 3.0).sum::<f64>()
         + (6..9).map(|k| d[k]).sum::<f64>();
     let rate = (9..18).map(|k| d[k] / 3.0).sum::<f64>() + (18..21).map(|k| d[k]).sum::<f64>();
@@ -358,12 +381,26 @@ mod tests {
     use super::*;
     use crate::accelerometer::{force_covariance, force_information};
     use crate::direction::edges;
-    use crate::turn::ways;
+    use crate::turn::{Leg, Speed, Way};
 
+    /// About the axis across both, whether the body has it or not.
     fn short_ways(ups: &[Vector3<f64>]) -> Vec<Turn> {
-        ups.windows(2)
-            .map(|w| ways(&w[0], &w[1]).remove(0))
-            .collect()
+        let short = |w: &[Vector3<f64>]| {
+            let across = w[1].cross(&w[0]);
+            if across.norm() < 1e-6 {
+                return crate::turn::ways(&w[0], &w[1]).remove(0);
+            }
+            let angle = across.norm().atan2(w[0].dot(&w[1]));
+            Turn {
+                way: Way::Short,
+                speed: Speed::Usual,
+                legs: vec![Leg {
+                    axis: across.normalize(),
+                    angle,
+                }],
+            }
+        };
+        ups.windows(2).map(short).collect()
     }
 
     #[test]
@@ -394,6 +431,19 @@ mod tests {
     }
 
     #[test]
+    fn variances_are_those_of_the_inverse() {
+        let ups = edges();
+        let (noise, timing) = (Noise::default(), Timing::default());
+        let known = Information::zeros();
+        let whole = session_information(&ups, &short_ways(&ups), &known, &noise, &timing);
+        let inverse = whole.cholesky().unwrap().inverse();
+        for (k, found) in variances(&whole).unwrap().iter().enumerate() {
+            assert!((found / inverse[(k, k)] - 1.0).abs() < 1e-6, "{k}");
+        }
+        assert!(variances(&known).is_none());
+    }
+
+    #[test]
     fn a_known_calibration_comes_back_from_its_covariance() {
         let ups = edges();
         let (noise, timing) = (Noise::default(), Timing::default());
@@ -404,7 +454,7 @@ mod tests {
             &noise,
             &timing,
         );
-        let c = covariance(&whole).unwrap();
+        let c = whole.cholesky().unwrap().inverse();
         let rows: Vec<Vec<f64>> = (0..PARAMETERS)
             .map(|i| c.row(i).iter().copied().collect())
             .collect();

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::{Matrix3, SMatrix, Vector3};
 use serde::Serialize;
 
-use crate::direction::Words;
+use crate::direction::faces;
 
 /// One rotation about a fixed axis of the body.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -25,16 +25,18 @@ fn components<S: serde::Serializer>(v: &Vector3<f64>, out: S) -> Result<S::Ok, S
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Way {
-    /// The shortest.
+    /// The shortest, about one axis.
     Short,
     /// About the same axis the other way round.
     Long,
-    /// The shortest, and once all the way round.
+    /// Once all the way round, then on as the shortest.
     Round,
     /// Half a turn on the spot about the vertical, anticlockwise from above, then the shortest.
     SpinLeft,
     /// The same clockwise.
     SpinRight,
+    /// First to a face, then on from there.
+    Via,
 }
 
 /// How fast a turn goes beside the pace of its plan.
@@ -112,31 +114,72 @@ impl Pace {
 /// Directions closer than this to each other or to opposite are taken for that.
 const SAME: f64 = 1e-6;
 
-/// The ways from `from` up to `to` up.
+/// The ways from `from` up to `to` up that a hand can follow: about the body's own axes, through a face where no single one
+/// of them leads there. The easiest comes first.
 pub fn ways(from: &Vector3<f64>, to: &Vector3<f64>) -> Vec<Turn> {
-    let across = to.cross(from);
-    let angle = across.norm().atan2(from.dot(to));
-    let mut all = Vec::new();
-    if angle < SAME {
+    if (from - to).norm() < SAME {
         // Only what ends where it began: once round about an axis that lies level.
-        for axis in level_axes(from) {
-            all.push(turn(Way::Round, &[(axis, TAU)]));
+        return level_axes(from)
+            .into_iter()
+            .map(|axis| turn(Way::Round, &[(axis, TAU)]))
+            .collect();
+    }
+    let straight = about_own_axes(from, to);
+    if !straight.is_empty() {
+        let (mut all, mut harder) = (Vec::new(), Vec::new());
+        for (axis, angle) in straight {
+            all.push(turn(Way::Short, &[(axis, angle)]));
+            if (angle - 0.5 * PI).abs() < SAME {
+                harder.push(turn(Way::Long, &[(-axis, TAU - angle)]));
+            }
+            harder.push(turn(Way::Round, &[(axis, angle + TAU)]));
+            harder.push(turn(Way::SpinLeft, &[(*from, PI), (axis, angle)]));
+            harder.push(turn(Way::SpinRight, &[(-*from, PI), (axis, angle)]));
         }
+        all.append(&mut harder);
         return all;
     }
-    let axes = if across.norm() < SAME {
-        level_axes(from)
-    } else {
-        vec![across.normalize()]
-    };
-    for axis in axes {
-        all.push(turn(Way::Short, &[(axis, angle)]));
-        all.push(turn(Way::Long, &[(-axis, TAU - angle)]));
-        all.push(turn(Way::Round, &[(axis, angle + TAU)]));
-        all.push(turn(Way::SpinLeft, &[(*from, PI), (axis, angle)]));
-        all.push(turn(Way::SpinRight, &[(-*from, PI), (axis, angle)]));
+    let mut all: Vec<(f64, Turn)> = faces()
+        .iter()
+        .flat_map(|face| {
+            let first = about_own_axes(from, face);
+            let second = about_own_axes(face, to);
+            let pairs = first
+                .into_iter()
+                .flat_map(move |a| second.clone().into_iter().map(move |b| (a, b)));
+            pairs.map(|(a, b)| (a.1 + b.1, turn(Way::Via, &[a, b])))
+        })
+        .collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    if all.is_empty() {
+        let across = to.cross(from);
+        let angle = across.norm().atan2(from.dot(to));
+        // Opposite directions that are neither faces nor edges.
+        let axis = across
+            .try_normalize(SAME)
+            .unwrap_or_else(|| level_axes(from)[0]);
+        let short = (axis, angle);
+        return vec![
+            turn(Way::Short, &[short]),
+            turn(Way::SpinLeft, &[(*from, PI), short]),
+            turn(Way::SpinRight, &[(-*from, PI), short]),
+        ];
     }
-    all
+    all.into_iter().map(|(_, turn)| turn).collect()
+}
+
+/// The body's axes about which a turn of at most half a turn leads from `from` to `to`, with the angle.
+fn about_own_axes(from: &Vector3<f64>, to: &Vector3<f64>) -> Vec<(Vector3<f64>, f64)> {
+    let of = |k: usize| {
+        let axis = Vector3::ith(k, 1.0);
+        let level = |v: &Vector3<f64>| v - axis * v[k];
+        let (a, b) = (level(from), level(to));
+        let leads = (from[k] - to[k]).abs() < SAME && a.norm() > SAME && (a - b).norm() > SAME;
+        // What points up turns in the body the other way than the body does.
+        let angle = b.cross(&a)[k].atan2(a.dot(&b));
+        leads.then(|| (axis * if angle < 0.0 { -1.0 } else { 1.0 }, angle.abs()))
+    };
+    (0..3).filter_map(of).collect()
 }
 
 fn turn(way: Way, legs: &[(Vector3<f64>, f64)]) -> Turn {
@@ -214,50 +257,6 @@ impl Turn {
             duration,
         }
     }
-
-    /// The turn as an instruction.
-    pub fn words(&self, words: Words) -> String {
-        let way = self.way_words(words);
-        match self.speed {
-            Speed::Usual => way,
-            Speed::Slow => format!("slowly {way}"),
-            Speed::Fast => format!("fast {way}"),
-        }
-    }
-
-    fn way_words(&self, words: Words) -> String {
-        let last = self.legs.last();
-        let degrees = last.map_or(0.0, |leg| leg.angle.to_degrees());
-        let about = last.map_or(String::new(), |leg| about(&leg.axis, words));
-        match self.way {
-            Way::Short => format!("the short way over, {degrees:.0}°{about}"),
-            Way::Long => format!("the long way round, {degrees:.0}°{about}"),
-            Way::Round if degrees < 361.0 => format!("once all the way round{about}"),
-            Way::Round => {
-                format!("the short way, but once all the way round first, {degrees:.0}°{about}")
-            }
-            Way::SpinLeft => {
-                format!("half a turn to the left on the spot, then over, {degrees:.0}°{about}")
-            }
-            Way::SpinRight => {
-                format!("half a turn to the right on the spot, then over, {degrees:.0}°{about}")
-            }
-        }
-    }
-}
-
-/// ` about its long axis`; empty where the axis is none of the body's.
-fn about(axis: &Vector3<f64>, words: Words) -> String {
-    let names = match words {
-        Words::Phone => [
-            "its short axis",
-            "its long axis",
-            "the axis through the screen",
-        ],
-        Words::Axes => ["its x axis", "its y axis", "its z axis"],
-    };
-    let own = (0..3).find(|k| axis[*k].abs() > 0.999);
-    own.map_or(String::new(), |k| format!(" about {}", names[k]))
 }
 
 #[cfg(test)]

@@ -36,6 +36,7 @@ use crate::exit::{Failure, INPUT, NOT_CONVERGED, NOT_ENOUGH, USAGE};
 use crate::output::Output;
 use crate::pages::session::Session;
 use crate::pages::{calibration, refusal};
+use crate::report::{Picture, Report};
 use crate::show;
 
 pub use arguments::Args;
@@ -59,6 +60,14 @@ pub(super) fn claim(args: &Args, inputs: &[&Path]) -> Result<(Option<Output>, Pi
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
+    run_and_show(args, &mut |_, _| Ok(()))
+}
+
+/// Is shown the recordings and what came of them.
+type Shown<'a> = &'a mut dyn FnMut(&[Recording], &Outcome) -> Result<(), Failure>;
+
+/// Runs the command, and shows what came of it before anything is written.
+pub(super) fn run_and_show(args: &Args, shown: Shown<'_>) -> Result<(), Failure> {
     let mut inputs = args.recordings.paths();
     inputs.extend(args.gyro_recording.iter().chain(&args.sections).cloned());
     inputs.extend(args.static_means.iter().chain(&args.effect_file).cloned());
@@ -134,6 +143,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     if pictures.wanted() {
         draw(pictures, &recordings, &outcome)?;
     }
+    shown(&recordings, &outcome)?;
     finish(args, output, &recordings, &outcome)
 }
 
@@ -167,12 +177,26 @@ pub(super) fn session<'a>(
 
 /// Writes plots and report. Every recording has a plot of its own.
 fn draw(pictures: Pictures, recordings: &[Recording], outcome: &Outcome) -> Result<(), Failure> {
+    let (plots, page) = drawn(recordings, outcome)?;
+    pictures.write(&plots, &page)
+}
+
+/// Plots and report.
+fn drawn(
+    recordings: &[Recording],
+    outcome: &Outcome,
+) -> Result<(Vec<(String, Picture)>, Report), Failure> {
     let calibration = &outcome.calibration;
     let session = session(recordings, outcome)?;
     let units = tables::units(outcome);
     let plots = calibration::pictures(calibration, &session, units);
     let page = calibration::page(calibration, &session, &plots, units)?;
-    pictures.write(&plots, &page)
+    Ok((plots, page))
+}
+
+/// The report alone, as HTML.
+pub(super) fn report(recordings: &[Recording], outcome: &Outcome) -> Result<String, Failure> {
+    drawn(recordings, outcome)?.1.html()
 }
 
 /// The failure itself; where a report was asked for, it says why and shows what there is.

@@ -76,7 +76,9 @@ mod tests {
         let four = Coverage::of(&faces[..4]);
         assert_eq!(four.value(), "4 of 6 faces");
         assert!(four.note().contains("no placement has z up, z down"));
-        assert!(four.advice().unwrap().starts_with("Add 6 placements: 1)"));
+        let advice = four.advice().unwrap();
+        assert!(advice.starts_with("Add 6 placements: 1) z up"), "{advice}");
+        assert!(advice.contains("2) z down"), "{advice}");
     }
 
     #[test]

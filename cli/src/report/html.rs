@@ -48,7 +48,8 @@ pub enum Level {
 }
 
 impl Level {
-    fn class(self) -> &'static str {
+    /// Its class in a page's style.
+    pub fn class(self) -> &'static str {
         match self {
             Self::Good => "good",
             Self::Care => "care",
@@ -56,7 +57,8 @@ impl Level {
         }
     }
 
-    fn words(self) -> &'static str {
+    /// In words.
+    pub fn words(self) -> &'static str {
         match self {
             Self::Good => "✓ Good",
             Self::Care => "! With care",

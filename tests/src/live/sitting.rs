@@ -139,7 +139,7 @@ pub fn sit_with(phone: Phone, planned: usize) -> Result<Sitting, Box<dyn std::er
                 .for_each(|(n, is)| *n += usize::from(is));
         }
         server.phone().tell(session.instruction());
-        if session.instruction() == Instruction::Enough {
+        if session.instruction().ends() {
             break;
         }
     }

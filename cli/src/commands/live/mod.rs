@@ -2,6 +2,7 @@
 
 mod args;
 mod events;
+mod finish;
 mod ordinary;
 mod screen;
 mod visitors;
@@ -14,7 +15,7 @@ use std::time::{Duration, Instant};
 pub use args::Args;
 use calib::calibrate::Request;
 use events::Events;
-use live::{Aim, Batch, Event, Instruction, Opening, Session, Source, View, Waits, open};
+use live::{Aim, Batch, Event, Opening, Session, Source, View, Waits, open};
 use screen::Screen;
 use web::Web;
 
@@ -54,7 +55,18 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         },
     };
     show::say(&format!("recording in {}", show::path(&path)));
-    guide(args, source.as_mut(), events, Session::new(aim))?;
+    show::say(&format!(
+        "it ends when this is reached: {}",
+        words::promise()
+    ));
+    let web = args.web.then(Web::start).transpose()?;
+    guide(
+        args,
+        source.as_mut(),
+        events,
+        Session::new(aim),
+        web.as_ref(),
+    )?;
     let finished = source.finish()?;
     if let Some(reason) = &finished.fallback {
         show::warn(&format!(
@@ -67,7 +79,23 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         show::path(recording),
         command_line(recording)
     ));
-    ordinary::calibrate(args, recording)
+    let done = ordinary::calibrate(args, recording, web.as_ref());
+    if let Some(web) = &web {
+        keep_open(web);
+    }
+    done
+}
+
+/// Waits while somebody looks at the page, to read the result and keep its files.
+fn keep_open(web: &Web) {
+    if web.is_open() {
+        show::say(
+            "the page shows the result and offers its files; this ends a minute after it is closed",
+        );
+    }
+    while web.is_open() {
+        std::thread::sleep(Duration::from_millis(200));
+    }
 }
 
 fn check(args: &Args) -> Result<(), Failure> {
@@ -114,10 +142,10 @@ fn guide(
     source: &mut dyn Source,
     mut events: Events,
     mut session: Session,
+    web: Option<&Web>,
 ) -> Result<(), Failure> {
     let screen = Screen::new();
-    let web = args.web.then(Web::start).transpose()?;
-    if let Some(web) = &web {
+    if let Some(web) = web {
         screen.line(&format!(
             "open {} in a browser on this machine",
             web.address()
@@ -144,10 +172,10 @@ fn guide(
             events.instruction(&view, instruction)?;
         }
         screen.show(&view);
-        if let Some(web) = &web {
+        if let Some(web) = web {
             web.publish(&view);
         }
-        if session.instruction() == Instruction::Enough || has_ended(&batch) {
+        if session.instruction().ends() || has_ended(&batch) {
             break;
         }
         std::thread::sleep(

@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 use clap::Parser;
 
 use super::args::Args;
+use super::finish::Finish;
+use super::web::Web;
 use crate::commands::calibrate;
 use crate::commands::shared::inputs::as_paths;
 use crate::exit::{Failure, USAGE};
@@ -73,7 +75,16 @@ pub(super) fn refuse_outputs(args: &Args, folder: &Path) -> Result<(), Failure> 
     Ok(())
 }
 
-/// Calibrates `recording`.
-pub(super) fn calibrate(args: &Args, recording: &Path) -> Result<(), Failure> {
-    calibrate::run(&parse(args, recording)?)
+/// Calibrates `recording`; the page shows what came of it.
+pub(super) fn calibrate(args: &Args, recording: &Path, web: Option<&Web>) -> Result<(), Failure> {
+    let done = calibrate::run_and_show(&parse(args, recording)?, &mut |recordings, outcome| {
+        if let Some(web) = web {
+            web.finish(&Finish::of(recordings, outcome)?);
+        }
+        Ok(())
+    });
+    if let (Err(failure), Some(web)) = (&done, web) {
+        web.refuse(&failure.message);
+    }
+    done
 }

@@ -43,7 +43,7 @@ impl Screen {
         if !self.bar.is_hidden() {
             return;
         }
-        let [what, more] = words::instruction(instruction, view.planned);
+        let [what, more] = words::instruction(instruction);
         let count = view.placements.len();
         self.line(&format!(
             "[{:6.1} s, {count} of {}] {what}{}{more}",
@@ -58,7 +58,7 @@ impl Screen {
         if self.bar.is_hidden() {
             return;
         }
-        let [what, more] = words::instruction(&view.instruction, view.planned);
+        let [what, more] = words::instruction(&view.instruction);
         let [accelerometer, gyroscope] = words::known(view);
         let done = view.placements.len().min(view.planned);
         let cells = done * CELLS / view.planned.max(1);

@@ -4,16 +4,22 @@
 //! here is refused), and the page may run and load nothing but itself.
 
 use std::net::{SocketAddr, TcpListener};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
 
 use live::{Direction, View};
-use serde_json::json;
+use serde_json::{Value, json};
 
+use super::finish::Finish;
 use super::visitors::Visitors;
 use super::words;
 use crate::exit::{Failure, OUTPUT};
 
 const PAGE: &str = include_str!("page.html");
+
+/// What the page offers after the session, and of which kind it is.
+const NAMES: [&str; 2] = ["cal.json", "report.html"];
+const KINDS: [&str; 2] = ["application/json", "text/html"];
 
 /// What requests are answered with.
 #[derive(Debug)]
@@ -22,8 +28,22 @@ struct Shared {
     token: String,
     page: String,
     policy: String,
-    state: Mutex<String>,
+    state: Mutex<State>,
 }
+
+/// What a page that asks is told.
+#[derive(Debug)]
+struct State {
+    /// The session, and what it came to.
+    document: Value,
+    /// `cal.json` and `report.html`, once they are there.
+    files: Option<[String; 2]>,
+    /// When the page asked last.
+    asked: Option<Instant>,
+}
+
+/// A page asks five times a second, behind another one once a minute; it is closed where it has not for so long.
+const CLOSED: Duration = Duration::from_secs(70);
 
 /// A page that follows the session.
 #[derive(Debug)]
@@ -45,7 +65,11 @@ impl Web {
             token,
             page: PAGE.replace("NONCE", &nonce),
             policy,
-            state: Mutex::new("{}".to_owned()),
+            state: Mutex::new(State {
+                document: json!({}),
+                files: None,
+                asked: None,
+            }),
         });
         let answering = Arc::clone(&shared);
         let thread = std::thread::Builder::new().name("page".into());
@@ -63,7 +87,7 @@ impl Web {
 
     /// Shows this from now on.
     pub(super) fn publish(&self, view: &View) {
-        let [what, more] = words::instruction(&view.instruction, view.planned);
+        let [what, more] = words::instruction(&view.instruction);
         let candidates: Vec<_> = Direction::all()
             .iter()
             .map(|d| json!({"up": <[f64; 3]>::from(d.unit()), "name": words::axes(d)}))
@@ -73,11 +97,41 @@ impl Web {
             "what": what,
             "more": more,
             "known": words::known(view),
-            "aim": view.wanted.map(|d| <[f64; 3]>::from(d.unit())),
+            "aim": view.wanted.filter(|_| !view.instruction.ends()).map(|d| <[f64; 3]>::from(d.unit())),
             "candidates": candidates,
         });
-        *self.0.state.lock().unwrap_or_else(PoisonError::into_inner) = document.to_string();
+        self.0.state().document = document;
     }
+
+    /// Shows what the session came to, and offers it.
+    pub(super) fn finish(&self, finish: &Finish) {
+        let mut state = self.0.state();
+        state.document["result"] = finish.shown.clone();
+        state.files = Some([finish.calibration.clone(), finish.report.clone()]);
+    }
+
+    /// Shows why there is no calibration; one that is there already stays.
+    pub(super) fn refuse(&self, why: &str) {
+        let mut state = self.0.state();
+        if state.files.is_none() {
+            state.document["result"] = json!({
+                "level": "bad", "verdict": "✗ No calibration", "sentence": why, "figures": [], "next": [], "files": false,
+            });
+        }
+    }
+
+    /// Whether somebody has the page open.
+    pub(super) fn is_open(&self) -> bool {
+        let asked = self.0.state().asked;
+        asked.is_some_and(|asked| asked.elapsed() < CLOSED)
+    }
+}
+
+/// Whether the first line of a request asks for a file of this name.
+fn asked_for(request: &[u8], name: &str) -> bool {
+    let line = request.split(|b| *b == b'\r').next().unwrap_or(request);
+    let path = line.split(|b| *b == b' ').nth(1).unwrap_or(line);
+    path.ends_with(name.as_bytes())
 }
 
 /// 128 bits that nobody can foresee.
@@ -88,12 +142,23 @@ fn random() -> Result<String, String> {
 }
 
 impl Shared {
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     /// The whole answer to a request.
     fn answer(&self, request: &[u8]) -> Vec<u8> {
         let (status, kind, body) = self.reply(request);
+        // A file to keep is saved, not shown: the report's style and script have a policy of their own.
+        let is_file = kind != "text/plain" && NAMES.iter().any(|name| asked_for(request, name));
+        let attached = if is_file {
+            "Content-Disposition: attachment\r\n"
+        } else {
+            ""
+        };
         let head = format!(
             "HTTP/1.1 {status}\r\nContent-Type: {kind}; charset=utf-8\r\nContent-Length: {}\r\nContent-Security-Policy: {}\r\n\
-             X-Content-Type-Options: nosniff\r\nReferrer-Policy: no-referrer\r\nCross-Origin-Resource-Policy: same-origin\r\n\
+             {attached}X-Content-Type-Options: nosniff\r\nReferrer-Policy: no-referrer\r\nCross-Origin-Resource-Policy: same-origin\r\n\
              Cache-Control: no-store\r\nConnection: close\r\n\r\n",
             body.len(),
             self.policy
@@ -130,8 +195,22 @@ impl Shared {
         match path.split_once('/') {
             Some((token, "")) if token == self.token => ("200 OK", "text/html", self.page.clone()),
             Some((token, "state")) if token == self.token => {
-                let state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
-                ("200 OK", "application/json", state.clone())
+                let mut state = self.state();
+                state.asked = Some(Instant::now());
+                ("200 OK", "application/json", state.document.to_string())
+            }
+            Some((token, name)) if token == self.token && NAMES.contains(&name) => {
+                let file = NAMES.iter().position(|own| *own == name);
+                let state = self.state();
+                let content = state
+                    .files
+                    .as_ref()
+                    .zip(file)
+                    .map(|(all, k)| all[k].clone());
+                match content {
+                    Some(content) => ("200 OK", KINDS[file.unwrap_or(0)], content),
+                    None => refused("404 Not Found", "the session is not over yet"),
+                }
             }
             _ => refused(
                 "404 Not Found",
@@ -167,6 +246,36 @@ mod tests {
         }
         assert_eq!(web.0.reply(b"POST / HTTP/1.1\r\n\r\n").0, "403 Forbidden");
         assert_eq!(web.0.reply(b"\0\0\r\n\r\n").0, "400 Bad Request");
+    }
+
+    #[test]
+    fn files_are_there_to_be_saved_once_the_session_is_over() {
+        let web = Web::start().unwrap();
+        let own = web.0.address.to_string();
+        let get = |name: &str| {
+            let token = &web.0.token;
+            let request = format!("GET /{token}/{name} HTTP/1.1\r\nHost: {own}\r\n\r\n");
+            String::from_utf8(web.0.answer(request.as_bytes())).unwrap()
+        };
+        assert!(get("cal.json").starts_with("HTTP/1.1 404"));
+        assert!(!web.is_open());
+        let shown = json!({"verdict": "✓ Good"});
+        web.finish(&Finish {
+            shown,
+            calibration: "{}\n".into(),
+            report: "<p>report</p>".into(),
+        });
+        let (calibration, report) = (get("cal.json"), get("report.html"));
+        assert!(calibration.starts_with("HTTP/1.1 200") && calibration.ends_with("{}\n"));
+        assert!(
+            report.ends_with("<p>report</p>") && report.contains("attachment"),
+            "{report}"
+        );
+        assert!(get("state").contains("✓ Good") && !get("state").contains("attachment"));
+        assert!(web.is_open());
+        // What stands is not taken back by a gate that fails afterwards.
+        web.refuse("a limit fails");
+        assert!(get("state").contains("✓ Good"));
     }
 
     #[test]

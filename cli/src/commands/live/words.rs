@@ -1,11 +1,11 @@
 //! Instructions in words.
 
-use live::{Direction, Errors, Event, Instruction, Verdict, View};
+use live::{Direction, Errors, Event, Instruction, PROMISE, Shortfall, Verdict, View};
 
 use crate::show;
 
 /// What to do, in a few words, and what more there is to say.
-pub(super) fn instruction(instruction: &Instruction, planned: usize) -> [String; 2] {
+pub(super) fn instruction(instruction: &Instruction) -> [String; 2] {
     let two = |a: &str, b: &str| [a.to_owned(), b.to_owned()];
     match instruction {
         Instruction::Wait => two("Waiting for samples", ""),
@@ -42,8 +42,12 @@ pub(super) fn instruction(instruction: &Instruction, planned: usize) -> [String;
             "Trying again. Keep the phone's screen on and stay in the network.",
         ),
         Instruction::Enough => [
-            format!("Enough: {planned} placements' worth"),
-            "Both sensors are determined.".to_owned(),
+            "Enough: you can pick it up".to_owned(),
+            format!("Both sensors are known as promised: {}.", promise()),
+        ],
+        Instruction::Short { of } => [
+            "Ended, and less is known than promised".to_owned(),
+            short(of),
         ],
         other => [format!("{other:?}"), String::new()],
     }
@@ -53,8 +57,40 @@ fn verdict(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Good => "Good",
         Verdict::GoodToo => "Good too",
-        Verdict::Repeated => "That one is there already",
+        Verdict::Repeated => "Worth little",
     }
+}
+
+/// What a session ends with.
+pub(super) fn promise() -> String {
+    format!(
+        "scale to {} %, misalignment to {} mrad ({:.1}°)",
+        show::figures(PROMISE.scale * 1e2, 1),
+        show::figures(PROMISE.misalignment * 1e3, 1),
+        PROMISE.misalignment.to_degrees()
+    )
+}
+
+/// What is short of it, and what helps.
+fn short(of: &Shortfall) -> String {
+    let sensor = if of.gyroscope {
+        "gyroscope"
+    } else {
+        "accelerometer"
+    };
+    let (what, factor, unit) = match of.misalignment {
+        true => ("misalignment", 1e3, "mrad"),
+        false => ("scale", 1e2, "%"),
+    };
+    let helps = match of.gyroscope {
+        true => "Record again with larger turns about each of its axes.",
+        false => "Record again with each face up once, and tilts between them.",
+    };
+    format!(
+        "The {what} of the {sensor} is known to {} {unit}, not to {} {unit}. {helps}",
+        show::figures(of.error * factor, 2),
+        show::figures(of.promised * factor, 1)
+    )
 }
 
 fn name(axis: usize) -> &'static str {
@@ -77,6 +113,7 @@ pub(super) fn axes(direction: &Direction) -> String {
     match all.as_slice() {
         [one] => one.clone(),
         [one, two] => format!("{one} and {two}"),
+        [one, two, three] => format!("{one}, {two} and {three}"),
         _ => all.join(", "),
     }
 }
@@ -98,7 +135,10 @@ pub(super) fn hint(direction: &Direction) -> String {
     match parts.as_slice() {
         [one] => format!("A phone: on {one}."),
         [one, two] => format!("A phone: leant halfway between {one} and {two}."),
-        _ => format!("A phone: leant on the corner between {}.", parts.join(", ")),
+        [one, two, three] => {
+            format!("A phone: leant on the corner between {one}, {two} and {three}.")
+        }
+        _ => String::new(),
     }
 }
 
@@ -170,18 +210,37 @@ mod tests {
             "A phone: leant halfway between its left long edge and its screen."
         );
         for direction in Direction::all() {
-            let said = instruction(
-                &Instruction::Turn {
-                    to: direction,
-                    last: Verdict::Repeated,
-                },
-                12,
-            );
+            let said = instruction(&Instruction::Turn {
+                to: direction,
+                last: Verdict::Repeated,
+            });
             assert!(
                 said.iter().all(|line| line.chars().count() <= 110),
                 "{said:?}"
             );
         }
+    }
+
+    #[test]
+    fn what_adds_little_is_worth_little_and_what_is_short_is_said_with_the_promise() {
+        let to = Direction { signs: [0, 1, 0] };
+        let last = Verdict::Repeated;
+        let said = instruction(&Instruction::Turn { to, last });
+        assert_eq!(said[0], "Worth little: turn it, y up");
+        let of = Shortfall {
+            gyroscope: true,
+            misalignment: true,
+            error: 0.041,
+            promised: PROMISE.misalignment,
+        };
+        let said = instruction(&Instruction::Short { of });
+        assert!(
+            said[1].starts_with(
+                "The misalignment of the gyroscope is known to 41 mrad, not to 5 mrad."
+            ),
+            "{said:?}"
+        );
+        assert_eq!(promise(), "scale to 0.5 %, misalignment to 5 mrad (0.3°)");
     }
 
     #[test]

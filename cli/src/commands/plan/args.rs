@@ -37,9 +37,9 @@ pub struct Args {
     /// Placements by name
     #[arg(long, value_enum, default_value_t = Named::Optimal, conflicts_with = "input")]
     pub(super) protocol: Named,
-    /// What the placements are best for; both efficiencies are printed
-    #[arg(long, value_enum, default_value_t = By::Reading, conflicts_with_all = ["input", "protocol"])]
-    pub(super) criterion: By,
+    /// Take the placements that are best for this, in the order that tells most; without it the faces come first
+    #[arg(long, value_enum, conflicts_with_all = ["input", "protocol"])]
+    pub(super) criterion: Option<By>,
     /// Plan for the accelerometer only: no turns
     #[arg(long)]
     pub(super) accelerometer_only: bool,
@@ -55,9 +55,9 @@ pub struct Args {
     /// Mean speed of the turns, °/s; their peak is about twice that
     #[arg(long, value_name = "DEG/S", default_value_t = 90.0)]
     pub(super) speed: f64,
-    /// Noise of a placement beyond white noise, mm/s²: what your calibrations leave
-    #[arg(long, value_name = "MM/S²", default_value_t = 0.0)]
-    pub(super) misfit: f64,
+    /// Noise of a placement beyond white noise, mm/s²: what your calibrations leave [default: that of the calibration, else 0]
+    #[arg(long, value_name = "MM/S²")]
+    pub(super) misfit: Option<f64>,
     /// Local gravity, m/s² [default: that of the calibration, else 9.80665]
     #[arg(long, value_name = "M/S²")]
     pub(super) gravity: Option<f64>,
@@ -125,7 +125,7 @@ impl Args {
         let positive = [
             ("--rest", self.rest, 1.0..=3600.0),
             ("--speed", self.speed, 1.0..=2000.0),
-            ("--misfit", self.misfit, 0.0..=1000.0),
+            ("--misfit", self.misfit.unwrap_or(0.0), 0.0..=1000.0),
         ];
         for (name, value, range) in positive {
             if !range.contains(&value) {
@@ -139,12 +139,13 @@ impl Args {
         Ok(())
     }
 
-    pub(super) fn noise(&self, gravity: f64) -> Noise {
+    /// The noise, with `misfit` (mm/s²) of a placement where none is given.
+    pub(super) fn noise(&self, gravity: f64, misfit: Option<f64>) -> Noise {
         let rate = Noise::default().rate;
         Noise {
             // Turns that tell nothing leave the accelerometer alone.
             rate: if self.accelerometer_only { 1e3 } else { rate },
-            placement: 1e-3 * self.misfit,
+            placement: 1e-3 * self.misfit.or(misfit).unwrap_or(0.0),
             gravity,
             ..Noise::default()
         }
@@ -159,6 +160,11 @@ impl Args {
             },
             ..Timing::default()
         }
+    }
+
+    /// Whether the plan is a session from nothing that a person follows, and no protocol or criterion by name.
+    pub(super) fn is_for_a_hand(&self) -> bool {
+        self.protocol == Named::Optimal && self.criterion.is_none()
     }
 
     pub(super) fn words(&self) -> Words {

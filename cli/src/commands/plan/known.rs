@@ -2,15 +2,20 @@
 
 use std::path::Path;
 
+use calib::Calibration;
+use calib::calibration::LeftOut;
 use calib::methods::{accelerometer_unit, cut, static_means};
 use nalgebra::Vector3;
 use plan::{
-    Coverage, ForceMatrix, Known, Noise, Timing, best, coverage, force_part, information_of,
+    Coverage, ForceMatrix, Information, Known, Noise, Timing, best, coverage, force_part,
+    information_of,
 };
+use sensor::{PLACES, Sensor, base_names};
 use serde_json::Value;
 
 use super::args::Args;
 use super::rivals::Rivals;
+use super::tables::unit_of;
 use crate::commands::shared::inputs::{load, read as read_recording};
 use crate::exit::{Failure, INPUT};
 use crate::show;
@@ -26,8 +31,8 @@ pub struct Input {
     pub known: Known,
     /// Which placements are there, of a recording.
     pub coverage: Option<Coverage>,
-    /// What would tell tied effects apart, of findings.
-    pub ties: Vec<String>,
+    /// What would tell tied effects apart, of findings; what no placement tells, of a calibration.
+    pub notes: Vec<String>,
     /// What was recorded of them.
     pub rivals: Rivals,
     /// The accelerometer's information in noises of one placement.
@@ -75,6 +80,71 @@ pub fn gravity(path: &Path) -> Option<f64> {
     own.get("gravity")?.as_f64()
 }
 
+/// What a placement misses beyond white noise by a calibration, mm/s².
+pub fn misfit(path: &Path) -> Option<f64> {
+    let document = document(path)?;
+    let own = document.get("calibration").unwrap_or(&document);
+    let misfits = own.get("misfit")?.as_array()?;
+    let norm = misfits.iter().find(|m| m["channel"] == "static_norm")?;
+    let [rms, noise] = ["rms", "noise"].map(|key| norm.get(key).and_then(Value::as_f64));
+    Some(1e3 * (rms?.powi(2) - noise?.powi(2)).max(0.0).sqrt())
+}
+
+/// The parameter that an effect which was left out may change most beside its standard error, in words.
+fn left_out(calibration: &Calibration) -> Option<String> {
+    let std = |name: &str| {
+        let k = calibration.parameters.iter().position(|own| own == name)?;
+        let variance = *calibration.covariance.get(k)?.get(k)?;
+        Some(variance.sqrt()).filter(|std| *std > 0.0)
+    };
+    let of = |left: &LeftOut| {
+        let std = std(&left.parameter)?;
+        Some((
+            left.std_added / std,
+            std.hypot(left.std_added),
+            left.clone(),
+        ))
+    };
+    let all = calibration.left_out.iter().filter_map(of);
+    let (share, with_it, left) = all.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let (factor, unit) = unit_of(&left.parameter);
+    (share > 1.0).then(|| {
+        format!(
+            "The errors hold for a sensor without further effects. If it has {}, no larger than the recording would show, {} is \
+             known to {} {unit} only, however many placements follow.",
+            left.effect,
+            left.parameter,
+            show::figures(with_it * factor, 2)
+        )
+    })
+}
+
+/// The information of a calibration without what it does not know of gravity, and by how much that moves each element of
+/// `T`, all in proportion (`Calibration::carry_gravity`): more placements at the same place do not tell it.
+fn at_one_gravity(calibration: &Calibration) -> Option<(Information, [f64; 6])> {
+    let names = &calibration.parameters;
+    let share = calibration.gravity_source.std() / calibration.gravity;
+    let mut moved = vec![0.0; names.len()];
+    if let Some(triad) = &calibration.accelerometer {
+        for (name, (i, j)) in base_names(Sensor::Accelerometer).iter().zip(PLACES) {
+            if let Some(k) = names.iter().position(|own| own == name) {
+                moved[k] = share * triad.t[i][j];
+            }
+        }
+    }
+    let mut covariance = calibration.covariance.clone();
+    for (row, a) in covariance.iter_mut().zip(&moved) {
+        for (entry, b) in row.iter_mut().zip(&moved) {
+            *entry -= a * b;
+        }
+    }
+    let places = plan::parameter_names();
+    let place = |k: usize| names.iter().position(|own| *own == places[k]);
+    let scale = std::array::from_fn(|k| place(k).map_or(0.0, |k| moved[k]));
+    let without = information_of(names, &covariance).map(|information| (information, scale));
+    without.or_else(|| Some((information_of(names, &calibration.covariance)?, [0.0; 6])))
+}
+
 fn of_calibration(
     path: &Path,
     document: &Value,
@@ -83,19 +153,29 @@ fn of_calibration(
 ) -> Result<Input, Failure> {
     let calibration = load(path)?;
     let name = show::path(path);
-    let information =
-        information_of(&calibration.parameters, &calibration.covariance).ok_or_else(|| {
-            let why = "its covariance is missing or no covariance; calibrate again";
-            Failure::new(INPUT, format!("{name}: {why}"))
-        })?;
+    let (information, scale) = at_one_gravity(&calibration).ok_or_else(|| {
+        let why = "its covariance is missing or no covariance; calibrate again";
+        Failure::new(INPUT, format!("{name}: {why}"))
+    })?;
+    let mut notes = ties(document);
+    notes.extend(left_out(&calibration));
+    let share = calibration.gravity_source.std() / calibration.gravity;
+    if scale.iter().any(|moved| *moved != 0.0) {
+        notes.push(format!(
+            "{:.0} ppm of the accelerometer's scale errors are gravity, which was not given: no placement lowers that. Calibrate with \
+             --gravity or --latitude.",
+            1e6 * share
+        ));
+    }
     Ok(Input {
         name,
         known: Known {
             information: Some(information),
             up: None,
+            scale,
         },
         coverage: None,
-        ties: ties(document),
+        notes,
         rivals: Rivals::of(document),
         force: force_part(&information, noise, timing.used(1)),
     })
@@ -131,9 +211,10 @@ fn of_recording(
         known: Known {
             information,
             up: ups.last().copied(),
+            scale: [0.0; 6],
         },
         coverage: Some(found),
-        ties: Vec::new(),
+        notes: Vec::new(),
         rivals: Rivals::default(),
     })
 }

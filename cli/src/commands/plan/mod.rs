@@ -38,7 +38,8 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     refuse_unread(args)?;
     let own = args.input.as_deref().and_then(known::gravity);
     let gravity = args.gravity.or(own).unwrap_or(STANDARD_GRAVITY);
-    let (noise, timing, words) = (args.noise(gravity), args.timing(), args.words());
+    let misfit = args.input.as_deref().and_then(known::misfit);
+    let (noise, timing, words) = (args.noise(gravity, misfit), args.timing(), args.words());
     let input = match &args.input {
         Some(path) => Some(known::read(path, args, &noise, &timing)?),
         None => None,
@@ -56,6 +57,10 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             } = &aim.design;
             plan::follow(ups, turns, &start, &noise, timing, words)
         }
+        None if input.is_none() && args.is_for_a_hand() => {
+            let count = args.placements.unwrap_or(REQUIREMENT.advised);
+            plan::plan_session(count, &noise, &timing, words)
+        }
         None => plan::plan(
             &placements(args, input.as_ref()),
             &start,
@@ -67,7 +72,8 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let ups: Vec<Vector3<f64>> = found.steps.iter().map(|s| s.up.into()).collect();
     let efficiency = input.is_none().then(|| plan::efficiency(&ups)).flatten();
     let ties = aim.as_ref().map_or(Vec::new(), rivals::rows);
-    let mut notes = notes(args, input.as_ref(), aim.as_ref());
+    let mut notes = tables::legend(&found, args.accelerometer_only, words);
+    notes.extend(self::notes(args, input.as_ref(), aim.as_ref()));
     notes.extend(efficiency.as_ref().map(efficiency_words));
     notes.extend(rivals::words(&ties));
     let extra = json!({"ties": ties, "efficiency": efficiency, "noise": noise});
@@ -112,8 +118,8 @@ fn placements(args: &Args, input: Option<&Input>) -> Vec<Vector3<f64>> {
         None => {
             let count = args.placements.unwrap_or(REQUIREMENT.advised);
             match args.criterion {
-                By::Reading => args.protocol.protocol().placements(count),
-                By::Volume => finest(count, &ForceMatrix::zeros(), Criterion::Volume),
+                None | Some(By::Reading) => args.protocol.protocol().placements(count),
+                Some(By::Volume) => finest(count, &ForceMatrix::zeros(), Criterion::Volume),
             }
         }
     }
@@ -121,10 +127,7 @@ fn placements(args: &Args, input: Option<&Input>) -> Vec<Vector3<f64>> {
 
 /// What else to do.
 fn notes(args: &Args, input: Option<&Input>, aim: Option<&Aim>) -> Vec<String> {
-    let rest = aim.map_or(args.rest, |aim| aim.design.timing.rest);
-    let mut notes = vec![format!(
-        "The requirement: {REQUIREMENT}. Put the device down, let go, wait {rest:.0} s."
-    )];
+    let mut notes = vec![format!("The requirement: {REQUIREMENT}.")];
     if let Some(aim) = aim {
         if aim.ties.iter().any(|tie| tie.settles) {
             notes.push(
@@ -155,7 +158,7 @@ fn notes(args: &Args, input: Option<&Input>, aim: Option<&Aim>) -> Vec<String> {
     notes.extend(
         input
             .into_iter()
-            .flat_map(|input| input.ties.iter().cloned()),
+            .flat_map(|input| input.notes.iter().cloned()),
     );
     notes
 }

@@ -17,8 +17,10 @@ const EYE: [f64; 2] = [28.0, 22.0];
 const SCALE: f64 = 78.0;
 const MIDDLE: f64 = 100.0;
 const TABLE: f64 = 158.0;
+/// How far the axes are drawn out of the device.
+const OUT: [f64; 3] = [0.2, 0.2, 0.4];
 /// From the top of the device to the middle of the word for it, across and up, pixels.
-const BESIDE: [f64; 2] = [24.0, 22.0];
+const BESIDE: [f64; 2] = [46.0, 38.0];
 
 /// The page.
 pub fn page(plan: &Plan, notes: &[String], force_only: bool) -> String {
@@ -31,16 +33,21 @@ pub fn page(plan: &Plan, notes: &[String], force_only: bool) -> String {
     );
     let _ = write!(
         page,
-        "<h1>{}, {}</h1><ol>",
+        "<h1>{}, {}</h1>",
         show::counted(plan.steps.len(), "placement"),
         show::counted((plan.duration / 60.0).ceil() as usize, "minute")
     );
+    // What the words mean comes before them.
+    if let Some(legend) = notes.first() {
+        let _ = write!(page, "<p>{}</p>", escaped(legend));
+    }
+    page.push_str("<ol>");
     for step in &plan.steps {
         let words = escaped(&instruction(step, force_only));
         let _ = write!(page, "<li>{}<p>{words}</p></li>", picture(step));
     }
     page.push_str("</ol>");
-    for note in notes {
+    for note in notes.iter().skip(1) {
         let _ = write!(page, "<p>{}</p>", escaped(note));
     }
     page.push_str("</main></body></html>\n");
@@ -57,7 +64,7 @@ list-style-position:inside}li{border:1px solid var(--line);border-radius:.5rem;p
 li::marker{font-weight:600}svg{display:block;width:100%;max-height:11rem}p{margin:.4rem 0}text{text-anchor:middle;\
 font:11px system-ui,sans-serif}.side{fill:var(--side)}.screen{fill:var(--screen)}\
 .box{stroke:var(--edge);stroke-width:1.5;stroke-linejoin:round}.table{fill:none;stroke:var(--line);stroke-width:2}\
-.ink{fill:var(--ink)}.name{fill:#fff}";
+.ink{fill:var(--ink)}.axis{stroke:var(--ink);stroke-width:1.5}.name{fill:#fff}";
 
 /// The box with its placement's direction up.
 fn picture(step: &Step) -> String {
@@ -100,7 +107,23 @@ fn picture(step: &Step) -> String {
             y + 4.0
         );
     }
-    // Beyond the top, in the direction from the middle to it; towards the eye a word would lie on the device.
+    // The axes that turns are about, from the middle of the device out of it.
+    for (k, name) in ["x", "y", "z"].into_iter().enumerate() {
+        let axis = |length: f64| attitude * (Vector3::ith(k, 1.0) * length);
+        let [from, to] = [at(&axis(HALF[k])), at(&axis(HALF[k] + OUT[k]))];
+        let [x, y] = at(&axis(HALF[k] + OUT[k] + 0.1));
+        let _ = write!(
+            svg,
+            "<line class=\"axis\" x1=\"{:.1}\" y1=\"{:.1}\" x2=\"{:.1}\" y2=\"{:.1}\"/>\
+             <text class=\"ink\" x=\"{x:.0}\" y=\"{:.0}\">{name}</text>",
+            from[0],
+            from[1],
+            to[0],
+            to[1],
+            y + 4.0
+        );
+    }
+    // Beside the top, in the direction from the middle to it; towards the eye a word would lie on the device.
     let top = attitude * Vector3::new(0.0, HALF[1], 0.0);
     let length = top.x.hypot(top.z).max(1e-9);
     let [x, y] = at(&top);

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use plan::{Plan, Prediction, Step, parameter_names};
+use plan::{Plan, Prediction, Step, Words, parameter_names};
 
 use super::known::Input;
 use super::rivals::Row;
@@ -28,6 +28,11 @@ pub fn text(
         push(&mut text, "", &format!("{}; {unknown}.", found.found()));
         text.push('\n');
     }
+    // What the words mean comes before them.
+    if let Some(legend) = notes.first() {
+        push(&mut text, "", legend);
+        text.push('\n');
+    }
     for (k, step) in plan.steps.iter().enumerate() {
         push(
             &mut text,
@@ -45,21 +50,68 @@ pub fn text(
     } else {
         let _ = writeln!(text, "{}\n", separations(ties));
     }
-    for note in notes {
+    for note in notes.iter().skip(1) {
         push(&mut text, "", note);
     }
     text
 }
 
-/// One placement as a sentence, in the order in which it is done: the turn, the placement, the wait.
+/// One placement as a sentence, in the order in which it is done: the turn, then what it comes to.
 pub fn instruction(step: &Step, force_only: bool) -> String {
-    let placement = format!("{} ({}), {:.0}\u{a0}s", step.words, step.axes, step.rest);
     let turn = step.turn_words.as_ref().filter(|_| !force_only);
-    let placed = turn.map_or_else(
-        || show::capital(&placement),
-        |turn| format!("Turn it {turn}: {placement}"),
-    );
-    format!("{placed}.")
+    let Some(turn) = turn else {
+        return format!("{} ({}).", show::capital(&step.words), step.axes);
+    };
+    // Faces have names that everybody knows; a tilt is said by the turn and its axes.
+    let parts: Vec<f64> = step
+        .up
+        .into_iter()
+        .map(f64::abs)
+        .filter(|c| *c > 1e-6)
+        .collect();
+    let alike = parts.iter().all(|c| (c - parts[0]).abs() < 1e-6);
+    let there = match (parts.len(), alike) {
+        (2 | 3, true) => step.axes.clone(),
+        _ => format!("{} ({})", step.words, step.axes),
+    };
+    format!("{}: {there}.", show::capital(turn))
+}
+
+/// What the words of a plan mean, and how long to wait.
+pub fn legend(plan: &Plan, force_only: bool, words: Words) -> Vec<String> {
+    let mut rests: Vec<String> = plan
+        .steps
+        .iter()
+        .map(|s| format!("{:.0}\u{a0}s", s.rest))
+        .collect();
+    rests.dedup();
+    let wait = match rests.as_slice() {
+        [first, later, ..] => {
+            format!(
+                "Let go of it, and leave it {first} in the first placement, {later} in each other."
+            )
+        }
+        [one] => format!("Let go of it, and leave it {one} in each placement."),
+        [] => return Vec::new(),
+    };
+    let mut all = vec![wait];
+    if words == Words::Phone {
+        all.push("x points to the right of the screen, y to its top, z out of it.".into());
+    }
+    let said = |what: &str| {
+        let turns = plan.steps.iter().filter_map(|s| s.turn_words.as_ref());
+        !force_only && turns.into_iter().any(|words| words.contains(what))
+    };
+    if said("half up") || said("half down") {
+        all.push("Half up is 45°: lean it against something.".into());
+    }
+    if said("corner") || said("shortest way") {
+        all.push("Where several axes are named, each is as far up or down as the others.".into());
+    }
+    if said("spin it") {
+        all.push("Spin it: turn it on the spot, about the vertical.".into());
+    }
+    vec![all.join(" ")]
 }
 
 /// Adds words wrapped, lines after the first indented like it.
@@ -137,7 +189,8 @@ fn errors(plan: &Plan, force_only: bool) -> comfy_table::Table {
     table
 }
 
-fn unit_of(name: &str) -> (f64, &'static str) {
+/// The factor from SI and the unit that people use.
+pub fn unit_of(name: &str) -> (f64, &'static str) {
     match name {
         "accel.b_x" | "accel.b_y" | "accel.b_z" => (1e3, "mm/s²"),
         "gyro.b_x" | "gyro.b_y" | "gyro.b_z" => (3600_f64.to_degrees(), "°/h"),
