@@ -63,11 +63,11 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     run_and_show(args, &mut |_, _| Ok(()))
 }
 
-/// Is shown the recordings and what came of them.
-type Shown<'a> = &'a mut dyn FnMut(&[Recording], &Outcome) -> Result<(), Failure>;
+/// Sees the recordings and the outcome before anything is written.
+type Watcher<'a> = &'a mut dyn FnMut(&[Recording], &Outcome) -> Result<(), Failure>;
 
 /// Runs the command, and shows what came of it before anything is written.
-pub(super) fn run_and_show(args: &Args, shown: Shown<'_>) -> Result<(), Failure> {
+pub(super) fn run_and_show(args: &Args, shown: Watcher<'_>) -> Result<(), Failure> {
     let mut inputs = args.recordings.paths();
     inputs.extend(args.gyro_recording.iter().chain(&args.sections).cloned());
     inputs.extend(args.static_means.iter().chain(&args.effect_file).cloned());
