@@ -1,6 +1,7 @@
 //! Tables and numbers for people.
 
 use std::io::Write;
+use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use calib::document::to_json;
@@ -12,6 +13,16 @@ use serde::Serialize;
 use crate::exit::{BUG, Failure, OUTPUT};
 pub use crate::quoted::{name, path, printable, shortened};
 use crate::terminal;
+
+/// A path as a shell takes it.
+pub fn command_line(name: &Path) -> String {
+    let text = path(name);
+    let plain = |c: char| c.is_alphanumeric() || matches!(c, '/' | '.' | '_' | '-' | '+');
+    match text.chars().all(plain) && !text.starts_with('-') || text == "-" {
+        true => text,
+        false => format!("'{}'", text.replace('\'', "'\\''")),
+    }
+}
 
 /// A table whose columns after the first are aligned right.
 pub fn table(header: &[&str]) -> Table {

@@ -30,7 +30,7 @@ fn a_limit_that_is_not_kept_is_exit_1_with_the_reason_and_the_outputs_are_marked
     );
     let first = stdout(&run);
     assert!(
-        first.starts_with("Not to be used: limit: accelerometer.scale is "),
+        first.starts_with("Not to be used: accelerometer.scale is "),
         "{first}"
     );
     assert!(first.contains("1 of 4 fail"), "{first}");

@@ -1,5 +1,6 @@
 //! The whole way from recordings to findings.
 
+use ::findings::{Finding, Kind};
 use std::borrow::Borrow;
 use std::sync::Arc;
 
@@ -205,18 +206,10 @@ pub(super) fn discover_in(
 }
 
 /// What to say where a temperature is known of some recordings only.
-fn unknown_temperature(state: &State) -> Option<String> {
+fn unknown_temperature(state: &State) -> Option<Finding> {
     let without = state.fit.data.without_thermometer();
-    let (have, them) = match without.len() {
-        0 => return None,
-        1 => ("has", "it"),
-        _ => ("have", "them"),
-    };
-    Some(format!(
-        "{} {have} no temperature, others have one: effects of the temperature are not looked for. Leave {them} out to look for \
-         them",
-        without.join(" and ")
-    ))
+    let names = without.join(" and ");
+    (!without.is_empty()).then(|| Finding::of(Kind::TemperatureUnknown).detail("without", names))
 }
 
 /// The calibration of a model.

@@ -1,5 +1,6 @@
 //! Time constants of named effects, fitted where the recordings show them.
 
+use ::findings::{Finding, Kind};
 use std::ops::Range;
 
 use estimate::calibration::Calibration;
@@ -73,10 +74,12 @@ pub(super) fn say_held(calibration: &mut Calibration, held: &[HeldShape]) {
         for own in calibration.effects.iter_mut().filter(|e| e.name == *effect) {
             own.parameters.iter_mut().for_each(|p| p.std = None);
         }
-        calibration.warnings.push(format!(
-            "{effect}: its {name} is supposed to be {value} {unit}, as these recordings do not show it; its other parameters \
-             go with it, so that no standard error is stated"
-        ));
+        calibration.warnings.push(
+            Finding::of(Kind::TimeConstantSupposed)
+                .detail("effect", *effect)
+                .detail("parameter", *name)
+                .detail("value", format!("{value} {unit}")),
+        );
     }
 }
 

@@ -2,8 +2,9 @@
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use crate::finding::{Consequence, Detail, Finding, Level, Number, Place};
+use crate::finding::{Consequence, Detail, Finding, Number, Place};
 use crate::kind::Kind;
+use crate::level::Level;
 use crate::remedy::Remedy;
 use crate::words::Front;
 

@@ -6,31 +6,8 @@ use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 
 use crate::kind::Kind;
+use crate::level::Level;
 use crate::remedy::Remedy;
-use crate::words::entry;
-
-/// Weight of a finding for the use of a result.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Level {
-    /// Good to know; the result holds as it stands.
-    Remark,
-    /// The result can be used with care.
-    Care,
-    /// The result is not to be used as it stands.
-    Bad,
-}
-
-impl Level {
-    /// `remark`, `care` or `bad`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Remark => "remark",
-            Self::Care => "care",
-            Self::Bad => "bad",
-        }
-    }
-}
 
 /// The place of a finding: as much of it as is known.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -102,20 +79,6 @@ pub struct Finding {
 }
 
 impl Finding {
-    /// Of a kind, with the level and the remedies that are usual for it.
-    pub fn of(kind: Kind) -> Self {
-        let usual = entry(kind);
-        Self {
-            kind,
-            level: usual.level,
-            place: Place::default(),
-            numbers: Vec::new(),
-            details: Vec::new(),
-            consequence: Vec::new(),
-            remedies: (usual.remedies)(),
-        }
-    }
-
     /// The same in a recording.
     pub fn in_recording(mut self, name: impl Into<String>) -> Self {
         self.place.recording = Some(name.into());
@@ -217,29 +180,4 @@ impl Finding {
         let found = self.details.iter().find(|d| d.name == name)?;
         Some(&found.value)
     }
-
-    /// Size of the error that it makes, as an angle in degrees by which a corrected device would be oriented wrongly: the
-    /// largest of its consequences, else what is usual for its kind.
-    ///
-    /// | consequence | angle |
-    /// |---|---|
-    /// | specific force, m/s² | `f / g` |
-    /// | rate, rad/s | turned in ten seconds |
-    /// | angle, rad | itself |
-    pub fn severity(&self) -> f64 {
-        let angle = |c: &Consequence| match c.unit.as_ref() {
-            "m/s^2" => Some((c.value / GRAVITY).to_degrees()),
-            "rad/s" => Some((c.value * TEN_SECONDS).to_degrees()),
-            "rad" => Some(c.value.to_degrees()),
-            _ => None,
-        };
-        let known = self.consequence.iter().filter_map(angle);
-        let largest = known.map(f64::abs).reduce(f64::max);
-        largest.unwrap_or_else(|| entry(self.kind).severity)
-    }
 }
-
-/// Standard gravity, m/s² (ISO 80000-3).
-const GRAVITY: f64 = 9.80665;
-/// Time over which a rate is integrated where angles are compared, s.
-const TEN_SECONDS: f64 = 10.0;

@@ -24,14 +24,17 @@
 mod document;
 mod finding;
 mod kind;
+mod level;
 mod list;
 mod remedy;
 pub mod texts;
+mod usual;
 mod verdict;
 mod words;
 
-pub use finding::{Consequence, Detail, Finding, Level, Number, Place};
+pub use finding::{Consequence, Detail, Finding, Number, Place};
 pub use kind::Kind;
+pub use level::Level;
 pub use list::Findings;
 pub use remedy::{OptionName, Remedy, Setting};
 pub use verdict::{Grade, Step, Verdict, gravest_first};

@@ -5,8 +5,9 @@ use std::ops::Deref;
 
 use serde::{Deserialize, Serialize};
 
-use crate::finding::{Finding, Level};
+use crate::finding::Finding;
 use crate::kind::Kind;
+use crate::level::Level;
 use crate::words::Front;
 
 /// Findings in the order in which they were made.

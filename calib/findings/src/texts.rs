@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use crate::finding::{Finding, Level};
+use crate::finding::Finding;
+use crate::level::Level;
 use crate::list::Findings;
 use crate::words::Front;
 
@@ -46,10 +47,10 @@ macro_rules! texts_of {
 texts_of!(
     /// Warnings.
     of_warnings,
-    crate::finding::Level::Care
+    crate::level::Level::Care
 );
 texts_of!(
     /// Findings that forbid the use of a result.
     of_gates,
-    crate::finding::Level::Bad
+    crate::level::Level::Bad
 );

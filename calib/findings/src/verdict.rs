@@ -2,8 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::finding::{Finding, Level};
+use crate::finding::Finding;
 use crate::kind::Kind;
+use crate::level::Level;
 use crate::remedy::Remedy;
 use crate::words::{Front, command};
 

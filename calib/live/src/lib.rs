@@ -28,7 +28,6 @@ mod motion;
 mod open;
 mod phyphox;
 mod promise;
-mod rails;
 mod recorder;
 mod running;
 mod serial;

@@ -1,5 +1,7 @@
 //! The state machine of a guided session: samples in, instructions out. Time is that of the stamps.
 
+mod rails;
+
 use calib::Recording;
 use calib::calibrate::Request;
 use calib::intervals::Span;
@@ -7,12 +9,13 @@ use calib::recording::Stream;
 use nalgebra::Vector3;
 use plan::{next_placement, session_efficiency, worth};
 
+use self::rails::Rails;
 use crate::attitude::Attitude;
 use crate::direction::Direction;
 use crate::instruction::{Instruction, Verdict};
 use crate::motion::{Detector, Motion, WINDOW, moments};
 use crate::promise::{PROMISE, Shortfall};
-use crate::rails::Rails;
+
 use crate::running::Estimate;
 use crate::source::{Batch, Event};
 

@@ -14,7 +14,6 @@ use calib::methods::online_bias::{
     LONG_ENOUGH, Stretch, gyroscope_stretches, update_accelerometer, update_gyroscope,
 };
 
-use crate::commands::convert::command_line;
 use crate::commands::shared::first_screen::{Screen, Step};
 use crate::commands::shared::inputs::{DetectorArgs, DeviceArgs, load, read};
 use crate::commands::shared::names::Names;
@@ -23,6 +22,7 @@ use crate::exit::Failure;
 use crate::output::{Output, Replace};
 use crate::read_args::ReadArgs;
 use crate::show;
+use crate::show::command_line;
 
 /// Estimates the gyroscope's bias again from rests of more than 20 s, and on request the
 /// accelerometer's from rests in different orientations; scale factors and misalignments are kept.

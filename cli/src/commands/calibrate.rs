@@ -2,7 +2,6 @@
 
 mod arguments;
 pub mod clocks;
-pub mod compact;
 mod first_screen;
 pub mod joint;
 mod judgement;
@@ -14,7 +13,6 @@ pub mod prior;
 pub mod reading_error;
 mod request;
 mod six_position;
-mod steps;
 pub mod tables;
 
 use ::findings::Front;

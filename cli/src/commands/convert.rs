@@ -1,7 +1,7 @@
 //! `convert`: a recording in plain form.
 
 use ::findings::Front;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use super::apply::Target;
 use crate::commands::shared::inputs::read;
@@ -58,14 +58,4 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         .iter()
         .for_each(|warning| show::warn(warning));
     written
-}
-
-/// A path as a shell takes it.
-pub fn command_line(path: &Path) -> String {
-    let text = show::path(path);
-    let plain = |c: char| c.is_alphanumeric() || matches!(c, '/' | '.' | '_' | '-' | '+');
-    match text.chars().all(plain) && !text.starts_with('-') || text == "-" {
-        true => text,
-        false => format!("'{}'", text.replace('\'', "'\\''")),
-    }
 }

@@ -11,7 +11,6 @@ use calib::effects::force_sensitivity;
 use calib::simulate::{Session, Spec};
 
 use super::calibrate::residual;
-use super::convert::command_line;
 use super::discover::{gaps, json, look, page_after, plots, verdict};
 use crate::commands::shared::first_screen::{Screen, Step};
 use crate::commands::shared::inputs::spinner;
@@ -19,6 +18,7 @@ use crate::exit::Failure;
 use crate::output::{Filled, Folder, Output, Replace};
 use crate::report::{Report, ReportTable};
 use crate::show;
+use crate::show::command_line;
 
 /// The demonstration is the same for everybody.
 const SEED: u64 = 20_240_229;

@@ -12,7 +12,6 @@ use calib::{Calibration, Evaluation, evaluate};
 use serde_json::json;
 
 use crate::commands::calibrate::limits::{self, LimitArgs};
-use crate::commands::convert::command_line;
 use crate::commands::shared::first_screen::{Screen, Step};
 use crate::commands::shared::inputs::{
     DetectorArgs, DeviceArgs, as_paths, check_gravity, load, read, spinner,
@@ -24,6 +23,7 @@ use crate::output::Replace;
 use crate::pages::evaluation;
 use crate::read_args::ReadArgs;
 use crate::show;
+use crate::show::command_line;
 
 /// Compares calibrations on a recording, the raw readings always among them: the norm of gravity
 /// at rest, its direction after each turn with what is left of the rate at rest taken off, and that rate:

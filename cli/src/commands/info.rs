@@ -140,7 +140,7 @@ impl<'a> Facts<'a> {
             None if recording.is_magnetometer_only() => format!("none: {ALONE}"),
             Some(_) => format!(
                 "stillpoint calibrate {}{} -o cal.json",
-                super::convert::command_line(path),
+                crate::show::command_line(path),
                 read.command_line()
             ),
             None => {

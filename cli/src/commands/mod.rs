@@ -52,6 +52,7 @@ Use a calibration
   export     writes a calibration as another tool reads it
   import     reads a calibration of another tool
   convert    writes a recording as plain CSV
+  page       writes the page that calibrates in a browser
 Many devices
   batch      calibrates many devices, in parts that can be resumed
 

@@ -1,54 +1,27 @@
 //! `segment`: the static and dynamic intervals of a recording.
 
+mod args;
 mod first_screen;
 
 use ::findings::Front;
 use std::fmt::Write as _;
-use std::path::PathBuf;
 
+pub use args::Args;
 use calib::Recording;
 use calib::intervals::{Moments, Span};
 use calib::methods::{Choice, cut};
 use calib::readings::findings;
 use serde_json::json;
 
-use crate::commands::shared::inputs::{DetectorArgs, PlaceArgs, as_paths, read, spinner};
-use crate::commands::shared::pictures::{PictureArgs, named};
+use crate::commands::shared::inputs::{as_paths, read, spinner};
+use crate::commands::shared::pictures::named;
 use crate::exit::Failure;
-use crate::output::{Output, Replace};
+use crate::output::Output;
 use crate::pages::coverage::{self, Coverage};
 use crate::pages::session::Session;
 use crate::pages::{intervals_plot, provenance};
-use crate::read_args::ReadArgs;
 use crate::report::{Figure, Picture, Report, ReportTable};
 use crate::show;
-
-/// Shows when the device was still and when it turned.
-#[derive(Debug, clap::Args)]
-#[command(after_help = "\
-Example:
-  stillpoint segment phone.csv --min-static 5")]
-pub struct Args {
-    /// File or folder; `-` reads standard input
-    #[arg(value_name = "RECORDING")]
-    recording: PathBuf,
-    /// Write the intervals here (JSON)
-    #[arg(short, value_name = "FILE")]
-    output: Option<PathBuf>,
-    #[command(flatten)]
-    replace: Replace,
-    /// Print JSON instead of tables
-    #[arg(long)]
-    json: bool,
-    #[command(flatten)]
-    pictures: PictureArgs,
-    #[command(flatten)]
-    place: PlaceArgs,
-    #[command(flatten)]
-    detector: DetectorArgs,
-    #[command(flatten)]
-    read: ReadArgs,
-}
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {

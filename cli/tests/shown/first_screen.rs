@@ -136,7 +136,7 @@ fn details_stand_behind_the_screen() {
         assert!(said.contains(words) && !brief.contains(words), "{words}");
     }
     assert!(
-        stderr(&whole).contains("give --gravity"),
+        stderr(&whole).contains("the local gravity (--gravity)"),
         "{}",
         stderr(&whole)
     );
@@ -189,4 +189,70 @@ fn every_command_fills_one_screen_on_the_phones_recordings() {
         &["evaluate", "rec_3", "--calibration", "cal=cal.json"],
     );
     on_one_screen(dir.path(), &["allan", "rec_2"]);
+}
+
+/// The level in a document, with the words that terminal and page have for it.
+fn level(document: &str) -> (String, [&'static str; 2]) {
+    let document: serde_json::Value = serde_json::from_str(document).unwrap();
+    let level = document["verdict"]["level"].as_str().unwrap().to_owned();
+    let words = match level.as_str() {
+        "good" => ["Good: ", "the calibration can be used"],
+        "care" => ["With care: ", "Usable with care: "],
+        _ => ["Not to be used: ", "Do not use this calibration: "],
+    };
+    (level, words)
+}
+
+#[test]
+fn the_verdict_is_the_same_in_terminal_page_file_json_and_batch() {
+    let dir = tempfile::tempdir().unwrap();
+    let folder = dir.path().join("devices");
+    std::fs::create_dir(&folder).unwrap();
+    let session = |effect: Option<&str>| {
+        let mut spec = Spec::hand_held(23);
+        spec.rate = 50.0;
+        if let Some(effect) = effect {
+            spec = spec.with_effect(effect, 5.0);
+        }
+        spec.run().unwrap().recording
+    };
+    let mut clean = session(None);
+    let mut lacking = session(Some("accel_quadratic"));
+    let mut halved = session(None);
+    let readings = halved.gyroscope.iter_mut().flat_map(|s| &mut s.values);
+    readings.for_each(|w| *w *= 0.5);
+    let expected = [("clean", "good"), ("halved", "bad"), ("lacking", "care")];
+    std::fs::write(folder.join("clean.csv"), to_csv(&mut clean)).unwrap();
+    std::fs::write(folder.join("halved.csv"), to_csv(&mut halved)).unwrap();
+    std::fs::write(folder.join("lacking.csv"), to_csv(&mut lacking)).unwrap();
+    let gravity = ["--gravity", "9.80665"];
+    for (name, expected) in expected {
+        let file = format!("{name}.csv");
+        let outputs = ["-o", "cal.json", "--report", "cal.html", "--force"];
+        let call = ["calibrate", &file];
+        let run = stillpoint(&folder, &[&call[..], &gravity, &outputs].concat());
+        let said = stdout(&run);
+        let document = std::fs::read_to_string(folder.join("cal.json")).unwrap();
+        let (own, [terminal, page]) = level(&document);
+        assert_eq!(own, expected, "{name}: {said}");
+        assert!(said.starts_with(terminal), "{name}: {said}");
+        let shown = std::fs::read_to_string(folder.join("cal.html")).unwrap();
+        assert!(shown.contains(page), "{name}");
+        let json = stillpoint(&folder, &[&call[..], &gravity, &["--json"]].concat());
+        assert_eq!(stdout(&json), document, "{name}");
+    }
+    let batch = ["batch", "devices", "-o", "lot"];
+    stillpoint(dir.path(), &[&batch[..], &gravity].concat());
+    let table = std::fs::read_to_string(dir.path().join("lot/devices.csv")).unwrap();
+    let mut lines = table
+        .lines()
+        .map(|line| line.split(',').collect::<Vec<_>>());
+    let header = lines.next().unwrap();
+    let place = |name: &str| header.iter().position(|own| *own == name).unwrap();
+    let (id, verdict) = (place("id"), place("calibration_verdict"));
+    for (name, expected) in expected {
+        let row = lines.clone().find(|row| row[id].contains(name)).unwrap();
+        let found = row.contains(&expected);
+        assert!(found && verdict > id, "{name}: {row:?}");
+    }
 }

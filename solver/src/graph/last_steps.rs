@@ -1,7 +1,6 @@
 //! The last steps of a graph: undamped, to what double precision allows.
 
-use super::offset::TELLING;
-use super::solve::Run;
+use super::solve::{Run, TELLING};
 use crate::linear::vector::dot;
 
 /// Damping of the last steps: what is not determined stays where it is.

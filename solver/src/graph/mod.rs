@@ -11,9 +11,7 @@
 mod bounds;
 mod culprit;
 mod damping;
-mod display;
 mod elimination;
-mod ending;
 mod evaluate;
 mod factor;
 mod graduated;
@@ -22,6 +20,7 @@ mod offset;
 mod options;
 mod problem;
 mod ranges;
+mod report;
 mod reweight;
 mod solve;
 mod stage;

@@ -1,10 +1,7 @@
 //! Distance of a graph's point from a minimum: offset and relative step, by the factor at hand.
 
-use super::solve::Run;
+use super::solve::{Run, TELLING};
 use crate::linear::vector::{dot, scaled_norm};
-
-/// Damping up to which the damped step tells the offset.
-pub(super) const TELLING: f64 = 1e-3;
 
 /// Share of the offset sought that a step by the factor at hand has to stay below: the offset that
 /// it tells is not exact.

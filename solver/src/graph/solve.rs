@@ -7,7 +7,6 @@ use std::sync::atomic::Ordering;
 use super::bounds::Bounds;
 use super::bounds::step::{BoundedStep, Model};
 use super::damping::Lambda;
-use super::offset::TELLING;
 use super::options::{GraphOptions, GraphReport};
 use super::problem::Graph;
 use crate::clock::{Moment, after};
@@ -23,6 +22,9 @@ use crate::report::{Iteration, Termination};
 /// Relative offset below which the cost no longer tells two points apart and the last steps are
 /// judged by the gradient.
 const NEAR: f64 = 1e-5;
+
+/// Damping up to which the damped step tells the offset.
+pub(super) const TELLING: f64 = 1e-3;
 
 /// Nearness to 1 of the last gain ratio if the next step is linearised before its cost is known.
 const PREDICTED: f64 = 0.25;

@@ -99,7 +99,10 @@ impl<'a> Run<'a> {
             deadline,
             iterations,
             descent: options.variant.descent(polytope),
-            search: options.search(scaled_norm(&start.z, scaling.diagonal())),
+            search: options.search(
+                scaled_norm(&start.z, scaling.diagonal()),
+                polytope.is_some(),
+            ),
             scaling,
             flat: 0,
             taken: 0,
@@ -120,7 +123,7 @@ impl<'a> Run<'a> {
         self.scaling = Scaling::new(point.z.len());
         self.scaling.update(&point.at.jacobian.column_norms());
         let size = scaled_norm(&point.z, self.scaling.diagonal());
-        self.search = self.options.search(size);
+        self.search = self.options.search(size, self.polytope.is_some());
         (self.near, self.flat) = (near(self.options), 0);
     }
 

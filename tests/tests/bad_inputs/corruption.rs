@@ -154,7 +154,11 @@ fn units_that_change_half_way() {
     let degrees = from_half(|row| row[4..7].iter_mut().for_each(|v| *v = v.to_degrees()));
     // Rests are found in both parts: the place is named, and what the stepwise method writes has failed its limits.
     let refused_by = runs(&degrees, |run, command| {
-        names(run, "gyroscope's bias on x steps by", Place::Around(half()));
+        names(
+            run,
+            "bias of the gyroscope on x steps by",
+            Place::Around(half()),
+        );
         assert!(command == "evaluate" || run.status == Some(1), "{run:#?}");
     });
     assert_eq!(refused_by, [false, true]);
@@ -167,10 +171,10 @@ fn units_that_change_half_way() {
 fn signs_that_change_half_way() {
     let at = Place::Around(half());
     for (column, kind) in [
-        (1, "accelerometer's x axis changes its sign"),
-        (3, "accelerometer's z axis changes its sign"),
-        (4, "gyroscope's x axis changes its sign"),
-        (6, "gyroscope's z axis changes its sign"),
+        (1, "x axis of the accelerometer changes its sign"),
+        (3, "z axis of the accelerometer changes its sign"),
+        (4, "x axis of the gyroscope changes its sign"),
+        (6, "z axis of the gyroscope changes its sign"),
     ] {
         named(&from_half(|row| row[column] = -row[column]), kind, at);
     }
@@ -180,19 +184,23 @@ fn signs_that_change_half_way() {
 fn columns_that_are_swapped_half_way() {
     let at = Place::Around(half());
     let accel = from_half(|row| row.swap(1, 2));
-    named(&accel, "accelerometer's columns x and y are exchanged", at);
+    named(
+        &accel,
+        "columns x and y of the accelerometer change places",
+        at,
+    );
     let gyro = from_half(|row| row.swap(4, 5));
-    named(&gyro, "gyroscope's columns x and y are exchanged", at);
+    named(&gyro, "columns x and y of the gyroscope change places", at);
     let sensors = from_half(|row| (1..4).for_each(|k| row.swap(k, k + 3)));
     refused(&sensors, 3, &["r.csv:8", "other columns"]);
 }
 
 #[test]
 fn a_clock_two_percent_fast_or_slow_from_half_on() {
-    for (rate, share) in [(1.02, "+2.0"), (0.98, "-2.0")] {
-        let kind = format!("scale factor on all axes changes by {share}");
+    for (rate, share) in [(1.02, "2.0"), (0.98, "-2.0")] {
+        let kind = format!("scale factor of the gyroscope on all axes changes by {share}");
         let kind = if rate < 1.0 {
-            "scale factor on all axes changes by -"
+            "scale factor of the gyroscope on all axes changes by -"
         } else {
             &kind
         };
@@ -212,7 +220,7 @@ fn one_row_in_ten_twice_or_not_at_all() {
         "repeated earlier rows",
         Place::Words("rows between lines"),
     );
-    let kind = "wrong time base";
+    let kind = "its unit or its rate is wrong";
     let all = Place::Words("on all axes");
     named(&stamped(twice()), kind, all);
     let rows = good().iter().enumerate().filter(|(k, _)| !is_chosen(*k));
@@ -225,30 +233,30 @@ fn scale_factors_that_change_by_one_percent_half_way() {
     let scaled = |columns: &'static [usize]| {
         from_half(move |row| columns.iter().for_each(|&k| row[k] *= 1.01))
     };
-    let by = "changes by +1.0";
+    let by = "changes by ";
     named(
         &scaled(&[1]),
-        &format!("accelerometer's scale factor on x {by}"),
+        &format!("scale factor of the accelerometer on x {by}"),
         at,
     );
     named(
         &scaled(&[1, 2, 3]),
-        &format!("accelerometer's scale factor on all axes {by}"),
+        &format!("scale factor of the accelerometer on all axes {by}"),
         at,
     );
     named(
         &scaled(&[4]),
-        &format!("gyroscope's scale factor on x {by}"),
+        &format!("scale factor of the gyroscope on x {by}"),
         at,
     );
     named(
         &scaled(&[6]),
-        &format!("gyroscope's scale factor on z {by}"),
+        &format!("scale factor of the gyroscope on z {by}"),
         at,
     );
     named(
         &scaled(&[4, 5, 6]),
-        &format!("gyroscope's scale factor on all axes {by}"),
+        &format!("scale factor of the gyroscope on all axes {by}"),
         at,
     );
 }
@@ -266,10 +274,10 @@ fn an_axis_that_is_stuck_from_half_on() {
 fn biases_that_step_half_way() {
     let at = Place::Around(half());
     for (column, size, kind) in [
-        (1, 0.02, "accelerometer's bias on x steps by +1.8"),
-        (1, 0.2, "accelerometer's bias on x steps by +1.9"),
-        (4, 1e-3, "gyroscope's bias on x steps by +9.8"),
-        (4, 1e-2, "gyroscope's bias on x steps by +1.0"),
+        (1, 0.02, "bias of the accelerometer on x steps by 1.8"),
+        (1, 0.2, "bias of the accelerometer on x steps by 19"),
+        (4, 1e-3, "bias of the gyroscope on x steps by +9.8"),
+        (4, 1e-2, "bias of the gyroscope on x steps by +1.0"),
     ] {
         let rows = from_half(|row| row[column] += size);
         named(&rows, kind.split(" by ").next().unwrap(), at);
@@ -400,5 +408,9 @@ fn a_gyroscope_that_is_late_from_half_on() {
 #[test]
 fn a_device_that_is_mounted_otherwise_from_half_on() {
     let rows = from_half(|row| turned(row, 0.05));
-    named(&rows, "accelerometer's axes turn by", Place::Around(half()));
+    named(
+        &rows,
+        "axes of the accelerometer turn by",
+        Place::Around(half()),
+    );
 }

@@ -46,7 +46,7 @@ fn case_080_an_accelerometer_in_other_units() {
 fn case_081_degrees_per_second() {
     let degree = std::f64::consts::PI / 180.0;
     let run = calibrate(scaled(1.0, 1.0 / degree), &["--json"]);
-    run.ends(0).says(&["degrees per second", "--gyro-unit"]);
+    run.ends(0).says(&["deg/s", "--gyro-unit"]);
     for s in scale_of(&run, "gyroscope") {
         assert!((s - 1.0).abs() < 0.05, "{s}");
     }
@@ -336,7 +336,7 @@ fn case_092_a_saturated_axis() {
         row[4..7].iter_mut().for_each(|v| *v = v.clamp(-1.2, 1.2));
     });
     let run = calibrate(csv(&rows), &[]);
-    run.says(&["satura", "1.2"]);
+    run.says(&["satura", "68.8 °/s"]);
     assert!(matches!(run.status, Some(0 | 4)), "{run:#?}");
 }
 

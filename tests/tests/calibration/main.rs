@@ -9,7 +9,6 @@ mod invariances;
 mod joint_estimate;
 mod leave_one_out;
 mod magnetometer;
-mod magnetometer_bound;
 mod mpu9150;
 mod one_truth;
 mod prior_of_a_type;

@@ -115,11 +115,8 @@ fn a_latitude_of_the_wrong_sign_is_noticed() {
             ..Request::default()
         };
         let outcome = calibrate(std::slice::from_ref(&session.recording), &[], &request).unwrap();
-        let warnings = outcome
-            .calibration
-            .warnings
-            .texts(findings::Front::CommandLine);
-        warnings.iter().any(|w| w.contains("is its sign right?"))
+        let warnings = outcome.calibration.warnings;
+        warnings.has(findings::Kind::LatitudeDoubtful)
     };
     assert!(doubts(-60.0) && !doubts(60.0));
 }

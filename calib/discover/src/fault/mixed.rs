@@ -153,9 +153,11 @@ mod tests {
             .warnings
             .texts(::findings::Front::CommandLine);
         assert!(
-            warnings.iter().any(|w| w.contains("stepped within it")),
+            warnings
+                .iter()
+                .any(|w| w.contains("the bias steps within it")),
             "{warnings:?}"
         );
-        assert!(!warnings.iter().any(|w| w.contains("disturbed_interval")));
+        assert!(!warnings.iter().any(|w| w.contains("something touched")));
     }
 }

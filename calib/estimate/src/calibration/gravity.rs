@@ -1,6 +1,6 @@
 //! What an uncertain gravity makes of the scale factors.
 
-use findings::{Finding, Kind};
+use findings::{Finding, Kind, significant};
 use sensor::{PLACES, Sensor, base_names};
 
 use super::Calibration;
@@ -50,7 +50,8 @@ fn assumed(source: GravitySource, gravity: f64) -> Option<Finding> {
     };
     let found = Finding::of(kind)
         .of_sensor(Sensor::Accelerometer)
-        .number("gravity", gravity, "m/s^2")
+        .detail("gravity", format!("{} m/s²", significant(gravity, 6)))
+        .number("local_gravity", gravity, "m/s^2")
         .number("share", source.std() / gravity, "share")
         .affects("corrected_reading", source.std(), "m/s^2");
     Some(match source {

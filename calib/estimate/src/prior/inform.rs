@@ -178,7 +178,7 @@ mod tests {
                 .last()
                 .unwrap()
                 .text(findings::Front::CommandLine)
-                .contains("accel.b_x is 14.1 standard deviations")
+                .contains("accel.b_x lies 14.1 standard deviations")
         );
     }
 }

@@ -4,19 +4,7 @@ use crate::finding::Finding;
 use crate::remedy::{OptionName, Remedy};
 
 use super::remedies::names;
-
-/// Characters of a word that no shell changes.
-fn is_plain(c: char) -> bool {
-    c.is_alphanumeric() || "/._-+=:,@%".contains(c)
-}
-
-/// A word as a shell reads it.
-pub(super) fn quoted(word: &str) -> String {
-    if !word.is_empty() && word.chars().all(is_plain) {
-        return word.to_owned();
-    }
-    format!("'{}'", word.replace('\'', r"'\''"))
-}
+use super::shell::quoted;
 
 /// The command line of a remedy; none where no command does it.
 pub fn of(remedy: &Remedy, finding: &Finding, recordings: &[&str]) -> Option<String> {

@@ -1,92 +1,20 @@
 //! The words of findings: one entry per kind, filled with a finding's numbers.
 
-mod axes;
-mod clocks;
 pub(crate) mod command;
-mod device;
-mod fit;
-mod format;
+mod entry;
 mod human;
-mod import;
-mod intervals;
-mod magnetic;
-mod noise;
-mod other;
-mod part_way;
-mod reading;
 mod remedies;
-mod stamps;
+mod shell;
+mod tables;
 mod template;
-mod units;
 
+pub use entry::{Entry, Front};
 pub use human::{human, significant};
 pub(crate) use remedies::step;
+pub use tables::{entries, entry};
 
-use crate::finding::{Finding, Level};
+use crate::finding::Finding;
 use crate::kind::Kind;
-use crate::remedy::Remedy;
-
-/// Who reads the words: options have other names on the command line, in Rust and in Python.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Front {
-    /// Nobody in particular: options in plain English.
-    #[default]
-    Plain,
-    /// The command line: flags.
-    CommandLine,
-    /// The library in Rust: fields of requests.
-    Rust,
-    /// Python: keyword arguments.
-    Python,
-}
-
-/// The words of a kind.
-#[derive(Clone, Copy, Debug)]
-pub struct Entry {
-    /// The kind.
-    pub kind: Kind,
-    /// Usual level.
-    pub level: Level,
-    /// Usual error of a corrected orientation, °, where no consequence is known ([`Finding::severity`]).
-    pub severity: f64,
-    /// The reason in a few words, as a verdict says it.
-    pub reason: &'static str,
-    /// What was found, in sentences.
-    ///
-    /// `{name}` stands for a number or a word, `{sensor}` and `{at}` for the place; what stands between `[` and `]` is left out
-    /// where a name in it is not given.
-    pub text: &'static str,
-    /// Usual ways out.
-    pub remedies: fn() -> Vec<Remedy>,
-}
-
-/// Entries of all kinds.
-pub fn entries() -> impl Iterator<Item = &'static Entry> {
-    [
-        fit::ENTRIES,
-        reading::ENTRIES,
-        stamps::ENTRIES,
-        units::ENTRIES,
-        format::ENTRIES,
-        import::ENTRIES,
-        noise::ENTRIES,
-        axes::ENTRIES,
-        clocks::ENTRIES,
-        device::ENTRIES,
-        intervals::ENTRIES,
-        magnetic::ENTRIES,
-        part_way::ENTRIES,
-        other::ENTRIES,
-    ]
-    .into_iter()
-    .flatten()
-}
-
-/// The entry of a kind.
-pub fn entry(kind: Kind) -> &'static Entry {
-    let own = entries().find(|entry| entry.kind == kind);
-    own.unwrap_or(&other::REMARK)
-}
 
 /// The table of all kinds for the manual: name, level, text with its names in braces, ways out.
 pub fn manual_table() -> String {

@@ -2,8 +2,8 @@
 
 use crate::remedy::{OptionName, Remedy, Setting};
 
-use super::Front;
-use super::command::quoted;
+use super::entry::Front;
+use super::shell::quoted;
 
 /// An option's name in plain English, on the command line, in Rust and in Python.
 pub(super) fn names(option: OptionName) -> [&'static str; 4] {

@@ -2,7 +2,7 @@
 
 use crate::finding::Finding;
 
-use super::human;
+use super::human::human;
 
 /// The template with the finding's numbers, words and place in it. A part in brackets is left out where a name in it is
 /// not known; elsewhere such a name becomes `?`. `{count:gap}` is `1 gap` or `3 gaps`.

@@ -116,13 +116,13 @@ fn temperatures_in_counts_are_never_degrees_and_the_offered_line_makes_them_so()
         let mut all = found.warnings.iter();
         let of_temperature = [Kind::TemperatureInCounts, Kind::TemperatureImpossible];
         let said = all.find(|f| of_temperature.contains(&f.kind)).unwrap();
-        let text = said.text(findings::Front::CommandLine);
-        assert!(text.contains("MPU-6050"), "{text}");
+        let words = said.text(findings::Front::CommandLine);
+        assert!(words.contains("MPU-6050"), "{words}");
         let Some(Remedy::Set { any_of }) = said.remedies.first() else {
             panic!("{said:?}");
         };
         let line = any_of[0].value.as_deref().unwrap();
-        assert!(text.contains(&format!("--columns {line}")), "{text}");
+        assert!(words.contains(&format!("--columns {line}")), "{words}");
         let options = ReadOptions {
             columns: line.parse().unwrap(),
             ..ReadOptions::default()

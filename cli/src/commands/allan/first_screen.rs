@@ -3,10 +3,11 @@
 use ::findings::Front;
 use calib::noise::{NoiseSummary, NoiseTerm, TermValue};
 
-use super::{Args, advice, extent, is_in_counts, sensors, shown_unit, significant};
-use crate::commands::convert::command_line;
+use super::args::Args;
+use super::words::{advice, extent, is_in_counts, sensors, shown_unit, significant};
 use crate::commands::shared::first_screen::{Screen, Step};
 use crate::show;
+use crate::show::command_line;
 
 /// What is on it.
 pub fn screen(args: &Args, summary: &NoiseSummary) -> Screen {

@@ -1,5 +1,8 @@
 //! The first screen of a calibration.
 
+mod compact;
+mod steps;
+
 use ::findings::{Front, Grade, Kind, gravest_first};
 use calib::calibrate::{Outcome, STANDARD_GRAVITY};
 use calib::recording::averages::root_mean_square;
@@ -8,7 +11,7 @@ use calib::{Calibration, Recording};
 use super::arguments::Args;
 use super::judgement;
 use super::tables::units;
-use super::{compact, limits, reading_error, steps};
+use super::{limits, reading_error};
 use crate::commands::shared::first_screen::Screen;
 use crate::commands::shared::names::Names;
 use crate::pages::session::Session;

@@ -22,7 +22,8 @@ pub fn of(calibration: &Calibration) -> Judgement {
     let sorted = gravest_first(&all).into_iter();
     let asks = |finding: &&Finding| finding.level > Weight::Remark;
     let findings: Vec<Finding> = sorted.filter(asks).cloned().collect();
-    let first = findings.first().filter(|_| verdict.level != Grade::Good);
+    // What forbids the use of the result is the error that the command ends with.
+    let first = findings.first().filter(|_| verdict.level == Grade::Care);
     Judgement {
         grade: verdict.level,
         sentence: verdict.sentence(),

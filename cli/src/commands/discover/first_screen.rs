@@ -5,16 +5,16 @@ use calib::Recording;
 use calib::discover::{Channel, EffectFinding, Findings, Integrity, Verdict};
 use calib::gravity::GravitySource;
 
-use super::Args;
+use super::args::Args;
 use super::size;
 use super::words::{gaps, or, unit_of};
 use crate::call;
 use crate::commands::calibrate::limits;
-use crate::commands::convert::command_line;
 use crate::commands::shared::first_screen::{Screen, Step};
 use crate::commands::shared::names::Names;
 use crate::pages::session::short_names;
 use crate::show;
+use crate::show::command_line;
 
 /// Names, faults and ties that are said one by one.
 const MOST: usize = 3;

@@ -30,7 +30,7 @@ impl Log {
         };
         let next = format!(
             "stillpoint calibrate {} {} -o cal.json",
-            super::super::convert::command_line(path),
+            crate::show::command_line(path),
             contents.first_option().unwrap_or_default()
         );
         Ok(Self {

@@ -65,7 +65,7 @@ impl Ours {
         Some(Self {
             schema: show::name(schema),
             what,
-            next: next.replace("FILE", &super::super::convert::command_line(path)),
+            next: next.replace("FILE", &crate::show::command_line(path)),
         })
     }
 

@@ -19,10 +19,10 @@ use live::{Aim, Batch, Event, Opening, Session, Source, View, Waits, open};
 use screen::Screen;
 use web::Web;
 
-use super::convert::command_line;
 use crate::exit::{Failure, USAGE};
 use crate::output::Folder;
 use crate::show;
+use crate::show::command_line;
 
 /// A phone that has not answered for so long is given up.
 const PATIENCE: Duration = Duration::from_secs(180);

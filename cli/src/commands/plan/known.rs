@@ -15,7 +15,7 @@ use serde_json::Value;
 
 use super::args::Args;
 use super::rivals::Rivals;
-use super::tables::unit_of;
+use super::units::unit_of;
 use crate::commands::shared::inputs::{load, read as read_recording};
 use crate::exit::{Failure, INPUT};
 use crate::show;

@@ -5,6 +5,7 @@ mod known;
 mod rivals;
 mod sheet;
 mod tables;
+mod units;
 
 use std::path::{Path, PathBuf};
 

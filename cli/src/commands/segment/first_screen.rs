@@ -3,8 +3,7 @@
 use calib::Recording;
 use calib::methods::Choice;
 
-use super::Args;
-use crate::commands::convert::command_line;
+use super::args::Args;
 use crate::commands::shared::first_screen::{Screen, Step};
 use crate::commands::shared::names::Names;
 use crate::exit::Failure;
@@ -12,6 +11,7 @@ use crate::pages::coverage::Coverage;
 use crate::pages::direction;
 use crate::pages::session::Session;
 use crate::show;
+use crate::show::command_line;
 
 /// Intervals that the first screen lists.
 const LISTED: usize = 12;

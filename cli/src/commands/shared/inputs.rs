@@ -14,9 +14,9 @@ use calib::{Calibration, Recording};
 use indicatif::ProgressBar;
 use sensor::AnyEffect;
 
-use crate::commands::convert::command_line;
 use crate::exit::{Failure, USAGE};
 use crate::read_args::ReadArgs;
+use crate::show::command_line;
 use crate::{show, terminal};
 
 /// Recordings of one device, as files or as a pair of texts.

@@ -82,9 +82,10 @@ fn of_axes(fit: &RateFit<'_>, columns: &Columns, force: &Columns, said: &mut Sai
     let turned = of(Kind::AxesTurned).detail("axes", format!(": {}", axes.in_words()));
     said.warn(match axes.is_half_turn() {
         false => turned,
-        true => turned
-            .detail("or", OR_MIRRORED)
-            .only_remedies([force.turned(&axes.opposite().inverse())]),
+        true => turned.detail("or", OR_MIRRORED).only_remedies([
+            columns.turned(&axes),
+            force.turned(&axes.opposite().inverse()),
+        ]),
     });
 }
 

@@ -37,7 +37,8 @@ const MISFIT: [f64; 2] = [0.02, 0.004];
 /// }
 /// let cut = segment(&recording, &Detector::default())?;
 /// let said = implausible(&recording, &cut, None, 9.80665);
-/// assert!(said.gates[0].contains("az=az*0.5"));
+/// let words = said.gates[0].text(findings::Front::Plain);
+/// assert!(words.contains("az=az*0.5"));
 /// # Ok::<(), recording::Error>(())
 /// ```
 pub fn implausible(

@@ -1,0 +1,39 @@
+//! The words of a kind, and who reads them.
+
+use crate::kind::Kind;
+use crate::level::Level;
+use crate::remedy::Remedy;
+
+/// Who reads the words: options have other names on the command line, in Rust and in Python.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Front {
+    /// Nobody in particular: options in plain English.
+    #[default]
+    Plain,
+    /// The command line: flags.
+    CommandLine,
+    /// The library in Rust: fields of requests.
+    Rust,
+    /// Python: keyword arguments.
+    Python,
+}
+
+/// The words of a kind.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// The kind.
+    pub kind: Kind,
+    /// Usual level.
+    pub level: Level,
+    /// Usual error of a corrected orientation, °, where no consequence is known ([`Finding::severity`]).
+    pub severity: f64,
+    /// The reason in a few words, as a verdict says it.
+    pub reason: &'static str,
+    /// What was found, in sentences.
+    ///
+    /// `{name}` stands for a number or a word, `{sensor}` and `{at}` for the place; what stands between `[` and `]` is left out
+    /// where a name in it is not given.
+    pub text: &'static str,
+    /// Usual ways out.
+    pub remedies: fn() -> Vec<Remedy>,
+}

@@ -1,0 +1,66 @@
+//! Words of clocks that no choice makes right, and of sampling.
+
+use crate::kind::Kind;
+use crate::level::Level;
+use crate::remedy::{OptionName, Remedy};
+
+use crate::words::entry::Entry;
+
+pub(super) const ENTRIES: &[Entry] = &[
+    Entry {
+        kind: Kind::ClockUncountable,
+        level: Level::Care,
+        severity: 0.1,
+        reason: "the stamps scatter so much that lost samples cannot be counted",
+        text: "the stamps of the gyroscope scatter by {scatter} about steps of {step}. Lost samples cannot be told from late ones, and the stamps are taken as they are",
+        remedies: || vec![Remedy::SensorStamps, Remedy::set(OptionName::Rate)],
+    },
+    Entry {
+        kind: Kind::ClockUnknown,
+        level: Level::Care,
+        severity: 0.3,
+        reason: "no clock says when the gyroscope was sampled",
+        text: "the turns miss gravity by {ratio} times their noise with an even clock and with the stamps. Neither says when the gyroscope was sampled, as if a program had polled it at another rate than its own",
+        remedies: || vec![Remedy::SensorStamps],
+    },
+    Entry {
+        kind: Kind::StampsInBursts,
+        level: Level::Care,
+        severity: 0.05,
+        reason: "the stamps of the {sensor} come in bursts",
+        text: "the stamps of the {sensor} come in bursts of {size} samples. They say when the samples were read and not when they were taken. An even clock of {rate} is used instead[, with {lost} samples missing]",
+        remedies: || vec![Remedy::SensorStamps],
+    },
+    Entry {
+        kind: Kind::ClockOffset,
+        level: Level::Care,
+        severity: 1.0,
+        reason: "the clock of the {sensor} is {late} late",
+        text: "the clock of the {sensor} is {late} late against that of the {other}, by when they move. Their static intervals do not fall together[. An offset of {also} fits about as well]",
+        remedies: || vec![Remedy::OneClock],
+    },
+    Entry {
+        kind: Kind::ClockDrift,
+        level: Level::Care,
+        severity: 0.1,
+        reason: "the clock of the gyroscope runs {drift} ppm {which}",
+        text: "the clock of the gyroscope runs {drift} ± {error} ppm {which} than that of the accelerometer, by {turns} turns. One of the two is wrong by that, and with it perhaps the gyroscope's scale factors",
+        remedies: || vec![Remedy::OneClock, Remedy::set(OptionName::Rate)],
+    },
+    Entry {
+        kind: Kind::SampledFast,
+        level: Level::Remark,
+        severity: 0.0001,
+        reason: "the rate is higher than needed",
+        text: "sampled at {rate}: no hand turns so fast. Means over {block} samples would do and take less time",
+        remedies: Vec::new,
+    },
+    Entry {
+        kind: Kind::TurnsTooFast,
+        level: Level::Care,
+        severity: 0.2,
+        reason: "the turns are too fast for the sampling rate",
+        text: "{count} of {all} turns are too fast for {rate}: the device turns by up to {step} from one sample to the next. The order of the rotations in between (coning) makes an error of about {coning}, most in {at}. {needed} would do",
+        remedies: || vec![Remedy::TurnSlower, Remedy::SampleFaster],
+    },
+];

@@ -1,0 +1,178 @@
+//! Words of static intervals and turns.
+
+use crate::kind::Kind;
+use crate::level::Level;
+use crate::remedy::{OptionName, Remedy};
+
+use crate::words::entry::Entry;
+
+pub(super) const ENTRIES: &[Entry] = &[
+    Entry {
+        kind: Kind::PlacementsApart,
+        level: Level::Bad,
+        severity: 2.0,
+        reason: "placements disagree with each other, as if the sensor slipped in its case",
+        text: "the placements disagree with each other though nothing shook there: {places}. The sensor may have slipped in its case. The calibration is without these placements",
+        remedies: || vec![Remedy::FixSensor],
+    },
+    Entry {
+        kind: Kind::TurnLost,
+        level: Level::Remark,
+        severity: 0.02,
+        reason: "a turn cannot be used",
+        text: "{at} is not used: {fault}",
+        remedies: Vec::new,
+    },
+    Entry {
+        kind: Kind::IntervalGap,
+        level: Level::Remark,
+        severity: 0.01,
+        reason: "samples are missing in a static interval",
+        text: "{at} misses samples for {gap} from t = {gap_from} on",
+        remedies: Vec::new,
+    },
+    Entry {
+        kind: Kind::ShakyIntervals,
+        level: Level::Care,
+        severity: 0.03,
+        reason: "{shaken} of {all} static intervals shake, as in a hand",
+        text: "{shaken} of {all} static intervals shake more than the quiet parts of the recording, as a device in a hand does. Each is weighted by its own noise",
+        remedies: || vec![Remedy::LayDown],
+    },
+    Entry {
+        kind: Kind::DeviceSways,
+        level: Level::Remark,
+        severity: 0.02,
+        reason: "the device sways while it should rest",
+        text: "the device sways while it should rest, as a device in a hand does. Turns then begin and end a little beside the mean direction, and a slow creep would look the same",
+        remedies: || vec![Remedy::LayDown],
+    },
+    Entry {
+        kind: Kind::BiasStepped,
+        level: Level::Remark,
+        severity: 0.02,
+        reason: "a bias steps within a static interval",
+        text: "{at}: the bias steps within it, so its mean is not used[ ({more})]",
+        remedies: Vec::new,
+    },
+    Entry {
+        kind: Kind::Creep,
+        level: Level::Care,
+        severity: 0.05,
+        reason: "the readings drift in {at}",
+        text: "{at}: the readings drift while the device should rest, as from a creep of the device or a warm-up of the sensor. The drift is fitted[ ({more})]",
+        remedies: || vec![Remedy::RecordAgain, Remedy::LeaveOut],
+    },
+    Entry {
+        kind: Kind::MountSlip,
+        level: Level::Care,
+        severity: 0.05,
+        reason: "the device moved in {at}",
+        text: "{at}: the device moved while it should have rested, as a slipping mount does. Its move is fitted[ ({more})]",
+        remedies: || vec![Remedy::RecordAgain, Remedy::LeaveOut],
+    },
+    Entry {
+        kind: Kind::DisturbedInterval,
+        level: Level::Care,
+        severity: 0.03,
+        reason: "something touched the device in {at}",
+        text: "{at}: something touched or pushed the device, and its force is not used[ ({more})]",
+        remedies: || vec![Remedy::RecordAgain, Remedy::LeaveOut],
+    },
+    Entry {
+        kind: Kind::RateExcursion,
+        level: Level::Remark,
+        severity: 0.02,
+        reason: "the rate is off in one static interval",
+        text: "{at}: the mean rate is off in this interval alone, and it is not used[ ({more})]",
+        remedies: Vec::new,
+    },
+    Entry {
+        kind: Kind::TurnMissed,
+        level: Level::Care,
+        severity: 0.1,
+        reason: "{at} misses gravity, and is not used",
+        text: "{at} misses gravity by far more than the noise, and is not used[ ({more})]",
+        remedies: || vec![Remedy::RecordAgain, Remedy::LeaveOut],
+    },
+    Entry {
+        kind: Kind::LongTurn,
+        level: Level::Remark,
+        severity: 0.02,
+        reason: "a turn lasts long and may hide a static interval",
+        text: "{at} lasts {length} and no static interval was found in it. If the device was still, it shook or not for long enough",
+        remedies: || {
+            vec![Remedy::any_of([
+                OptionName::MinStatic,
+                OptionName::Multiplier,
+            ])]
+        },
+    },
+    Entry {
+        kind: Kind::NotStill,
+        level: Level::Bad,
+        severity: 3.0,
+        reason: "the device shook in {at}",
+        text: "{at} shakes by {spread}: the device was not still",
+        remedies: || vec![Remedy::LayDown],
+    },
+    Entry {
+        kind: Kind::IntervalDisagrees,
+        level: Level::Bad,
+        severity: 1.0,
+        reason: "{at} disagrees with the others",
+        text: "{at} disagrees with the others by {size} (by chance in {p} of recordings): the device may have been touched, or have slipped",
+        remedies: || vec![Remedy::LeaveOut, Remedy::RecordAgain],
+    },
+    Entry {
+        kind: Kind::IntervalsLeftOut,
+        level: Level::Care,
+        severity: 0.01,
+        reason: "only {most} of {all} static intervals are used",
+        text: "only {most} of {all} static intervals are used, numbers {first} to {last} ({where}), in which the device takes the most directions. Intervals and turns are counted from there",
+        remedies: || {
+            vec![Remedy::OtherMethod {
+                method: "stepwise".into(),
+            }]
+        },
+    },
+    Entry {
+        kind: Kind::ShortIntervals,
+        level: Level::Remark,
+        severity: 0.005,
+        reason: "the static intervals are short",
+        text: "static intervals of {least} and more are used, because longer ones are too few",
+        remedies: || vec![Remedy::RestLonger],
+    },
+    Entry {
+        kind: Kind::OffFace,
+        level: Level::Remark,
+        severity: 0.01,
+        reason: "a placement lies on no face",
+        text: "{label} lies on no face, and is not used",
+        remedies: Vec::new,
+    },
+    Entry {
+        kind: Kind::FaceTwice,
+        level: Level::Remark,
+        severity: 0.001,
+        reason: "a face was taken more than once",
+        text: "{face}: the one nearest to gravity is used",
+        remedies: Vec::new,
+    },
+    Entry {
+        kind: Kind::PlacementsTilted,
+        level: Level::Care,
+        severity: 1.0,
+        reason: "the six placements are tilted by {tilt}",
+        text: "the six placements are tilted by about {tilt} rms[, and at most {most} is expected]. This method takes every face as level",
+        remedies: || {
+            vec![
+                Remedy::Level,
+                Remedy::OtherMethod {
+                    method: "joint".into(),
+                },
+            ]
+        },
+    },
+];

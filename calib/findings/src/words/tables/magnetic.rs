@@ -1,0 +1,66 @@
+//! Words of the magnetometer and its field.
+
+use crate::kind::Kind;
+use crate::level::Level;
+use crate::remedy::{OptionName, Remedy};
+
+use crate::words::entry::Entry;
+
+pub(super) const ENTRIES: &[Entry] = &[
+    Entry {
+        kind: Kind::FieldDisturbed,
+        level: Level::Remark,
+        severity: 0.5,
+        reason: "the magnetic field is disturbed in a static interval",
+        text: "in {at} the magnetic field is off by {size} from that of the others, as near iron, a magnet or a current. The magnetometer's reading there is not used",
+        remedies: || vec![Remedy::AwayFromIron],
+    },
+    Entry {
+        kind: Kind::FieldUneven,
+        level: Level::Care,
+        severity: 0.5,
+        reason: "the magnetic field is uneven",
+        text: "the magnetic field differs by {size} per axis from one static interval to the next ({share} of it; the magnetometer's noise makes {noise}), as near iron or currents. The magnetometer's errors are enlarged to it",
+        remedies: || vec![Remedy::AwayFromIron],
+    },
+    Entry {
+        kind: Kind::MagneticEffect,
+        level: Level::Care,
+        severity: 0.3,
+        reason: "the model of the magnetometer lacks {effect}",
+        text: "the readings of the magnetometer go with {effect} (p = {p}), which its model lacks. Its errors do not cover that",
+        remedies: || vec![Remedy::set(OptionName::Effects)],
+    },
+    Entry {
+        kind: Kind::HeadingDisagrees,
+        level: Level::Care,
+        severity: 0.3,
+        reason: "magnetometer and gyroscope disagree about the heading",
+        text: "magnetometer and gyroscope disagree about the heading after turns by more than noise (p = {p}). The gyroscope is left as its turns alone show it",
+        remedies: || vec![Remedy::AwayFromIron],
+    },
+    Entry {
+        kind: Kind::MagnetometerNotCalibrated,
+        level: Level::Care,
+        severity: 0.1,
+        reason: "the magnetometer is not calibrated",
+        text: "the magnetometer is not calibrated: {why}",
+        remedies: Vec::new,
+    },
+    Entry {
+        kind: Kind::FieldTurned,
+        level: Level::Care,
+        severity: 30.0,
+        reason: "the axes of the magnetometer are turned or mirrored",
+        text: "{how}",
+        remedies: Vec::new,
+    },
+    Entry {
+        kind: Kind::UnitUnclear,
+        level: Level::Care,
+        severity: 0.1,
+        reason: "the unit of the magnetometer is not known",
+        text: "the unit of the magnetometer is known in this recording or in those of the calibration, and not in both. It is corrected as if it were the same",
+        remedies: || vec![Remedy::set(OptionName::MagUnit)],
+    },
+];

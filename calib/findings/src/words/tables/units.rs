@@ -1,0 +1,98 @@
+//! Words of units that were told from the readings, or not.
+
+use crate::kind::Kind;
+use crate::level::Level;
+use crate::remedy::{OptionName, Remedy};
+
+use crate::words::entry::Entry;
+
+pub(super) const ENTRIES: &[Entry] = &[
+    Entry {
+        kind: Kind::UnitByGravity,
+        level: Level::Remark,
+        severity: 0.001,
+        reason: "the accelerometer's unit was told by gravity",
+        text: "the accelerometer is taken as {unit}, in which its median length is {norm}",
+        remedies: || vec![Remedy::if_wrong([OptionName::AccelUnit])],
+    },
+    Entry {
+        kind: Kind::UnitByTurns,
+        level: Level::Remark,
+        severity: 0.001,
+        reason: "the gyroscope's unit was told by the turns",
+        text: "the gyroscope is taken as {unit}: read so, its turns are those that the accelerometer saw",
+        remedies: || vec![Remedy::if_wrong([OptionName::GyroUnit])],
+    },
+    Entry {
+        kind: Kind::UnitBySize,
+        level: Level::Care,
+        severity: 0.5,
+        reason: "the gyroscope's unit is only guessed from its largest reading",
+        text: "the gyroscope is taken as {unit}, because it reaches {fastest}",
+        remedies: || vec![Remedy::set(OptionName::GyroUnit)],
+    },
+    Entry {
+        kind: Kind::ReadAsCounts,
+        level: Level::Remark,
+        severity: 0.001,
+        reason: "the {sensor} is read as raw counts",
+        text: "the {sensor} is taken as raw counts and kept as they are[: its median length is {norm}][: it reaches \
+               {fastest}][: whole numbers, up to {at_rest} at rest]",
+        remedies: Vec::new,
+    },
+    Entry {
+        kind: Kind::UnitOverridden,
+        level: Level::Remark,
+        severity: 0.001,
+        reason: "the given unit of {quantity} is another than the file states",
+        text: "the unit of {quantity} is taken as {given}, as was said, though the file says {stated}",
+        remedies: Vec::new,
+    },
+    Entry {
+        kind: Kind::UnitsOfFormat,
+        level: Level::Remark,
+        severity: 0.001,
+        reason: "the units are those that files of {system} have",
+        text: "files of {system} state no units: stamps are read in {time}, rates in {rate}",
+        remedies: || {
+            vec![Remedy::if_wrong([
+                OptionName::TimeUnit,
+                OptionName::GyroUnit,
+            ])]
+        },
+    },
+    Entry {
+        kind: Kind::TemperatureDoubtful,
+        level: Level::Remark,
+        severity: 0.001,
+        reason: "the temperatures may be °F",
+        text: "temperatures of {least} to {most} are taken as °C, though in °F they would be {least_celsius} to \
+               {most_celsius}",
+        remedies: || {
+            vec![Remedy::NameUnit {
+                example: "temp [F]".into(),
+            }]
+        },
+    },
+    Entry {
+        kind: Kind::TemperatureInCounts,
+        level: Level::Remark,
+        severity: 0.001,
+        reason: "the temperatures are counts of the sensor",
+        text: "temperatures of {least} to {most} are counts of the sensor and no °C, left out[. The formula of its data \
+               sheet makes {formulas} of them]",
+        remedies: Vec::new,
+    },
+    Entry {
+        kind: Kind::TemperatureImpossible,
+        level: Level::Remark,
+        severity: 0.001,
+        reason: "the temperatures are no °C",
+        text: "temperatures of {least} to {most} are beyond -60 to 150 °C, left out[. A formula makes {formulas} of them]",
+        remedies: || {
+            vec![Remedy::NameUnit {
+                example: "temp [K]".into(),
+            }]
+        },
+    },
+];

@@ -1,0 +1,165 @@
+//! The matrices and biases of a calibration in one table, in the units that people use.
+
+use calib::Calibration;
+use calib::calibration::Triad;
+use sensor::{PLACES, Sensor, base_names};
+
+use crate::commands::calibrate::tables::field_unit;
+use crate::pages::session::short_names;
+use crate::{show, terminal};
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+/// Scale factors of readings in SI units lie in here.
+const NEAR_ONE: std::ops::Range<f64> = 0.5..2.0;
+
+/// A sensor as the table has it.
+struct Shown<'a> {
+    name: &'static str,
+    sensor: Sensor,
+    triad: &'a Triad,
+    /// People's unit of the bias, and how many of it make that of the corrected readings.
+    bias: (&'static str, f64),
+}
+
+fn sensors(calibration: &Calibration) -> Vec<Shown<'_>> {
+    let of = |name, sensor, bias| {
+        let triad = calibration.triad(sensor)?;
+        Some(Shown {
+            name,
+            sensor,
+            triad,
+            bias,
+        })
+    };
+    let all = [
+        of("accel", Sensor::Accelerometer, ("mm/s²", 1e3)),
+        of(
+            "gyro",
+            Sensor::Gyroscope,
+            ("°/h", 3600.0 * 1f64.to_degrees()),
+        ),
+        of("mag", Sensor::Magnetometer, (field_unit(calibration), 1.0)),
+    ];
+    all.into_iter().flatten().collect()
+}
+
+/// The table, and what has to be said of its units; empty where no sensor was calibrated.
+pub fn text(calibration: &Calibration) -> String {
+    let all = sensors(calibration);
+    if all.is_empty() {
+        return String::new();
+    }
+    let rows: Vec<[String; 5]> = all.iter().flat_map(rows).collect();
+    let header = [
+        String::new(),
+        "scale, ppm".into(),
+        "misalignment,".into(),
+        "mrad".into(),
+        bias_header(&all),
+    ];
+    let width = |k: usize| {
+        let cells = std::iter::once(&header).chain(&rows);
+        cells.map(|row| row[k].chars().count()).max().unwrap_or(0)
+    };
+    let widths = [0, 1, 2, 3, 4].map(width);
+    // Two columns between the cells where the terminal has them.
+    let wide = 2 + widths.iter().sum::<usize>() + 2 * (widths.len() - 1) <= terminal::width();
+    let between = if wide { "  " } else { " " };
+    let line = |row: &[String; 5]| {
+        let [a, b, c, d, e] = row;
+        let [wa, wb, wc, wd, we] = widths;
+        // The heading of the two columns of angles is one.
+        let gap = if row == &header { " " } else { between };
+        let wd = wd + between.len() - gap.len();
+        let indent = if wide { "  " } else { "" };
+        format!("{indent}{a:<wa$}{between}{b:>wb$}{between}{c:>wc$}{gap}{d:<wd$}{between}{e:>we$}")
+    };
+    let mut lines: Vec<String> = std::iter::once(&header).chain(&rows).map(line).collect();
+    lines.extend(all.iter().filter_map(of_counts));
+    lines.join("\n")
+}
+
+/// The bias, and of which recording it is where each has its own.
+fn bias_header(all: &[Shown<'_>]) -> String {
+    let own = all.iter().find(|shown| !shown.triad.recordings.is_empty());
+    let Some(own) = own else {
+        return "bias".into();
+    };
+    let names: Vec<&str> = own
+        .triad
+        .recordings
+        .iter()
+        .map(|r| r.recording.as_str())
+        .collect();
+    let last = short_names(&names).pop().unwrap_or_default();
+    format!("bias in {last}")
+}
+
+/// The scale factor that all others are shown against: 1 of readings in SI units.
+fn overall(triad: &Triad) -> f64 {
+    let scale = triad.base().scale();
+    if NEAR_ONE.contains(&scale) {
+        1.0
+    } else {
+        scale
+    }
+}
+
+fn of_counts(shown: &Shown<'_>) -> Option<String> {
+    let unit = match shown.sensor {
+        Sensor::Accelerometer => "m/s²",
+        Sensor::Gyroscope => "rad/s",
+        Sensor::Magnetometer => return None,
+    };
+    let scale = overall(shown.triad);
+    (scale != 1.0).then(|| {
+        format!(
+            "  {}: ppm of {scale:.5e} {unit} per unit of its readings",
+            shown.name
+        )
+    })
+}
+
+fn rows(shown: &Shown<'_>) -> [[String; 5]; 3] {
+    let Shown {
+        name,
+        sensor,
+        triad,
+        bias: (unit, factor),
+    } = shown;
+    let scale = overall(triad);
+    let names = base_names(*sensor);
+    [0, 1, 2].map(|i| {
+        let s = 1e6 * (triad.t[i][i] / scale - 1.0);
+        let angles = PLACES
+            .iter()
+            .zip(&names)
+            .filter_map(|((row, column), name)| {
+                let is_own = *row == i && column != row;
+                let std = triad.t_std[*row][*column];
+                let value = 1e3 * triad.t[*row][*column] / scale;
+                // One that the choice of the axes makes zero says nothing.
+                let says = is_own && (std.is_some() || value != 0.0);
+                let (_, angle) = name.rsplit_once('_')?;
+                says.then(|| {
+                    format!(
+                        "{angle} {}",
+                        show::with_error(value, std.map(|v| 1e3 * v / scale))
+                    )
+                })
+            });
+        let mut angles = angles.collect::<Vec<String>>().into_iter();
+        let bias = factor * scale * triad.bias[i];
+        let bias_std = triad.bias_std[i].map(|v| factor * scale * v);
+        [
+            format!("{name} {}", AXES[i]),
+            match triad.t_std[i][i] {
+                None if s == 0.0 => "–".into(),
+                std => show::with_error(s, std.map(|v| 1e6 * v / scale)),
+            },
+            angles.next().unwrap_or_default(),
+            angles.next().unwrap_or_default(),
+            format!("{} {unit}", show::with_error(bias, bias_std)),
+        ]
+    })
+}

@@ -1,0 +1,132 @@
+//! Commands for what comes after a calibration.
+
+use ::findings::{Front, Grade, Remedy};
+use calib::Calibration;
+use calib::gravity::GravitySource;
+
+use crate::call;
+use crate::commands::calibrate::arguments::Args;
+use crate::commands::calibrate::judgement::Judgement;
+use crate::commands::shared::first_screen::Step;
+use crate::pages::coverage::Coverage;
+use crate::show;
+use crate::show::command_line;
+
+/// Commands for what comes next, the most telling first.
+pub fn next(
+    args: &Args,
+    calibration: &Calibration,
+    judgement: &Judgement,
+    coverage: Option<&Coverage>,
+) -> Vec<Step> {
+    let given = args.output.as_deref().map(command_line);
+    let cal = given.clone().unwrap_or("cal.json".into());
+    let inputs = args.recordings.command_line() + &args.read.command_line();
+    let again = |more: &str| {
+        let output = if given.is_some() {
+            None
+        } else {
+            Some(cal.as_str())
+        };
+        call::again(more, output)
+    };
+    let mut steps: Vec<Step> = Vec::new();
+    let remedies = || {
+        judgement
+            .findings
+            .iter()
+            .flat_map(|finding| finding.remedies.first())
+    };
+    if remedies().any(|remedy| *remedy == Remedy::Discover) {
+        let place = args.place.command_line();
+        steps.push(Step::new(
+            "name what is missing",
+            format!("stillpoint discover {inputs}{place} -o findings.json"),
+        ));
+    }
+    for finding in &judgement.findings {
+        let step = match (
+            finding.remedies.first(),
+            finding.place.t0.zip(finding.place.t1),
+        ) {
+            (None | Some(Remedy::Discover | Remedy::Plan), _) => None,
+            (Some(Remedy::LeaveOut), Some((t0, t1))) => {
+                let which = number(calibration, finding.place.recording.as_deref());
+                let option = format!("--leave-out {which}{:.1}", 0.5 * (t0 + t1));
+                Some(Step::new("leave out what was touched", again(&option)))
+            }
+            _ => {
+                let advice = finding.advice(Front::CommandLine);
+                advice.map(|advice| Step::words(show::capital(&advice) + "."))
+            }
+        };
+        steps.extend(step.filter(|step| !steps.contains(step)));
+    }
+    let lacks_placements = coverage.and_then(Coverage::advice).is_some();
+    if lacks_placements || remedies().any(|remedy| *remedy == Remedy::Plan) {
+        let one = || args.recordings.recordings.first();
+        let known = given.clone().or_else(|| Some(command_line(one()?)));
+        let known = known.unwrap_or(inputs);
+        steps.push(Step::new(
+            "plan the placements to add",
+            format!("stillpoint plan {known}"),
+        ));
+    }
+    if judgement.grade == Grade::Bad {
+        return steps;
+    }
+    if calibration.gravity_source == GravitySource::Assumed && calibration.accelerometer.is_some() {
+        steps.extend(gained(calibration).map(|what| Step::new(what, again("--latitude DEG"))));
+    }
+    let one = args.recordings.recordings.first();
+    let one = one.map_or("RECORDING".into(), |path| command_line(path));
+    steps.push(Step::new(
+        "correct a recording",
+        format!(
+            "stillpoint apply {cal} {one}{} -o corrected.csv",
+            args.read.command_line()
+        ),
+    ));
+    steps.push(Step::new(
+        "check on a second recording",
+        format!("stillpoint evaluate SECOND --calibration cal={cal}"),
+    ));
+    steps
+}
+
+/// A place that leaves more of the errors is not asked for.
+const WORTH_IT: f64 = 0.8;
+
+/// What the place would do to the scale factors.
+fn gained(calibration: &Calibration) -> Option<String> {
+    let stds = calibration.accelerometer.iter().flat_map(|triad| {
+        let of = |k: usize| Some((triad.t_std[k][k]?, triad.t[k][k]));
+        (0..3).filter_map(of)
+    });
+    let relative = calibration.gravity_source.std() / calibration.gravity;
+    let (mut now, mut then) = (0.0, 0.0);
+    for (std, scale) in stds {
+        let own = (std.powi(2) - (relative * scale).powi(2)).max(0.0).sqrt();
+        if std > now {
+            (now, then) = (std, own);
+        }
+    }
+    let ppm = |v: f64| show::rounded(1e6 * v, 2);
+    let is_worth_it = then < WORTH_IT * now;
+    is_worth_it.then(|| {
+        format!(
+            "give the place: scale errors {} → {} ppm",
+            ppm(now),
+            ppm(then)
+        )
+    })
+}
+
+/// `2:` of the second of several recordings, as `--leave-out` takes it.
+fn number(calibration: &Calibration, recording: Option<&str>) -> String {
+    let inputs = &calibration.provenance.inputs;
+    let is_its = |name: &str| Some(name) == recording;
+    let place = inputs.iter().position(|input| is_its(&input.recording));
+    let place = place.filter(|_| inputs.len() > 1);
+    place.map_or_else(String::new, |k| format!("{}:", k + 1))
+}
