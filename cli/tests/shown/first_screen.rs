@@ -243,7 +243,8 @@ fn the_verdict_is_the_same_in_terminal_page_file_json_and_batch() {
     }
     let batch = ["batch", "devices", "-o", "lot"];
     stillpoint(dir.path(), &[&batch[..], &gravity].concat());
-    let table = std::fs::read_to_string(dir.path().join("lot/devices.csv")).unwrap();
+    stillpoint(dir.path(), &["batch", "merge", "lot", "-o", "all", "--csv"]);
+    let table = std::fs::read_to_string(dir.path().join("all.csv")).unwrap();
     let mut lines = table
         .lines()
         .map(|line| line.split(',').collect::<Vec<_>>());

@@ -122,7 +122,7 @@ fn temperatures_in_counts_are_never_degrees_and_the_offered_line_makes_them_so()
             panic!("{said:?}");
         };
         let line = any_of[0].value.as_deref().unwrap();
-        assert!(words.contains(&format!("--columns {line}")), "{words}");
+        assert!(words.contains(line), "{words}");
         let options = ReadOptions {
             columns: line.parse().unwrap(),
             ..ReadOptions::default()
