@@ -167,7 +167,7 @@ fn a_recording_without_thermometer_is_given_no_temperature() {
         .texts(findings::Front::CommandLine);
     assert!(
         said.iter()
-            .any(|w| w.contains("unknown has no temperature")),
+            .any(|w| w.contains("without a temperature (unknown)")),
         "{said:?}"
     );
 }

@@ -95,7 +95,7 @@ fn a_zero_that_is_set_anew_at_rest_is_a_fault_of_the_recording() {
         "{detail}"
     );
     // √(3 · 2) times the standard deviation of a component, some placements.
-    assert!(detail.contains("e-4 (rms over"), "{detail}");
+    assert!(detail.contains(" °/h (rms over"), "{detail}");
 }
 
 #[test]
