@@ -25,7 +25,7 @@ pub struct Entry {
     pub kind: Kind,
     /// Usual level.
     pub level: Level,
-    /// Usual error of a corrected orientation, °, where no consequence is known ([`Finding::severity`]).
+    /// Usual error of a corrected orientation, °, where no consequence is known ([`crate::Finding::severity`]).
     pub severity: f64,
     /// The reason in a few words, as a verdict says it.
     pub reason: &'static str,
