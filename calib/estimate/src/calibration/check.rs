@@ -129,7 +129,8 @@ fn parse(text: &str, outside: &[&'static dyn AnyEffect]) -> Result<Calibration, 
     let is_whole = marks(&any).is_ok_and(|marks| marks.is_empty());
     let read = match is_whole {
         // The text has lines and columns.
-        true => Calibration::deserialize(&mut serde_json::Deserializer::from_str(text)),
+        true => Calibration::deserialize(&mut serde_json::Deserializer::from_str(text))
+            .and_then(|own| own.with_findings(&any)),
         false => Calibration::from_value(any),
     };
     let mut calibration = read.map_err(|e| {

@@ -74,19 +74,24 @@ impl Calibration {
         for mark in &not_calibrated {
             value[mark.sensor.name()] = Value::Null;
         }
-        let found = match value.get_mut("findings") {
-            Some(found) => Some(Findings::deserialize(found.take())?),
-            None => None,
-        };
-        let mut own = Calibration::deserialize(value)?;
-        if let Some(found) = found {
-            let is_gate = |found: &&Finding| found.kind != Kind::LimitNotKept;
-            own.failed_gates = found.gates().filter(is_gate).collect();
-            own.warnings = found.warnings().collect();
-        }
+        let own = Calibration::deserialize(&value)?.with_findings(&value)?;
         Ok(Self {
             not_calibrated,
             ..own
+        })
+    }
+
+    /// With the findings of the document in the place of their texts; a document of an earlier version has the texts alone.
+    pub(super) fn with_findings(self, document: &Value) -> Result<Self, serde_json::Error> {
+        let Some(found) = document.get("findings") else {
+            return Ok(self);
+        };
+        let found = Findings::deserialize(found)?;
+        let is_gate = |found: &&Finding| found.kind != Kind::LimitNotKept;
+        Ok(Self {
+            failed_gates: found.gates().filter(is_gate).collect(),
+            warnings: found.warnings().collect(),
+            ..self
         })
     }
 
