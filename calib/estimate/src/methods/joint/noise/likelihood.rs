@@ -195,22 +195,26 @@ impl Restricted {
     /// Derivatives of the log-likelihood, which the last point of a search is not asked for: half of the work.
     fn slopes(&self, at: &Measured, theta: &[f64], active: &[bool]) -> Slopes {
         let mut slopes = self.mixed.slopes(&at.at, theta, active);
-        let count = active.len();
-        for (w, v) in self.within.iter().zip(&at.own) {
-            for i in (0..count).filter(|&i| active[i]) {
-                let share = w.by_component[i] / v;
-                slopes.score[i] += 0.5 * share * (w.square / v - 1.0);
-                for j in (0..count).filter(|&j| active[j]) {
-                    slopes.information[i][j] +=
-                        0.5 * share * w.by_component[j] / v * (w.square / v);
-                }
-            }
-        }
+        slopes.add_independent(&self.within, &at.own, active);
         slopes
     }
 }
 
 impl Slopes {
+    /// Adds the part of independent numbers with these variances.
+    fn add_independent(&mut self, within: &[Within], variances: &[f64], active: &[bool]) {
+        let count = active.len();
+        for (w, v) in within.iter().zip(variances) {
+            for i in (0..count).filter(|&i| active[i]) {
+                let share = w.by_component[i] / v;
+                self.score[i] += 0.5 * share * (w.square / v - 1.0);
+                for j in (0..count).filter(|&j| active[j]) {
+                    self.information[i][j] += 0.5 * share * w.by_component[j] / v * (w.square / v);
+                }
+            }
+        }
+    }
+
     /// `I⁻¹ s` over the components that are active and not held at zero by their score.
     fn step(&self, theta: &[f64], active: &[bool]) -> Option<Vec<f64>> {
         let free: Vec<usize> = (0..theta.len())

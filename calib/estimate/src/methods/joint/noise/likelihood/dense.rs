@@ -5,28 +5,15 @@ use std::cell::Cell;
 use faer::linalg::solvers::{DenseSolveCore, Llt, Solve};
 use faer::{Mat, Side};
 
-use super::left_null_space;
+use super::{SETTLED, STEPS, Slopes, WORTH_IT, left_null_space};
 use crate::methods::joint::blocks::basis::{RANK_TOLERANCE, orthonormal_with_pivots};
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::blocks::covariance::Covariance;
 use crate::methods::joint::noise::bias::Within;
 
-/// Newton steps at most: usual ones are ten.
-const STEPS: usize = 40;
-
 /// Third powers of the number of rows that all steps of one search may take together, and fewest steps.
 const MOST_WORK: f64 = 1.5e9;
 const FEWEST_STEPS: f64 = 20.0;
-
-/// A relative change of every variance below this ends the search.
-const SETTLED: f64 = 1e-3;
-
-/// Share by which the diagonal of the information is larger in a step.
-const HELD_UP: f64 = 1e-3;
-
-/// Twice the gain in log-likelihood below which a variance is taken for zero: 5 % of recordings without
-/// it pass by chance, the variance being at the edge of what it can be (½ χ²₀ + ½ χ²₁).
-const WORTH_IT: f64 = 2.7;
 
 /// What is left of the residuals when the parameters have had their share: in every group of rows
 /// `z = Nᵀ r ~ N(S γ, I + Σ θ_c C_c)`, `N` the left null space of the columns of the whitened Jacobian that are the
@@ -301,17 +288,9 @@ impl Dense {
                 }
             }
         }
-        let own = &at.own;
-        for (w, v) in self.within.iter().zip(own) {
-            for i in (0..count).filter(|&i| active[i]) {
-                let share = w.by_component[i] / v;
-                score[i] += 0.5 * share * (w.square / v - 1.0);
-                for j in (0..count).filter(|&j| active[j]) {
-                    information[i][j] += 0.5 * share * w.by_component[j] / v * (w.square / v);
-                }
-            }
-        }
-        Slopes { score, information }
+        let mut slopes = Slopes { score, information };
+        slopes.add_independent(&self.within, &at.own, active);
+        slopes
     }
 }
 
@@ -354,36 +333,6 @@ struct MeasuredPart {
     weighted: Mat<f64>,
     /// `V⁻¹ S`.
     shared: Mat<f64>,
-}
-
-/// First and second derivatives by the variances.
-struct Slopes {
-    score: Vec<f64>,
-    information: Vec<Vec<f64>>,
-}
-
-impl Slopes {
-    /// `I⁻¹ s` over the components that are active and not held at zero by their score.
-    fn step(&self, theta: &[f64], active: &[bool]) -> Option<Vec<f64>> {
-        let free: Vec<usize> = (0..theta.len())
-            .filter(|&c| active[c] && (theta[c] > 0.0 || self.score[c] > 0.0))
-            .collect();
-        if free.is_empty() {
-            return None;
-        }
-        // Components that do nearly the same to the data leave the information all but singular.
-        let matrix = nalgebra::DMatrix::from_fn(free.len(), free.len(), |i, j| {
-            let held_up = if i == j { 1.0 + HELD_UP } else { 1.0 };
-            held_up * self.information[free[i]][free[j]]
-        });
-        let right = nalgebra::DVector::from_fn(free.len(), |i, _| self.score[free[i]]);
-        let solution = matrix.cholesky()?.solve(&right);
-        let mut step = vec![0.0; theta.len()];
-        for (k, &c) in free.iter().enumerate() {
-            step[c] = solution[k];
-        }
-        Some(step)
-    }
 }
 
 /// `A += s B` on and below the diagonal, which is all that a Cholesky factor takes of a symmetric matrix.
