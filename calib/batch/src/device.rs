@@ -7,7 +7,7 @@ use calib::calibrate::{Method, Request, calibrate};
 use calib::calibration::effect_named;
 use calib::discover::{self, Findings};
 use calib::gravity::Gravity;
-use calib::limits::{Limits, built_in, judge, parameter};
+use calib::limits::{Limits, built_in, judge, not_kept, parameter};
 use calib::prior::Prior;
 use calib::recording::ReadOptions;
 use calib::{Calibration, Error, Recording};
@@ -230,11 +230,11 @@ fn status_of(error: &Error) -> Status {
 
 fn recorded(record: Record, calibration: &Calibration, findings: Option<&Findings>) -> Computed {
     let mut reasons: Vec<String> = calibration.failed_gates.texts(Front::CommandLine);
-    for line in calibration.limits.iter().filter(|line| !line.pass) {
-        if !reasons.contains(&line.name) {
-            reasons.push(line.name.clone());
-        }
-    }
+    reasons.extend(
+        not_kept(&calibration.limits)
+            .into_iter()
+            .map(|line| line.name.clone()),
+    );
     let belongs = calibration.prior.as_ref().map(|used| used.belongs);
     if belongs == Some(false) {
         reasons.push("prior".to_owned());

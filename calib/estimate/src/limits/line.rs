@@ -47,6 +47,17 @@ pub enum Limit {
     Range([f64; 2]),
 }
 
+/// The limits that are not kept, in their order. Of a quantity that fails the file's limit the one built in is not repeated.
+pub fn not_kept(lines: &[LimitLine]) -> Vec<&LimitLine> {
+    let mut failed: Vec<&LimitLine> = Vec::new();
+    for line in lines.iter().filter(|line| !line.pass) {
+        if !failed.iter().any(|other| other.name == line.name) {
+            failed.push(line);
+        }
+    }
+    failed
+}
+
 impl LimitLine {
     /// The finding that it is not kept.
     pub fn finding(&self) -> Finding {

@@ -44,7 +44,7 @@ pub use built_in::{
 };
 pub use file::{parse_limits, read_limits};
 pub use judge::{judge, judge_on};
-pub use line::{Bound, Limit, LimitLine};
+pub use line::{Bound, Limit, LimitLine, not_kept};
 pub use quantity::parameter;
 
 /// Limits, as a file says them; what is left out has none.

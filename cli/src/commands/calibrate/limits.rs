@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use calib::Calibration;
 use calib::calibration::Triad;
-use calib::limits::{Bound, Limit, LimitLine, Limits, built_in, judge, read_limits};
+use calib::limits::{Bound, Limit, LimitLine, Limits, built_in, judge, not_kept, read_limits};
 
 use crate::exit::{Failure, GATE, NOT_ENOUGH};
 use crate::{report, show};
@@ -56,7 +56,7 @@ pub fn gate_for(reasons: &[String]) -> Result<(), Failure> {
 /// Status 1 with the reasons where a limit is not kept by one of several calibrations.
 pub fn gate_of(judged: &[(String, Vec<LimitLine>)]) -> Result<(), Failure> {
     let of = |(name, lines): &(String, Vec<LimitLine>)| {
-        let failed = failed(lines).into_iter();
+        let failed = not_kept(lines).into_iter();
         let words = |line| format!("{}: {}", show::name(name), reason(line, None));
         failed.map(words).collect::<Vec<_>>()
     };
@@ -67,20 +67,9 @@ pub fn gate_of(judged: &[(String, Vec<LimitLine>)]) -> Result<(), Failure> {
 /// Why not to use a calibration as it stands: its gates, then its limits.
 pub fn reasons(calibration: &Calibration) -> Vec<String> {
     let mut reasons = calibration.failed_gates.texts(Front::CommandLine);
-    let failed = failed(&calibration.limits).into_iter();
+    let failed = not_kept(&calibration.limits).into_iter();
     reasons.extend(failed.map(|line| reason(line, Some(calibration))));
     reasons
-}
-
-/// The lines that fail; of a quantity that fails the file's limit the one built in is not repeated.
-fn failed(lines: &[LimitLine]) -> Vec<&LimitLine> {
-    let mut failed: Vec<&LimitLine> = Vec::new();
-    for line in lines.iter().filter(|line| !line.pass) {
-        if !failed.iter().any(|other| other.name == line.name) {
-            failed.push(line);
-        }
-    }
-    failed
 }
 
 /// Why a line fails, and what can be done.
