@@ -21,11 +21,6 @@ impl Findings {
         Self(Vec::new())
     }
 
-    /// Whether there are none.
-    pub fn is_none(&self) -> bool {
-        self.0.is_empty()
-    }
-
     /// Adds one.
     pub fn push(&mut self, finding: impl Into<Finding>) {
         self.0.push(finding.into());

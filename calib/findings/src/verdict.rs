@@ -3,10 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use crate::finding::Finding;
-use crate::kind::Kind;
 use crate::level::Level;
 use crate::remedy::Remedy;
-use crate::words::{Front, command};
+use crate::words::{Front, command, remedies};
 
 /// Most steps that a verdict asks for.
 const MOST_STEPS: usize = 4;
@@ -157,20 +156,14 @@ impl Finding {
             (None, Some(k)) => format!(" (turn {k})"),
             _ => String::new(),
         };
-        format!("{}{place}", crate::words::step(remedy, Front::Plain))
-    }
-}
-
-impl Kind {
-    /// Whether findings of this kind make a result bad or ask for care by themselves.
-    pub fn usual_level(self) -> Level {
-        crate::words::entry(self).level
+        format!("{}{place}", remedies::words(remedy, Front::Plain))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::kind::Kind;
 
     #[test]
     fn nothing_found_is_good_and_says_what_to_do_with_it() {

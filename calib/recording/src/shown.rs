@@ -3,6 +3,8 @@
 use std::fmt::Write;
 use std::path::Path;
 
+pub use findings::significant;
+
 /// A name from outside, safe to print: control characters escaped, at most 200 characters.
 pub fn shown(name: &str) -> String {
     shown_to(name, 200)
@@ -53,12 +55,6 @@ pub fn figure(value: f64) -> String {
     } else {
         format!("{value:e}")
     }
-}
-
-/// A number with so many significant digits.
-pub fn significant(value: f64, digits: usize) -> String {
-    let rounded = format!("{value:.*e}", digits.saturating_sub(1));
-    figure(rounded.parse().unwrap_or(value))
 }
 
 /// A path, safe to print.

@@ -9,6 +9,7 @@ use serde_json::Value;
 
 use super::not_calibrated::{NotCalibrated, NotCalibratedReason};
 use super::{Calibration, RecordingBias, Triad};
+use crate::limits::{LimitLine, not_kept};
 
 impl NotCalibrated {
     /// A gyroscope with what the static intervals say of its bias.
@@ -43,10 +44,11 @@ fn own<S: Serializer>(calibration: &&Calibration, serializer: S) -> Result<S::Ok
 
 impl Serialize for Calibration {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let findings = self.findings();
         let document = Document {
             own: self,
-            verdict: self.verdict(),
-            findings: self.findings(),
+            verdict: self.verdict_of(&findings),
+            findings,
         };
         if self.not_calibrated.is_empty() {
             return document.serialize(serializer);
@@ -99,23 +101,20 @@ impl Calibration {
     pub fn findings(&self) -> Findings {
         let gates = self.failed_gates.iter().cloned();
         let mut all: Findings = gates.map(|gate| gate.at_level(Level::Bad)).collect();
-        let mut failed: Vec<&str> = Vec::new();
-        for line in self.limits.iter().filter(|line| !line.pass) {
-            // Of a quantity that fails the file's limit the one built in is not repeated.
-            if !failed.contains(&line.name.as_str()) {
-                failed.push(&line.name);
-                all.push(line.finding());
-            }
-        }
+        all.extend(not_kept(&self.limits).into_iter().map(LimitLine::finding));
         all.extend(&self.warnings);
         all
     }
 
     /// The verdict on it, with commands for the recordings that it was made of.
     pub fn verdict(&self) -> Verdict {
+        self.verdict_of(&self.findings())
+    }
+
+    fn verdict_of(&self, findings: &[Finding]) -> Verdict {
         let inputs = self.provenance.inputs.iter();
         let names: Vec<&str> = inputs.map(|input| input.recording.as_str()).collect();
-        Verdict::of_recordings(&self.findings(), &names)
+        Verdict::of_recordings(findings, &names)
     }
 
     /// Why a sensor is not calibrated, if it was recorded and is not.

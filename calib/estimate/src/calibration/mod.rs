@@ -98,7 +98,7 @@ pub struct Calibration {
     #[serde(
         default,
         with = "findings::texts::of_gates",
-        skip_serializing_if = "Findings::is_none"
+        skip_serializing_if = "<[_]>::is_empty"
     )]
     pub failed_gates: Findings,
     /// Limits that were judged, with their values.

@@ -3,14 +3,13 @@
 pub(crate) mod command;
 mod entry;
 mod human;
-mod remedies;
+pub(crate) mod remedies;
 mod shell;
 mod tables;
 mod template;
 
 pub use entry::{Entry, Front};
 pub use human::{human, significant};
-pub(crate) use remedies::step;
 pub use tables::{entries, entry};
 
 use crate::finding::Finding;
@@ -40,14 +39,8 @@ pub fn manual_table() -> String {
 impl Finding {
     /// The finding in words: where, what, and what to do.
     pub fn text(&self, front: Front) -> String {
-        self.text_with(front, str::to_owned)
-    }
-
-    /// The same with recordings called by `name`.
-    pub fn text_with(&self, front: Front, name: impl Fn(&str) -> String) -> String {
         let what = template::filled(entry(self.kind).text, self);
-        let place = self.place.recording.as_deref().map(name);
-        let mut text = match place {
+        let mut text = match &self.place.recording {
             Some(place) => format!("{place}: {what}"),
             None => what,
         };

@@ -174,13 +174,8 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
     }
 }
 
-/// A remedy in words for a list of steps.
-pub(crate) fn step(remedy: &Remedy, front: Front) -> String {
-    words(remedy, front)
-}
-
 /// A remedy in words, an imperative.
-pub(super) fn words(remedy: &Remedy, front: Front) -> String {
+pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
     let fixed = match remedy {
         Remedy::Set { any_of } => return format!("give {}", settings(any_of, front)),
         Remedy::IfWrong { any_of } => {
