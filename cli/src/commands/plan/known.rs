@@ -52,39 +52,41 @@ impl Input {
     }
 }
 
-/// Reads it.
-pub fn read(path: &Path, args: &Args, noise: &Noise, timing: &Timing) -> Result<Input, Failure> {
-    match document(path) {
-        Some(document) => of_calibration(path, &document, noise, timing),
+/// Reads it; `document` is what it holds of ours.
+pub fn read(
+    path: &Path,
+    document: Option<&Value>,
+    args: &Args,
+    noise: &Noise,
+    timing: &Timing,
+) -> Result<Input, Failure> {
+    match document {
+        Some(document) => of_calibration(path, document, noise, timing),
         None => of_recording(path, args, noise, timing),
     }
 }
 
 /// A document of ours; `None` for everything else.
-fn document(path: &Path) -> Option<Value> {
+pub fn document(path: &Path) -> Option<Value> {
     let bytes = std::fs::read(path).ok()?;
     let document: Value = serde_json::from_slice(&bytes).ok()?;
     let schema = document.get("schema")?.as_str()?;
     schema.starts_with("stillpoint.").then_some(document)
 }
 
-/// Whether it is no document of ours.
-pub fn is_recording(path: &Path) -> bool {
-    document(path).is_none()
+/// The calibration itself, or that of findings.
+fn calibration(document: &Value) -> &Value {
+    document.get("calibration").unwrap_or(document)
 }
 
 /// The gravity of a calibration or of findings.
-pub fn gravity(path: &Path) -> Option<f64> {
-    let document = document(path)?;
-    let own = document.get("calibration").unwrap_or(&document);
-    own.get("gravity")?.as_f64()
+pub fn gravity(document: &Value) -> Option<f64> {
+    calibration(document).get("gravity")?.as_f64()
 }
 
 /// What a placement misses beyond white noise by a calibration, mm/s².
-pub fn misfit(path: &Path) -> Option<f64> {
-    let document = document(path)?;
-    let own = document.get("calibration").unwrap_or(&document);
-    let misfits = own.get("misfit")?.as_array()?;
+pub fn misfit(document: &Value) -> Option<f64> {
+    let misfits = calibration(document).get("misfit")?.as_array()?;
     let norm = misfits.iter().find(|m| m["channel"] == "static_norm")?;
     let [rms, noise] = ["rms", "noise"].map(|key| norm.get(key).and_then(Value::as_f64));
     Some(1e3 * (rms?.powi(2) - noise?.powi(2)).max(0.0).sqrt())

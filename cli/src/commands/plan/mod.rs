@@ -36,13 +36,14 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     };
     let (output, report) = (claim(&args.output)?, claim(&args.report)?);
     args.replace.end_if_all_exist()?;
-    refuse_unread(args)?;
-    let own = args.input.as_deref().and_then(known::gravity);
+    let ours = args.input.as_deref().and_then(known::document);
+    refuse_unread(args, ours.is_none())?;
+    let own = ours.as_ref().and_then(known::gravity);
     let gravity = args.gravity.or(own).unwrap_or(STANDARD_GRAVITY);
-    let misfit = args.input.as_deref().and_then(known::misfit);
+    let misfit = ours.as_ref().and_then(known::misfit);
     let (noise, timing, words) = (args.noise(gravity, misfit), args.timing(), args.words());
     let input = match &args.input {
-        Some(path) => Some(known::read(path, args, &noise, &timing)?),
+        Some(path) => Some(known::read(path, ours.as_ref(), args, &noise, &timing)?),
         None => None,
     };
     let start = input.as_ref().map(|input| input.known).unwrap_or_default();
@@ -98,9 +99,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     })
 }
 
-/// Refuses options about a recording where there is none.
-fn refuse_unread(args: &Args) -> Result<(), Failure> {
-    if args.input.as_deref().is_some_and(known::is_recording) {
+/// Refuses options about a recording where there is none: no input, or one that is a document of ours.
+fn refuse_unread(args: &Args, is_foreign: bool) -> Result<(), Failure> {
+    if args.input.is_some() && is_foreign {
         return Ok(());
     }
     match args.detector.given().or(args.read.given()) {
