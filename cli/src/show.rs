@@ -264,6 +264,17 @@ pub fn figures(value: f64, figures: i32) -> String {
     format!("{value:.decimals$}")
 }
 
+/// `24.1 → 2.5 mm/s²`: a size before and after; `raw 24.1 mm/s²` where nothing is known of it after.
+pub fn arrow([before, after]: [Option<f64>; 2], unit: &str) -> Option<String> {
+    let shown = |value: f64| figures(value, 3);
+    match (before, after) {
+        (Some(before), Some(after)) => Some(format!("{} → {}{unit}", shown(before), shown(after))),
+        (None, Some(one)) => Some(format!("{}{unit}", shown(one))),
+        (Some(one), None) => Some(format!("raw {}{unit}", shown(one))),
+        (None, None) => None,
+    }
+}
+
 /// `1400 ± 2200`: a value with its standard error, both to two significant figures of the error; alone where it has none.
 pub fn with_error(value: f64, std: Option<f64>) -> String {
     let Some(std) = std.filter(|s| *s > 0.0 && s.is_finite()) else {

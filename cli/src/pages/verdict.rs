@@ -79,20 +79,10 @@ pub fn residual(session: &Session<'_>) -> Figure {
         rms(turns.iter().filter_map(|t| t.raw).collect()),
         rms(turns.iter().filter_map(|t| t.left).collect()),
     ];
-    let arrow = |[raw, left]: [Option<f64>; 2], unit: &str| match (raw, left) {
-        (Some(raw), Some(left)) => Some(format!(
-            "{} → {}{unit}",
-            show::figures(raw, 3),
-            show::figures(left, 3)
-        )),
-        (None, Some(one)) => Some(format!("{}{unit}", show::figures(one, 3))),
-        (Some(one), None) => Some(format!("raw {}{unit}", show::figures(one, 3))),
-        (None, None) => None,
-    };
     let used = turns.iter().filter(|t| t.raw.or(t.left).is_some()).count();
     let through =
-        arrow(direction, "°").map(|text| format!("; direction through {used} turns {text}"));
-    match arrow(norm, " mm/s²") {
+        show::arrow(direction, "°").map(|text| format!("; direction through {used} turns {text}"));
+    match show::arrow(norm, " mm/s²") {
         Some(value) => {
             let note = format!(
                 "norm of {} static intervals{}",
@@ -102,7 +92,7 @@ pub fn residual(session: &Session<'_>) -> Figure {
             Figure::new("Residual, raw → calibrated", value, note)
         }
         None => {
-            let value = arrow(direction, "°").unwrap_or("none".into());
+            let value = show::arrow(direction, "°").unwrap_or("none".into());
             Figure::new(
                 "Residual, raw → calibrated",
                 value,

@@ -12,7 +12,7 @@ use super::arguments::Args;
 use super::judgement;
 use super::tables::units;
 use super::{limits, reading_error};
-use crate::commands::shared::first_screen::Screen;
+use crate::commands::shared::first_screen::{Screen, lines_of_failure, wrote};
 use crate::commands::shared::names::Names;
 use crate::pages::session::Session;
 use crate::pages::{calibration as pages, parameters};
@@ -43,11 +43,8 @@ pub fn residual(outcome: &Outcome) -> String {
         let raw = root_mean_square(&raw.collect::<Vec<_>>());
         // Readings that are no m/s² have no misfit of their own.
         let raw = Some(raw).filter(|_| units(outcome)[0] == "m/s²");
-        parts.push(arrow(
-            raw.map(|v| 1e3 * v),
-            1e3 * triad.residual_rms,
-            " mm/s² at rest",
-        ));
+        let pair = [raw.map(|v| 1e3 * v), Some(1e3 * triad.residual_rms)];
+        parts.extend(show::arrow(pair, " mm/s² at rest"));
     }
     let turns = match (&outcome.joint, &outcome.gyroscope) {
         (Some(fit), _) if !fit.chords.is_empty() => Some((
@@ -59,18 +56,14 @@ pub fn residual(outcome: &Outcome) -> String {
     };
     if let Some((before, after)) = turns {
         let raw = Some(before.to_degrees()).filter(|_| units(outcome)[1] == "rad/s");
-        parts.push(arrow(raw, after.to_degrees(), "° after a turn"));
+        parts.extend(show::arrow(
+            [raw, Some(after.to_degrees())],
+            "° after a turn",
+        ));
     }
     let parts = parts.join(", ");
     let word = if parts.contains('→') { "raw " } else { "" };
     format!("{word}{parts}")
-}
-
-fn arrow(raw: Option<f64>, left: f64, unit: &str) -> String {
-    let left = show::figures(left, 3);
-    raw.map_or(format!("{left}{unit}"), |raw| {
-        format!("{} → {left}{unit}", show::figures(raw, 3))
-    })
 }
 
 /// What is on it.
@@ -119,14 +112,7 @@ pub fn screen(shown: &Shown<'_>) -> Screen {
         written: written(args),
         said: names.all_short(&said),
         remarks: names.all_short(&remarks),
-        reserved: reasons
-            .iter()
-            .map(|reason| {
-                show::wrapped(&format!("stillpoint: {reason}"))
-                    .lines()
-                    .count()
-            })
-            .sum(),
+        reserved: lines_of_failure(&reasons),
     }
 }
 
@@ -150,8 +136,8 @@ fn of_readings(calibration: &Calibration) -> Option<[String; 2]> {
 fn written(args: &Args) -> String {
     let mut files: Vec<String> = args.output.iter().map(|path| show::path(path)).collect();
     files.extend(args.pictures.paths().iter().map(|path| show::path(path)));
-    match files.as_slice() {
-        [] => "Nothing was written; -o cal.json keeps the calibration.".into(),
-        files => format!("Wrote {}.", files.join(" and ")),
-    }
+    wrote(
+        &files,
+        "Nothing was written; -o cal.json keeps the calibration.",
+    )
 }

@@ -10,7 +10,7 @@ use super::size;
 use super::words::{gaps, or, unit_of};
 use crate::call;
 use crate::commands::calibrate::limits;
-use crate::commands::shared::first_screen::{Screen, Step};
+use crate::commands::shared::first_screen::{Screen, Step, lines_of_failure, wrote};
 use crate::commands::shared::names::Names;
 use crate::pages::session::short_names;
 use crate::show;
@@ -65,20 +65,10 @@ pub fn screen(
             .filter(|table| !table.is_empty())
             .collect(),
         next: next(args, findings),
-        written: match written.as_slice() {
-            [] => "Nothing was written; -o findings.json keeps it.".into(),
-            files => format!("Wrote {}.", files.join(" and ")),
-        },
+        written: wrote(&written, "Nothing was written; -o findings.json keeps it."),
         said,
         remarks: names.all_short(&all),
-        reserved: reasons
-            .iter()
-            .map(|reason| {
-                show::wrapped(&format!("stillpoint: {reason}"))
-                    .lines()
-                    .count()
-            })
-            .sum(),
+        reserved: lines_of_failure(&reasons),
         ..Screen::default()
     }
 }

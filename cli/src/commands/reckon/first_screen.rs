@@ -2,7 +2,7 @@
 
 use super::show_runs::{heading, table};
 use super::solve::{Outcome, Run};
-use crate::commands::shared::first_screen::Screen;
+use crate::commands::shared::first_screen::{Screen, wrote};
 use crate::commands::shared::names::Names;
 use crate::pages::session::short_names;
 use crate::show;
@@ -28,10 +28,7 @@ pub(super) fn screen(runs: &[Run], remarks: Vec<String>, written: &[String]) -> 
     Screen {
         verdict: vec![verdict(runs)],
         tables: vec![tables],
-        written: match written {
-            [] => String::new(),
-            files => format!("Wrote {}.", files.join(" and ")),
-        },
+        written: wrote(written, ""),
         remarks: names.all_short(&remarks),
         ..Screen::default()
     }

@@ -208,6 +208,23 @@ impl Screen {
     }
 }
 
+/// Lines of the message with which a command ends that fails for these reasons.
+pub fn lines_of_failure(reasons: &[String]) -> usize {
+    let lines = |reason: &String| {
+        let message = show::wrapped(&format!("stillpoint: {reason}"));
+        message.lines().count()
+    };
+    reasons.iter().map(lines).sum()
+}
+
+/// The files that were written; `nothing` where there are none.
+pub fn wrote(files: &[String], nothing: &str) -> String {
+    match files {
+        [] => nothing.to_owned(),
+        files => format!("Wrote {}.", files.join(" and ")),
+    }
+}
+
 /// Says remarks where there is no result that they stand below: half a terminal of them, all with `-v`.
 pub fn say(remarks: &[String]) {
     if terminal::is_quiet() {
