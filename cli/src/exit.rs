@@ -2,6 +2,7 @@
 
 use calib::Error;
 use calib::message::{Place, advice};
+use findings::{Finding, Front};
 use serde_json::{Value, json};
 
 use crate::quoted::{path as shown_path, printable, shortened};
@@ -34,6 +35,8 @@ pub struct Failure {
     pub message: String,
     /// The file that the message is about, where that is known.
     pub file: Option<String>,
+    /// The finding that ended the run, where a library had it.
+    pub finding: Option<Box<Finding>>,
 }
 
 impl Failure {
@@ -55,6 +58,16 @@ impl Failure {
             kind,
             message: message.into(),
             file: None,
+            finding: None,
+        }
+    }
+
+    /// Of a finding.
+    pub fn of(code: u8, finding: Finding) -> Self {
+        Self {
+            file: finding.place.file.clone(),
+            finding: Some(Box::new(finding.clone())),
+            ..Self::new(code, finding.text(Front::CommandLine))
         }
     }
 
@@ -90,19 +103,30 @@ impl Failure {
         let before = message.split_once(": ").map(|(file, _)| file);
         let file = self.file.as_deref();
         let file = file.or(place.map(|p| p.file)).or(before.filter(named));
+        let found = self.finding.as_deref();
+        let of_finding = |number: fn(&findings::Place) -> Option<u64>| number(&found?.place);
+        let line = of_finding(|place| place.line).or(place.map(|p| p.line));
+        let column = of_finding(|place| place.column).or(place.and_then(|p| p.column));
         json!({"error": {
             "kind": self.kind,
             "exit": self.code,
             "message": message,
             "file": file,
-            "line": place.map(|p| p.line),
-            "column": place.and_then(|p| p.column),
+            "line": line,
+            "column": column,
             "next": self.next(&message),
+            "finding": found,
         }})
     }
 
     /// What to do about it: the advice in the message, else where help is.
-    fn next<'a>(&self, message: &'a str) -> &'a str {
+    fn next(&self, message: &str) -> String {
+        let known = self.finding.as_deref();
+        let known = known.and_then(|finding| finding.advice(Front::CommandLine));
+        known.unwrap_or_else(|| self.usual_step(message).to_owned())
+    }
+
+    fn usual_step<'a>(&self, message: &'a str) -> &'a str {
         match (advice(message), self.code) {
             (Some(advice), _) => advice,
             (None, USAGE) => "see stillpoint COMMAND --help",
@@ -132,14 +156,7 @@ impl From<Error> for Failure {
             Error::Cancelled => INTERRUPTED,
             _ => INPUT,
         };
-        let file = match &error {
-            Error::Io { path, .. } | Error::Output { path, .. } => Some(shown_path(path)),
-            _ => None,
-        };
-        Self {
-            file,
-            ..Self::new(code, error.to_string())
-        }
+        Self::of(code, error.finding())
     }
 }
 

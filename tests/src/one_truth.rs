@@ -213,7 +213,7 @@ impl Trial {
     pub fn run(&self, method: Method, seed: u64, placements: usize) -> End {
         match self.left(method, seed, placements) {
             Ok((with, without)) => End::Left { with, without },
-            Err(Error::NotEnough(why)) => End::Refused(why),
+            Err(Error::NotEnough(why)) => End::Refused(why.text(findings::Front::Plain)),
             Err(other) => End::Failed(other),
         }
     }

@@ -47,7 +47,7 @@ pub fn follow(recording: &Recording, after: usize, gravity: f64) -> Result<Follo
     let all: Vec<Span> = choice.segmentation.statics.iter().map(|s| s.span).collect();
     let Some(first) = all.get(..after) else {
         let found = all.len();
-        return Err(Error::NotEnough(format!(
+        return Err(Error::not_enough(format!(
             "{found} placements, {after} asked for"
         )));
     };

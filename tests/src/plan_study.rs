@@ -124,7 +124,7 @@ fn errors(motion: &Motion, seeds: Range<u64>) -> Result<(Vec<Vec<f64>>, f64), Er
     let all: Result<Vec<_>, Error> = seeds.into_par_iter().map(of).collect();
     let (all, used): (Vec<Vec<f64>>, Vec<f64>) = all?.into_iter().flatten().unzip();
     if all.is_empty() {
-        return Err(Error::NotEnough("no session could be calibrated".into()));
+        return Err(Error::not_enough("no session could be calibrated"));
     }
     let mean = used.iter().sum::<f64>() / used.len() as f64;
     Ok((all, mean))

@@ -155,17 +155,17 @@ fn of_recordings(missing: bool, repeat: usize) -> Result<Table, Error> {
 
 /// What this program prints, run by itself.
 fn of_process<const N: usize>(arguments: &[&str], repeat: usize) -> Result<[f64; N], Error> {
-    let this = std::env::current_exe().map_err(|e| Error::Input(e.to_string()))?;
+    let this = std::env::current_exe().map_err(|e| Error::input(e.to_string()))?;
     let output = Command::new(this)
         .args(arguments)
         .args(["--repeat", &repeat.to_string()])
         .output()
-        .map_err(|e| Error::Input(e.to_string()))?;
+        .map_err(|e| Error::input(e.to_string()))?;
     let text = String::from_utf8_lossy(&output.stdout);
     let numbers = text.split_whitespace().filter_map(|word| word.parse().ok());
     <[f64; N]>::try_from(numbers.collect::<Vec<f64>>()).map_err(|_| {
         let why = String::from_utf8_lossy(&output.stderr);
-        Error::Input(format!("{}: {why}", arguments.join(" ")))
+        Error::input(format!("{}: {why}", arguments.join(" ")))
     })
 }
 

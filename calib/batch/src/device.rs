@@ -139,7 +139,7 @@ fn with_own(request: &Request, own: &DeviceOptions) -> Result<Request, Error> {
         Some("stepwise") => Method::Stepwise,
         Some("joint") => Method::Joint,
         Some(other) => {
-            return Err(Error::Usage(format!(
+            return Err(Error::usage(format!(
                 "method `{other}`: auto, stepwise or joint expected"
             )));
         }
@@ -147,7 +147,7 @@ fn with_own(request: &Request, own: &DeviceOptions) -> Result<Request, Error> {
     if let Some(names) = &own.effects {
         let effect = |name: &String| {
             effect_named(name)
-                .ok_or_else(|| Error::Usage(format!("effect `{name}`: not in the catalogue")))
+                .ok_or_else(|| Error::usage(format!("effect `{name}`: not in the catalogue")))
         };
         request.effects = names.iter().map(effect).collect::<Result<_, _>>()?;
     }
@@ -166,19 +166,19 @@ fn read_with_own(read: &ReadOptions, own: &DeviceOptions) -> Result<ReadOptions,
     if let Some(unit) = &own.accel_unit {
         read.accel_unit = Some(
             unit.parse()
-                .map_err(|_| Error::Usage(format!("accel_unit `{unit}`: no unit")))?,
+                .map_err(|_| Error::usage(format!("accel_unit `{unit}`: no unit")))?,
         );
     }
     if let Some(unit) = &own.gyro_unit {
         read.gyro_unit = Some(
             unit.parse()
-                .map_err(|_| Error::Usage(format!("gyro_unit `{unit}`: no unit")))?,
+                .map_err(|_| Error::usage(format!("gyro_unit `{unit}`: no unit")))?,
         );
     }
     if let Some(unit) = &own.mag_unit {
         read.mag_unit = Some(
             unit.parse()
-                .map_err(|_| Error::Usage(format!("mag_unit `{unit}`: no unit")))?,
+                .map_err(|_| Error::usage(format!("mag_unit `{unit}`: no unit")))?,
         );
     }
     Ok(read)

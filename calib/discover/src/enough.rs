@@ -12,7 +12,7 @@ use super::state::State;
 pub fn enough_rests(session: &Session<'_>) -> Result<(), Error> {
     for (recording, _) in &session.recordings {
         if recording.accelerometer.is_none() {
-            return Err(Error::NotEnough(format!(
+            return Err(Error::not_enough(format!(
                 "{}: no accelerometer: gravity is the reference that the model is checked against",
                 recording.name
             )));
@@ -26,7 +26,7 @@ pub fn enough_rests(session: &Session<'_>) -> Result<(), Error> {
     if rests >= plan::REQUIREMENT.placements {
         return Ok(());
     }
-    Err(Error::NotEnough(format!(
+    Err(Error::not_enough(format!(
         "{}: {rests} static interval{}, too few to tell a missing effect from a scale factor; {}; {}",
         names(session),
         if rests == 1 { "" } else { "s" },
@@ -53,7 +53,7 @@ pub fn enough_to_compare(session: &Session<'_>, base: &State) -> Result<(), Erro
     if base.projected.dof() > 0 {
         return Ok(());
     }
-    Err(Error::NotEnough(format!(
+    Err(Error::not_enough(format!(
         "{}: the base models use up all {} readings: nothing is left that an effect could show in; {}; record \
          more placements",
         names(session),

@@ -51,11 +51,11 @@ pub fn read_effects(path: &Path) -> Result<Vec<&'static dyn AnyEffect>, Error> {
 pub fn parse_effects(text: &str, name: &str) -> Result<Vec<&'static dyn AnyEffect>, Error> {
     let file: EffectFile = toml::from_str(text).map_err(|e| {
         let at = place(text, e.span().map_or(0, |span| span.start));
-        Error::Input(format!("{name}:{at}: {}", explain_toml(e.message())))
+        Error::input(format!("{name}:{at}: {}", explain_toml(e.message())))
     })?;
     effects_of(&file.definitions).map_err(|(key, what)| {
         let at = place(text, key_position(text, &key).unwrap_or(0));
-        Error::Input(format!("{name}:{at}: {key}: {what}"))
+        Error::input(format!("{name}:{at}: {key}: {what}"))
     })
 }
 
@@ -66,7 +66,7 @@ pub fn parse_effects(text: &str, name: &str) -> Result<Vec<&'static dyn AnyEffec
 pub fn to_toml(definitions: &[Definition]) -> Result<String, Error> {
     let definitions = definitions.to_vec();
     toml::to_string(&EffectFile { definitions })
-        .map_err(|e| Error::Usage(format!("effects cannot be written: {e}")))
+        .map_err(|e| Error::usage(format!("effects cannot be written: {e}")))
 }
 
 /// The effects of `definitions`, with names that are neither in the catalogue nor there twice; or the

@@ -59,7 +59,7 @@ pub fn calibrate(recordings: &[Recording], request: &Request) -> Result<Calibrat
             own.sensor.name(),
             own.text
         );
-        return Err(calib::Error::NotEnough(words).into());
+        return Err(calib::Error::not_enough(words).into());
     }
     let limits = built_in(&outcome.calibration);
     outcome.calibration.state_limits(limits);

@@ -1,6 +1,7 @@
 //! What is wrong, where, and what to do.
 
 use calib::message::{Place, advice};
+use findings::Front;
 
 use crate::words;
 
@@ -95,7 +96,7 @@ impl Error {
     /// The same about arrays: what stands for a file's name is none.
     pub(crate) fn of_arrays(error: &calib::Error) -> Self {
         let mut own = Self::from_calib(error);
-        let raw = error.to_string();
+        let raw = error.text(Front::Rust);
         if let Some(place) = Place::of(&raw) {
             let place_words = match place.column {
                 Some(column) => format!("row {}, column {column}", place.line),
@@ -117,7 +118,8 @@ impl Error {
             E::Cancelled => ErrorKind::Cancelled,
             _ => ErrorKind::Input,
         };
-        let raw = error.to_string();
+        let finding = error.finding();
+        let raw = finding.text(Front::Rust);
         let place = Place::of(&raw);
         let file = match error {
             E::Io { path, .. } | E::Output { path, .. } => Some(path.display().to_string()),
@@ -127,7 +129,9 @@ impl Error {
             file,
             line: place.map(|place| place.line),
             column: place.and_then(|place| place.column),
-            next: advice(&raw).map(words::of_the_library),
+            next: finding
+                .advice(Front::Rust)
+                .or_else(|| advice(&raw).map(words::of_the_library)),
             ..Self::new(kind, words::of_the_library(&raw))
         }
     }

@@ -27,6 +27,9 @@ struct Document {
     /// The other ones.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     remedies: Vec<Remedy>,
+    /// Findings that may be the cause.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    because: Vec<Finding>,
     text: String,
 }
 
@@ -42,6 +45,7 @@ impl Serialize for Finding {
             consequence: self.consequence.clone(),
             remedy: remedies.next(),
             remedies: remedies.collect(),
+            because: self.because.clone(),
             text: self.text(Front::CommandLine),
         }
         .serialize(serializer)
@@ -68,7 +72,20 @@ impl<'de> Deserialize<'de> for Finding {
             details,
             consequence: own.consequence,
             remedies: own.remedy.into_iter().chain(own.remedies).collect(),
+            because: own.because,
         })
+    }
+}
+
+impl From<String> for Box<Finding> {
+    fn from(text: String) -> Self {
+        Self::new(text.into())
+    }
+}
+
+impl From<&str> for Box<Finding> {
+    fn from(text: &str) -> Self {
+        Self::new(text.into())
     }
 }
 

@@ -15,6 +15,18 @@ use crate::remedy::Remedy;
 pub struct Place {
     /// Recording, as the user named it.
     pub recording: Option<String>,
+    /// File, as the user named it; an entry of an archive after its name.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
+    /// Line of the file or row of an array, counted from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<u64>,
+    /// Byte in the line, or column of an array, counted from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub column: Option<u64>,
+    /// Byte from the beginning of the content, counted from 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub byte: Option<u64>,
     /// Sensor.
     pub sensor: Option<Sensor>,
     /// Static interval, counted from 1.
@@ -76,12 +88,38 @@ pub struct Finding {
     pub consequence: Vec<Consequence>,
     /// Ways out, the best first.
     pub remedies: Vec<Remedy>,
+    /// Findings that may be the cause.
+    pub because: Vec<Finding>,
 }
 
 impl Finding {
     /// The same in a recording.
     pub fn in_recording(mut self, name: impl Into<String>) -> Self {
         self.place.recording = Some(name.into());
+        self
+    }
+
+    /// The same in a file.
+    pub fn in_file(mut self, name: impl Into<String>) -> Self {
+        self.place.file = Some(name.into());
+        self
+    }
+
+    /// The same at a line, counted from 1.
+    pub fn at_line(mut self, line: u64) -> Self {
+        self.place.line = Some(line);
+        self
+    }
+
+    /// The same at a byte of its line, counted from 1.
+    pub fn at_column(mut self, column: u64) -> Self {
+        self.place.column = Some(column);
+        self
+    }
+
+    /// The same at a byte of the content, counted from 0.
+    pub fn at_byte(mut self, byte: u64) -> Self {
+        self.place.byte = Some(byte);
         self
     }
 
@@ -167,6 +205,12 @@ impl Finding {
     /// The same with these remedies alone.
     pub fn only_remedies(mut self, remedies: impl IntoIterator<Item = Remedy>) -> Self {
         self.remedies = remedies.into_iter().collect();
+        self
+    }
+
+    /// The same with a finding that may be its cause.
+    pub fn because(mut self, cause: Self) -> Self {
+        self.because.push(cause);
         self
     }
 

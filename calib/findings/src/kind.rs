@@ -364,6 +364,17 @@ kinds! {
     GyroscopeScaleOff = "gyroscope_scale_off",
     /// The unit of the gyroscope looks like another one.
     ReadingsInDegrees = "readings_in_degrees",
+    // Errors: files of any format (crates formats, output, exchange, live, batch).
+    /// A file cannot be read.
+    Unreadable = "unreadable",
+    /// A file cannot be written.
+    Unwritable = "unwritable",
+    // Errors: text, columns, time and intervals of a recording (crate recording).
+    // Errors: requests, models, calibrations and fits (crates sensor, effects, simulate, noise, estimate, discover, plan).
+    /// The work was cancelled.
+    Cancelled = "cancelled",
+    /// The solver refused the problem.
+    SolverRefused = "solver_refused",
     // Last of all.
     /// A finding of another version, or one with a text of its own.
     Remark = "remark",

@@ -12,15 +12,18 @@ pub enum Level {
     Care,
     /// The result is not to be used as it stands.
     Bad,
+    /// There is no result.
+    Error,
 }
 
 impl Level {
-    /// `remark`, `care` or `bad`.
+    /// `remark`, `care`, `bad` or `error`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Remark => "remark",
             Self::Care => "care",
             Self::Bad => "bad",
+            Self::Error => "error",
         }
     }
 }

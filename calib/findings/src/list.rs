@@ -60,12 +60,12 @@ impl Findings {
 
     /// Those that do not forbid the use of a result.
     pub fn warnings(&self) -> impl Iterator<Item = &Finding> {
-        self.0.iter().filter(|finding| finding.level != Level::Bad)
+        self.0.iter().filter(|finding| finding.level < Level::Bad)
     }
 
     /// Those that forbid the use of a result.
     pub fn gates(&self) -> impl Iterator<Item = &Finding> {
-        self.0.iter().filter(|finding| finding.level == Level::Bad)
+        self.0.iter().filter(|finding| finding.level >= Level::Bad)
     }
 
     /// Calls a recording by another name.

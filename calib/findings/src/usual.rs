@@ -16,6 +16,7 @@ impl Finding {
             details: Vec::new(),
             consequence: Vec::new(),
             remedies: (usual.remedies)(),
+            because: Vec::new(),
         }
     }
 

@@ -81,7 +81,7 @@ impl Verdict {
     pub fn of_recordings(findings: &[Finding], recordings: &[&str]) -> Self {
         let sorted = gravest_first(findings);
         let level = match sorted.first().map(|gravest| gravest.level) {
-            Some(Level::Bad) => Grade::Bad,
+            Some(Level::Bad | Level::Error) => Grade::Bad,
             Some(Level::Care) => Grade::Care,
             Some(Level::Remark) | None => Grade::Good,
         };

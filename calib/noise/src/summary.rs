@@ -134,8 +134,8 @@ impl NoiseSummary {
     /// Curves without any sensor.
     pub fn of(curves: &RecordingCurves) -> Result<Self, Error> {
         if curves.accelerometer.is_none() && curves.gyroscope.is_none() {
-            return Err(Error::NotEnough(
-                "no sensor with two samples in the recording".into(),
+            return Err(Error::not_enough(
+                "no sensor with two samples in the recording",
             ));
         }
         let mut warnings = Findings::new();

@@ -1,19 +1,20 @@
-//! What can be wrong with recordings and calibrations.
+//! What ends a reading or a calibration: a finding, and the class that gives the exit status.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+
+use findings::{Finding, Front, Kind};
 
 use crate::shown::shown_path;
 
-/// An input or a request that cannot be worked with. Messages name the place, what was found and
-/// what to do about it.
-#[derive(Debug, thiserror::Error)]
+/// An input or a request that cannot be worked with.
+///
+/// The finding says the place, what was found and what to do about it; its words are those of [`findings`].
+#[derive(Debug)]
 #[non_exhaustive]
 pub enum Error {
     /// The request contradicts itself or lacks something.
-    #[error("{0}")]
-    Usage(String),
+    Usage(Box<Finding>),
     /// A file cannot be read.
-    #[error("{path}: {source}", path = shown_path(path))]
     Io {
         /// The file.
         path: PathBuf,
@@ -21,34 +22,99 @@ pub enum Error {
         source: std::io::Error,
     },
     /// A file cannot be written.
-    #[error("{path}: cannot be written: {source}", path = shown_path(path))]
     Output {
         /// The file.
         path: PathBuf,
         /// The system's reason.
         source: std::io::Error,
     },
-    /// A file holds something that is no recording. The message begins with `file:line:column`.
-    #[error("{0}")]
-    Input(String),
+    /// A file holds something that is no recording. The place is the file, its line and column as far as they are known.
+    Input(Box<Finding>),
     /// A file holds several recordings, of which one has to be chosen.
-    #[error("{message}")]
     Parts {
-        /// Where the second begins, and how to choose.
-        message: String,
+        /// Where the second begins.
+        finding: Box<Finding>,
         /// How many there are.
         count: usize,
     },
     /// The recording does not determine the parameters.
-    #[error("{0}")]
-    NotEnough(String),
+    NotEnough(Box<Finding>),
     /// The fit did not reach a minimum.
-    #[error("{0}")]
-    NotConverged(String),
+    NotConverged(Box<Finding>),
     /// A watch ended the work ([`crate::watch`]).
-    #[error("cancelled")]
     Cancelled,
     /// The solver refused the problem.
-    #[error(transparent)]
-    Solver(#[from] solver::Error),
+    Solver(solver::Error),
+}
+
+impl Error {
+    /// A request that contradicts itself or lacks something.
+    pub fn usage(finding: impl Into<Box<Finding>>) -> Self {
+        Self::Usage(finding.into())
+    }
+
+    /// A file that holds something that is no recording.
+    pub fn input(finding: impl Into<Box<Finding>>) -> Self {
+        Self::Input(finding.into())
+    }
+
+    /// A recording that does not determine the parameters.
+    pub fn not_enough(finding: impl Into<Box<Finding>>) -> Self {
+        Self::NotEnough(finding.into())
+    }
+
+    /// A fit that did not reach a minimum.
+    pub fn not_converged(finding: impl Into<Box<Finding>>) -> Self {
+        Self::NotConverged(finding.into())
+    }
+
+    /// The finding that ended the work.
+    pub fn finding(&self) -> Finding {
+        match self {
+            Self::Usage(own)
+            | Self::Input(own)
+            | Self::NotEnough(own)
+            | Self::NotConverged(own) => (**own).clone(),
+            Self::Parts { finding, .. } => (**finding).clone(),
+            Self::Io { path, source } => of_system(Kind::Unreadable, path, source),
+            Self::Output { path, source } => of_system(Kind::Unwritable, path, source),
+            Self::Cancelled => Finding::of(Kind::Cancelled),
+            Self::Solver(refusal) => {
+                Finding::of(Kind::SolverRefused).detail("reason", refusal.to_string())
+            }
+        }
+    }
+
+    /// The words of the finding, with options as `front` calls them.
+    pub fn text(&self, front: Front) -> String {
+        self.finding().text(front)
+    }
+}
+
+fn of_system(kind: Kind, path: &Path, source: &std::io::Error) -> Finding {
+    Finding::of(kind)
+        .in_file(shown_path(path))
+        .detail("reason", source.to_string())
+}
+
+impl std::fmt::Display for Error {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.text(Front::Plain))
+    }
+}
+
+impl std::error::Error for Error {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::Io { source, .. } | Self::Output { source, .. } => Some(source),
+            Self::Solver(refusal) => Some(refusal),
+            _ => None,
+        }
+    }
+}
+
+impl From<solver::Error> for Error {
+    fn from(refusal: solver::Error) -> Self {
+        Self::Solver(refusal)
+    }
 }

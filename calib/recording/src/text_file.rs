@@ -35,7 +35,7 @@ pub fn read_text(path: &Path) -> Result<String, Error> {
         let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = 1 + memchr::memchr_iter(b'\n', before).count();
         let words = "no UTF-8 text: is this another file, or damaged?";
-        Error::Input(format!("{}:{line}: {words}", shown_path(path)))
+        Error::input(format!("{}:{line}: {words}", shown_path(path)))
     })
 }
 

@@ -38,7 +38,7 @@ pub(crate) fn draw_device(
     let device = Device::new(model, parameters);
     match device.is_regular() {
         true => Ok(device),
-        false => Err(Error::Usage(format!(
+        false => Err(Error::usage(format!(
             "parameters: T of the {} has no inverse",
             sensor.prefix()
         ))),

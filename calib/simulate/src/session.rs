@@ -46,7 +46,7 @@ impl Simulation {
             let samples = self.duration() * rate;
             if samples > MOST_SAMPLES {
                 let message = format!("{samples:.0} samples do not go into memory: write them");
-                return Err(Error::Usage(message));
+                return Err(Error::usage(message));
             }
         }
         let mut drift = self.drift_means();

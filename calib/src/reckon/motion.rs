@@ -55,7 +55,7 @@ impl Motion {
             .filter(|motion| motion.span.lasts(DETECTOR.min_dynamic))
             .max_by(|a, b| a.span.length().total_cmp(&b.span.length()))
             .ok_or_else(|| {
-                Error::NotEnough(format!(
+                Error::not_enough(format!(
                     "{}: no motion after a rest of {} s found; say when it was with --motion T0,T1",
                     recording.name, DETECTOR.min_static
                 ))
@@ -73,7 +73,7 @@ impl Motion {
             to: span.from,
         };
         if !(span.length() > 0.0 && before.lasts(SHORTEST_REST) && span.from < end) {
-            return Err(Error::Usage(format!(
+            return Err(Error::usage(format!(
                 "motion from {} to {} s: the recording runs from {start:.2} to {end:.2} s and must \
                  be at rest for at least {SHORTEST_REST} s before the motion",
                 span.from, span.to

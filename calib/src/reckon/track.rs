@@ -78,7 +78,7 @@ pub fn reckon(
     let rest = resting(corrected, force, motion.before)?;
     let samples = force.between(motion.span.from, motion.span.to);
     if samples.len() < 2 {
-        return Err(Error::NotEnough(format!(
+        return Err(Error::not_enough(format!(
             "{}: {} accelerometer samples in the motion, at least 2 needed",
             corrected.name,
             samples.len()
@@ -133,13 +133,13 @@ fn stream<'a>(
 ) -> Result<&'a Stream, Error> {
     stream
         .as_ref()
-        .ok_or_else(|| Error::NotEnough(format!("{}: no {name}", recording.name)))
+        .ok_or_else(|| Error::not_enough(format!("{}: no {name}", recording.name)))
 }
 
 /// The mean of a sensor in the rest before the motion.
 fn resting(recording: &Recording, stream: &Stream, span: Span) -> Result<Vector3<f64>, Error> {
     mean(stream, span).ok_or_else(|| {
-        Error::NotEnough(format!(
+        Error::not_enough(format!(
             "{}: no samples between {:.2} and {:.2} s, at rest before the motion",
             recording.name, span.from, span.to
         ))

@@ -45,7 +45,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     if recording.is_magnetometer_only() {
         let words = "a magnetometer alone shows no rest; record the accelerometer beside it";
         let words = format!("{}: {words}", show::name(&recording.name));
-        return Err(Failure::from(calib::Error::NotEnough(words)));
+        return Err(Failure::from(calib::Error::not_enough(words)));
     }
     let progress = spinner("finding static intervals");
     let choice = cut(&recording, &detector, choose, gravity)?;

@@ -274,7 +274,7 @@ impl<'a> Information<'a> {
         let inverse = scaled
             .cholesky()
             .map(|factor| factor.inverse())
-            .ok_or_else(|| Error::NotEnough("the information is singular".into()))?;
+            .ok_or_else(|| Error::not_enough("the information is singular"))?;
         let names = self.names();
         let variance = |k: usize| inverse[(k, k)] * scale[k] * scale[k];
         Ok(Bound {

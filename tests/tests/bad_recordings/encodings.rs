@@ -95,7 +95,7 @@ fn one_column_for_two_roles_is_a_wrong_call() {
     };
     let error = read(file(HEADER, &rows(50)), &twins).unwrap_err();
     assert!(
-        matches!(&error, Error::Usage(words) if words.contains("ax=2,ay=2: column 2 for both ax and ay")),
+        matches!(&error, Error::Usage(found) if found.text(findings::Front::CommandLine).contains("ax=2,ay=2: column 2 for both ax and ay")),
         "{error}"
     );
     let empty = "t=,ax=2".parse::<calib::recording::ColumnMap>();
@@ -107,7 +107,7 @@ fn one_column_for_two_roles_is_a_wrong_call() {
     };
     let error = read(file(HEADER, &rows(50)), &options).unwrap_err();
     assert!(
-        matches!(&error, Error::Usage(words) if words.contains("ax=2,ay=ax: column 2")),
+        matches!(&error, Error::Usage(found) if found.text(findings::Front::CommandLine).contains("ax=2,ay=ax: column 2")),
         "{error}"
     );
     // A column that is said to be one thing is not another by its name.

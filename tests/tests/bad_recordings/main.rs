@@ -90,9 +90,10 @@ pub fn refused(content: impl AsRef<[u8]>, place: &str, words: &[&str]) {
 #[track_caller]
 pub fn refused_with(content: impl AsRef<[u8]>, options: &ReadOptions, place: &str, words: &[&str]) {
     let error = read(content, options).expect_err("is refused");
-    let Error::Input(message) = &error else {
+    let Error::Input(found) = &error else {
         panic!("not an input error: {error:?}")
     };
+    let message = found.text(findings::Front::CommandLine);
     let after = message
         .split_once("r.csv:")
         .unwrap_or_else(|| panic!("no file: {message}"))

@@ -172,7 +172,7 @@ fn row_64_no_time_column_needs_a_rate() {
     let text = file("ax,ay,az,gx,gy,gz", &lines);
     let error = read(&text, &ReadOptions::default()).unwrap_err();
     assert!(
-        matches!(&error, Error::Usage(words) if words.contains("--rate 100")),
+        matches!(&error, Error::Usage(found) if found.text(findings::Front::CommandLine).contains("--rate 100")),
         "{error}"
     );
     let rate = ReadOptions {

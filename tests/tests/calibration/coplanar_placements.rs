@@ -75,7 +75,7 @@ fn words(recording: &Recording, method: Method) -> String {
         ..Request::default()
     };
     match calibrate(std::slice::from_ref(recording), &[], &request) {
-        Err(calib::Error::NotEnough(words)) => words,
+        Err(calib::Error::NotEnough(found)) => found.text(findings::Front::CommandLine),
         Err(other) => panic!("{other}"),
         Ok(outcome) => outcome
             .calibration

@@ -196,7 +196,7 @@ fn refusal(spec: &Spec) -> String {
         &[],
         &request(&session),
     ) {
-        Err(Error::NotEnough(what)) => what,
+        Err(Error::NotEnough(what)) => what.text(findings::Front::Plain),
         Err(other) => panic!("{other}"),
         Ok(outcome) => panic!("accepted: {:?}", outcome.calibration.warnings),
     }
@@ -245,7 +245,10 @@ fn placements_in_one_plane_are_refused_with_the_parameter_that_is_not_known() {
             &[],
             &request(&session),
         ) {
-            Err(Error::NotEnough(what)) => assert!(what.contains("accel."), "{what}"),
+            Err(Error::NotEnough(what)) => assert!(
+                what.text(findings::Front::Plain).contains("accel."),
+                "{what}"
+            ),
             Err(other) => panic!("{other}"),
             Ok(outcome) => {
                 let warnings = outcome

@@ -75,7 +75,7 @@ pub fn noise_in(path: &Path) -> Result<GivenNoise, Error> {
 }
 
 fn at(path: &Path, what: &str) -> Error {
-    Error::Input(format!("{}:{what}", shown_path(path)))
+    Error::input(format!("{}:{what}", shown_path(path)))
 }
 
 fn parse(text: &str) -> Result<NoiseSummary, String> {

@@ -90,13 +90,13 @@ pub fn separate(
     conditions: &Conditions,
 ) -> Result<Aim, Error> {
     if rivalries.is_empty() {
-        return Err(Error::NotEnough("no effects that are tied".into()));
+        return Err(Error::not_enough("no effects that are tied"));
     }
     let counts = count.map_or(COUNTS.to_vec(), |count| vec![count]);
     let mut best: Option<Judged> = None;
     for (k, count) in counts.iter().enumerate() {
         let start = judge(starts(*count, conditions), rivalries, conditions)
-            .ok_or_else(|| Error::NotEnough("no placements to begin with".into()))?;
+            .ok_or_else(|| Error::not_enough("no placements to begin with"))?;
         // What is far from settled by any start wants more placements, not better ones.
         let found = if start.reached() >= NEARLY * SETTLED || k + 1 == counts.len() {
             exchanged(start, *count, rivalries, conditions)?
@@ -119,7 +119,7 @@ pub fn separate(
         ..
     }) = best
     else {
-        return Err(Error::NotEnough("no number of placements to try".into()));
+        return Err(Error::not_enough("no number of placements to try"));
     };
     let warmed = Design {
         warmed: true,

@@ -52,8 +52,8 @@ pub fn discover_units<R: Borrow<Recording>>(
     request: &Request,
 ) -> Result<UnitFindings, Error> {
     if recordings.len() < 2 {
-        return Err(Error::NotEnough(
-            "one unit: what units of a type share shows with two or more of them".into(),
+        return Err(Error::not_enough(
+            "one unit: what units of a type share shows with two or more of them",
         ));
     }
     own_effects::grant_steps(&request.catalogue, recordings.iter().map(R::borrow));

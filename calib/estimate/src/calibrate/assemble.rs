@@ -119,9 +119,7 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
         );
     }
     if accelerometer_triad.is_none() && gyroscope_triad.is_none() {
-        return Err(Error::NotEnough(
-            "nothing to calibrate in the recording".into(),
-        ));
+        return Err(Error::not_enough("nothing to calibrate in the recording"));
     }
     let left_out = accelerometer
         .zip(norms.as_ref())

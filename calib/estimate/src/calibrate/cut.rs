@@ -29,7 +29,7 @@ pub(super) fn cut(
 /// All rests and turns of a recording.
 fn whole(recording: &Recording, request: &Request, k: Option<usize>) -> Result<Choice, Error> {
     let named = |error| match error {
-        Error::NotEnough(what) => Error::NotEnough(format!("{}: {what}", recording.name)),
+        Error::NotEnough(what) => Error::not_enough(what.in_recording(recording.name.clone())),
         other => other,
     };
     if let Some(spans) = k

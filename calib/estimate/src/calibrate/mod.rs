@@ -191,7 +191,7 @@ fn by_stamps(
     let refused = match parts.fitted(choices.clone()) {
         Err(Error::NotEnough(reason)) => reason,
         Err(Error::NotConverged(reason)) => {
-            return Err(Error::NotConverged(in_the_hand(reason, &recordings)));
+            return Err(Error::not_converged(in_the_hand(reason, &recordings)));
         }
         Ok(outcome) => {
             let outcome = with_changes(outcome, &recordings, request.gravity);
@@ -199,9 +199,9 @@ fn by_stamps(
         }
         Err(other) => return Err(other),
     };
-    match parts.without_gyroscope(choices, &refused) {
+    match parts.without_gyroscope(choices, &refused.to_string()) {
         Some(outcome) => Ok(outcome),
-        None => Err(Error::NotEnough(in_the_hand(refused, &recordings))),
+        None => Err(Error::not_enough(in_the_hand(refused, &recordings))),
     }
 }
 
@@ -226,15 +226,19 @@ fn with_changes(mut outcome: Outcome, recordings: &[&Recording], gravity: f64) -
 }
 
 /// The reason with the cause that the readings show, if it is the hand.
-fn in_the_hand(reason: String, recordings: &[&Recording]) -> String {
+fn in_the_hand(
+    reason: Box<findings::Finding>,
+    recordings: &[&Recording],
+) -> Box<findings::Finding> {
     match recordings.iter().find_map(|r| tremor(r)) {
         Some(rate) if rate < FASTEST_HAND => {
-            format!("{reason}; {}", Finding::HandHeld { rate })
+            format!("{reason}; {}", Finding::HandHeld { rate }).into()
         }
         Some(rate) => format!(
             "{reason}; no quiet stretch is long enough to show a device at rest (in the quietest the rate \
              wavers by {rate:.2} rad/s): lay it down for 5 s between the turns, or lower --multiplier"
-        ),
+        )
+        .into(),
         None => reason,
     }
 }

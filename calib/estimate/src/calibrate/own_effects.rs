@@ -30,7 +30,7 @@ pub fn blamed<T>(
         (outcome.is_err() || spent).then(|| format!("the effect {}: {fault}", effect.name()))
     });
     match (fault, outcome) {
-        (Some(fault), _) => Err(Error::NotConverged(fault)),
+        (Some(fault), _) => Err(Error::not_converged(fault)),
         (None, outcome) => outcome.map_err(|error| suspected(effects, error)),
     }
 }
@@ -44,15 +44,15 @@ fn suspected(effects: &[&'static dyn AnyEffect], error: Error) -> Error {
     if own.is_empty() {
         return error;
     }
-    let with = |reason: String| {
+    let with = |reason: Box<Finding>| {
         let own = own.join(", ");
         format!(
             "{reason}. The model holds {own}: if a calibration without it works, its formula is the reason"
         )
     };
     match error {
-        Error::NotEnough(reason) => Error::NotEnough(with(reason)),
-        Error::NotConverged(reason) => Error::NotConverged(with(reason)),
+        Error::NotEnough(reason) => Error::not_enough(with(reason)),
+        Error::NotConverged(reason) => Error::not_converged(with(reason)),
         other => other,
     }
 }

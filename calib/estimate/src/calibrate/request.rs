@@ -132,7 +132,7 @@ impl Request {
     /// [`Error::Usage`] with it.
     pub(super) fn refuse_ignored(&self) -> Result<(), Error> {
         match self.of_stepwise().filter(|_| self.method == Method::Joint) {
-            Some(what) => Err(Error::Usage(format!(
+            Some(what) => Err(Error::usage(format!(
                 "{what} is of the stepwise method and means nothing to the joint one; ask for the method stepwise, or leave it out"
             ))),
             None => Ok(()),

@@ -74,7 +74,7 @@ pub(super) fn same_accelerometer(
             let (first, second) = (&request.names[*first], &request.names[*second]);
             let words = &difference.words;
             if difference.size > between.allowed() {
-                return Err(Error::Input(format!(
+                return Err(Error::input(format!(
                     "{first} and {second}: {words}: recordings of different devices{}? (--force-device if they are of one)",
                     between.or_of_temperatures()
                 )));
@@ -123,7 +123,7 @@ pub fn gyroscope_of_one_device(
     );
     let is_another = size > ANOTHER_GYROSCOPE.max(allowed.fold(0.0, f64::max));
     if is_another && !force_device {
-        return Err(Error::Input(format!(
+        return Err(Error::input(format!(
             "{words}: is it of another device{}, or does its clock run fast or slow? (--force-device if they are of one)",
             between.first().map_or("", Temperatures::or_of_temperatures)
         )));

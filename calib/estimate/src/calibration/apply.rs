@@ -109,7 +109,7 @@ fn correct(
 fn belongs_to(calibration: &Calibration, recording: &Recording) -> Result<Option<String>, Error> {
     let mut own = Vec::new();
     for values in &calibration.effects {
-        let effect = values.effect().map_err(Error::Input)?;
+        let effect = values.effect().map_err(Error::input)?;
         for (param, value) in effect.params().iter().zip(&values.parameters) {
             let bound = match param.role {
                 Role::Instant => true,
@@ -135,13 +135,13 @@ fn belongs_to(calibration: &Calibration, recording: &Recording) -> Result<Option
              {value})",
             param.name
         ))),
-        (Some(false), Role::Instant) => Err(Error::NotEnough(format!(
+        (Some(false), Role::Instant) => Err(Error::not_enough(format!(
             "{name}: the effect {effect} needs the time since the start of the recording that its {} = {value:.1} s was \
              found in ({inputs}); what that is here cannot be known: calibrate with recordings from one side of the \
              instant only",
             param.name
         ))),
-        (Some(false), _) => Err(Error::NotEnough(format!(
+        (Some(false), _) => Err(Error::not_enough(format!(
             "{name}: the effect {effect} needs the attitude, which cannot be known: its {} is against the heading of \
              another recording ({inputs}); calibrate with --method joint --latitude instead, which keeps it out of the \
              calibration",

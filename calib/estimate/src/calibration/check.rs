@@ -50,7 +50,7 @@ pub fn read_calibration(
     refuse_newer(path, text, SCHEMA)?;
     refuse_newer(path, text, FINDINGS_SCHEMA)?;
     let text = within_findings(text.to_owned());
-    parse(&text, outside).map_err(|what| Error::Input(format!("{}:{what}", shown_path(path))))
+    parse(&text, outside).map_err(|what| Error::input(format!("{}:{what}", shown_path(path))))
 }
 
 /// The calibration that findings contain; the text itself of anything else.
@@ -84,7 +84,7 @@ pub fn refuse_newer(path: &Path, text: &str, schema: &str) -> Result<(), Error> 
         .unwrap_or_default();
     match (version(&found), version(schema)) {
         (Some((name, new)), Some((own, known))) if name == own && new > known => {
-            Err(Error::Usage(format!(
+            Err(Error::usage(format!(
                 "{}: written as {} by a newer version; this one reads {schema}; use the newer one, or write the file again \
                  with this one",
                 shown_path(path),

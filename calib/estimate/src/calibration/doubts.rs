@@ -69,7 +69,7 @@ fn rate_in_doubt(
     let mean = left.rates.iter().sum::<Vector3<f64>>() / left.rates.len() as f64;
     let size = mean.norm();
     if size > FOREIGN_RATE {
-        return Err(Error::Input(format!(
+        return Err(Error::input(format!(
             "{name}: corrected by this calibration the rate at rest is {size:.2} rad/s, where it should be zero: the \
              calibration is of another device or for another unit of the gyroscope (--force-device to go on)"
         )));
@@ -104,7 +104,7 @@ fn direction_in_doubt(
     let usual = triad.residual_rms;
     // A calibration that misses its own recordings as much is bad, not foreign: its gate has said so.
     if rms > FOREIGN_ANGLE.max(WORSE * usual) {
-        return Err(Error::Input(format!(
+        return Err(Error::input(format!(
             "{name}: corrected by this calibration the gyroscope misses gravity by {rms:.0}° through {} turns: it is of another \
              device, or for another unit, sign or order of the axes (--force-device to go on)",
             angles.len()

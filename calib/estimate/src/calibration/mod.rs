@@ -344,7 +344,7 @@ impl Calibration {
         self.effects.iter().try_for_each(|values| {
             let known = values.effect().map(|_| ());
             known.map_err(|what| {
-                Error::NotEnough(format!(
+                Error::not_enough(format!(
                     "the calibration has the effect {} and what it does is not known here: it {what}; load it with \
                      the crate that has it (`load_with`)",
                     values.name

@@ -35,13 +35,13 @@ pub fn read_limits(path: &Path) -> Result<Limits, Error> {
 pub fn parse_limits(text: &str, name: &str) -> Result<Limits, Error> {
     let limits: Limits = toml::from_str(text).map_err(|e| {
         let at = place(text, e.span().map_or(0, |span| span.start));
-        Error::Usage(format!("{name}:{at}: {}", explain_toml(e.message())))
+        Error::usage(format!("{name}:{at}: {}", explain_toml(e.message())))
     })?;
     match complaint(&limits) {
         None => Ok(limits),
         Some((key, what)) => {
             let at = place(text, key_position(text, &key).unwrap_or(0));
-            Err(Error::Usage(format!("{name}:{at}: {key}: {what}")))
+            Err(Error::usage(format!("{name}:{at}: {key}: {what}")))
         }
     }
 }

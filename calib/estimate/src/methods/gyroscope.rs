@@ -96,8 +96,8 @@ pub fn fit_gyroscope(request: &GyroscopeRequest) -> Result<GyroscopeFit, Error> 
     // One copy of all readings, changed in place: a long recording has no room for more.
     let mut turns: Vec<TurnData> = request.recordings.iter().flat_map(without_bias).collect();
     if turns.is_empty() {
-        return Err(Error::NotEnough(
-            "no turn between two rests can be integrated".into(),
+        return Err(Error::not_enough(
+            "no turn between two rests can be integrated",
         ));
     }
     let guess = gyroscope_guess(&turns);
@@ -224,7 +224,7 @@ fn with_effects(
         result = Some((report, chords));
     }
     let (report, chords) =
-        result.ok_or_else(|| Error::NotConverged("no weighting round was run".into()))?;
+        result.ok_or_else(|| Error::not_converged("no weighting round was run"))?;
     Ok(GyroscopeFit {
         model: request.model.clone(),
         fitted: Fitted::in_raw_units(&report, &unit, shared, 1.0),

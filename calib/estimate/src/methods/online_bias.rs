@@ -44,7 +44,7 @@ pub fn gyroscope_stretches(
     // What is left is that of the bias which is updated.
     let corrected = apply_with(&calibration.with_one_bias(), recording, Some(segmentation))?;
     let (Some(stream), Some(_)) = (&corrected.gyroscope, &calibration.gyroscope) else {
-        return Err(Error::NotEnough(format!(
+        return Err(Error::not_enough(format!(
             "{}: recording and calibration must both have a gyroscope",
             recording.name
         )));
@@ -71,7 +71,7 @@ pub fn gyroscope_stretches(
             .iter()
             .map(|r| r.span.length())
             .fold(0.0, f64::max);
-        return Err(Error::NotEnough(format!(
+        return Err(Error::not_enough(format!(
             "{}: the longest rest is {longest:.1} s; put the device down for more than {LONG_ENOUGH} s",
             recording.name
         )));
@@ -130,7 +130,7 @@ pub fn update_accelerometer(
         calibration.model(Sensor::Accelerometer),
         means.len() >= FEWEST_RESTS,
     ) else {
-        return Err(Error::NotEnough(format!(
+        return Err(Error::not_enough(format!(
             "{}: {} rests and {} in the calibration; the accelerometer's bias needs at least \
              {FEWEST_RESTS} rests in different orientations",
             recording.name,
@@ -152,14 +152,14 @@ pub fn update_accelerometer(
     };
     let report = solve(&problem, &start, &mask, &Options::default())?;
     if !report.termination.converged() {
-        return Err(Error::NotConverged(format!(
+        return Err(Error::not_converged(format!(
             "{}: accelerometer bias",
             recording.name
         )));
     }
     let condition = condition(&report.uncertainty);
     if condition > WORST_CONDITION {
-        return Err(Error::NotEnough(format!(
+        return Err(Error::not_enough(format!(
             "{}: the rests do not tell the three axes apart (condition {condition:.0}): turn the \
              device further",
             recording.name
@@ -195,8 +195,8 @@ fn shifted(
     let triad = updated.triad_mut(sensor);
     let back = triad.as_ref().and_then(|triad| inverse(&triad.base().t));
     let (Some(triad), Some(back)) = (triad, back) else {
-        return Err(Error::NotEnough(
-            "the calibration has no usable matrix for this sensor".into(),
+        return Err(Error::not_enough(
+            "the calibration has no usable matrix for this sensor",
         ));
     };
     let before = triad.bias;

@@ -78,7 +78,7 @@ pub fn fit_accelerometer(request: &AccelerometerRequest) -> Result<Accelerometer
     step(Stage::Fitting)?;
     let all: Vec<_> = request.recordings.iter().flatten().map(|m| m.raw).collect();
     let unit = accelerometer_unit(&all, request.gravity).ok_or_else(|| {
-        Error::NotEnough(format!(
+        Error::not_enough(format!(
             "{} static means lie on no sphere: the unit of the accelerometer cannot be told; {}; run \
              `stillpoint plan` for the orientations",
             all.len(),

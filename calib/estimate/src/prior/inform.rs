@@ -22,7 +22,7 @@ impl Prior {
             .is_some_and(|o| o.frame == "symmetric");
         if symmetric {
             let why = "--prior holds in the triangular frame; leave out --frame symmetric";
-            return Err(Error::Usage(why.into()));
+            return Err(Error::usage(why));
         }
         let all = &calibration.parameters;
         let common: Vec<(usize, usize)> = self
@@ -33,7 +33,7 @@ impl Prior {
             .collect();
         if common.is_empty() {
             let why = "the prior and the calibration have no parameter in common; was it fitted to such devices?";
-            return Err(Error::Usage(why.into()));
+            return Err(Error::usage(why));
         }
         let n = all.len();
         let c = DMatrix::from_fn(n, n, |i, j| calibration.covariance[i][j]);
@@ -47,8 +47,8 @@ impl Prior {
         let total = &prior + &own;
         let judged = belonging(&gap, &total);
         let Some((judged, solved)) = judged.zip(scaled_solve(&total, &cross, &gap)) else {
-            return Err(Error::Input(
-                "the prior's covariance and the session's are none together".into(),
+            return Err(Error::input(
+                "the prior's covariance and the session's are none together",
             ));
         };
         let (shift, shrink) = solved;

@@ -95,11 +95,11 @@ impl Prior {
         let text = recording::read_text(path)?;
         let name = shown_path(path);
         let prior: Self = serde_json::from_str(&text).map_err(|e| {
-            Error::Input(format!("{name}:{}:{}: no prior: {e}", e.line(), e.column()))
+            Error::input(format!("{name}:{}:{}: no prior: {e}", e.line(), e.column()))
         })?;
         match prior.fault() {
             None => Ok(prior),
-            Some(what) => Err(Error::Input(format!("{name}: no prior: {what}"))),
+            Some(what) => Err(Error::input(format!("{name}: no prior: {what}"))),
         }
     }
 

@@ -24,7 +24,7 @@ pub fn require(
             continue;
         }
         if let Some((why, advice)) = lacking(recording, intervals, models, quantity) {
-            return Err(Error::NotEnough(format!(
+            return Err(Error::not_enough(format!(
                 "{}: the effect {} needs the {quantity}, which cannot be known: {why}; {advice}",
                 recording.name,
                 effect.name()
@@ -117,7 +117,7 @@ pub fn silent_at_static_intervals(effect: &dyn AnyEffect) -> Result<(), Error> {
         return Ok(());
     };
     let quantities: Vec<String> = quantities.iter().map(ToString::to_string).collect();
-    Err(Error::NotEnough(format!(
+    Err(Error::not_enough(format!(
         "the effect {name}: its {} shows only where the {} is not zero, and a calibration sees the accelerometer at \
          static intervals, where it is; leave it out of --effects (`stillpoint discover` looks for {name} where it can)",
         effect.params()[place].name,
@@ -133,7 +133,7 @@ pub fn silent_at_static_intervals(effect: &dyn AnyEffect) -> Result<(), Error> {
 pub fn without_instant(effect: &dyn AnyEffect) -> Result<(), Error> {
     let instant = effect.params().iter().find(|p| p.role == Role::Instant);
     instant.map_or(Ok(()), |p| {
-        Err(Error::NotEnough(format!(
+        Err(Error::not_enough(format!(
             "the effect {name} needs the time {}, which cannot be known by a calibration: leave it out of --effects \
              (`stillpoint discover` looks for {name} at every time)",
             p.name,

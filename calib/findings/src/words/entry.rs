@@ -34,6 +34,28 @@ pub struct Entry {
     /// `{name}` stands for a number or a word, `{sensor}` and `{at}` for the place; what stands between `[` and `]` is left out
     /// where a name in it is not given.
     pub text: &'static str,
+    /// What to do, an imperative, where no remedy of [`Remedy`] says it; a template as `text` is.
+    pub advice: &'static str,
     /// Usual ways out.
     pub remedies: fn() -> Vec<Remedy>,
+}
+
+impl Entry {
+    /// The words of an error: it ends a run, so no verdict gives a reason for it.
+    pub(super) const fn error(
+        kind: Kind,
+        text: &'static str,
+        advice: &'static str,
+        remedies: fn() -> Vec<Remedy>,
+    ) -> Self {
+        Self {
+            kind,
+            level: Level::Error,
+            severity: 90.0,
+            reason: "",
+            text,
+            advice,
+            remedies,
+        }
+    }
 }

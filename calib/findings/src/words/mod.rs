@@ -12,7 +12,7 @@ pub use entry::{Entry, Front};
 pub use human::{human, significant};
 pub use tables::{entries, entry};
 
-use crate::finding::Finding;
+use crate::finding::{Finding, Place};
 use crate::kind::Kind;
 
 /// The table of all kinds for the manual: name, level, text with its names in braces, ways out.
@@ -21,10 +21,11 @@ pub fn manual_table() -> String {
     for kind in Kind::ALL {
         let entry = entry(*kind);
         let remedies = (entry.remedies)();
-        let remedies: Vec<String> = remedies
+        let own = (!entry.advice.is_empty()).then(|| entry.advice.replace(['[', ']'], ""));
+        let remedies = remedies
             .iter()
-            .map(|remedy| remedies::words(remedy, Front::CommandLine))
-            .collect();
+            .map(|remedy| remedies::words(remedy, Front::CommandLine));
+        let remedies: Vec<String> = own.into_iter().chain(remedies).collect();
         let text = entry.text.replace(['[', ']'], "").replace('|', "\\|");
         table.push_str(&format!(
             "| `{}` | {} | {text} | {} |\n",
@@ -36,11 +37,31 @@ pub fn manual_table() -> String {
     table
 }
 
+impl Place {
+    /// `recording`, `file:line:column`, or `file: byte 17`.
+    fn in_words(&self) -> Option<String> {
+        let mut place = match (&self.recording, &self.file) {
+            (Some(recording), None) => recording.clone(),
+            (_, Some(file)) => file.clone(),
+            (None, None) => String::new(),
+        };
+        for number in [self.line, self.column].into_iter().flatten() {
+            let colon = if place.is_empty() { "row " } else { ":" };
+            place = format!("{place}{colon}{number}");
+        }
+        if let Some(byte) = self.byte {
+            let colon = if place.is_empty() { "" } else { ": " };
+            place = format!("{place}{colon}byte {byte}");
+        }
+        (!place.is_empty()).then_some(place)
+    }
+}
+
 impl Finding {
     /// The finding in words: where, what, and what to do.
     pub fn text(&self, front: Front) -> String {
         let what = template::filled(entry(self.kind).text, self);
-        let mut text = match &self.place.recording {
+        let mut text = match self.place.in_words() {
             Some(place) => format!("{place}: {what}"),
             None => what,
         };
@@ -48,19 +69,39 @@ impl Finding {
             text.push_str("; ");
             text.push_str(&advice);
         }
+        for cause in &self.because {
+            text.push_str("; ");
+            text.push_str(&cause.text(front));
+        }
         text
     }
 
-    /// The reason in a few words, without its place.
+    /// The reason in a few words, without its place; of an error its whole text.
     pub fn reason(&self) -> String {
-        template::filled(entry(self.kind).reason, self)
+        let entry = entry(self.kind);
+        let template = if entry.reason.is_empty() {
+            entry.text
+        } else {
+            entry.reason
+        };
+        template::filled(template, self)
     }
 
     /// What to do about it; none where nothing helps or nothing has to be done.
     pub fn advice(&self, front: Front) -> Option<String> {
-        let all = self.remedies.iter();
-        let all: Vec<String> = all.map(|remedy| remedies::words(remedy, front)).collect();
+        let own = template::filled(entry(self.kind).advice, self);
+        let own = (!own.is_empty()).then_some(own);
+        let remedies = self.remedies.iter();
+        let remedies = remedies.map(|remedy| remedies::words(remedy, front));
+        let all: Vec<String> = own.into_iter().chain(remedies).collect();
         (!all.is_empty()).then(|| all.join(", or "))
+    }
+}
+
+impl std::fmt::Display for Finding {
+    /// The text for nobody in particular.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.text(Front::Plain))
     }
 }
 
@@ -81,7 +122,7 @@ mod tests {
     #[test]
     fn no_entry_names_a_flag_or_a_command() {
         for entry in entries() {
-            for words in [entry.reason, entry.text] {
+            for words in [entry.reason, entry.text, entry.advice] {
                 assert!(
                     !words.contains("--") && !words.contains("stillpoint"),
                     "{words}"

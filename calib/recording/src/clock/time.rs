@@ -79,13 +79,13 @@ fn checked(table: &Table) -> Result<Affine, Error> {
         return Ok(same);
     };
     if table.clock.dates {
-        return Err(Error::Usage(format!(
+        return Err(Error::usage(format!(
             "{}: --columns t=…: an expression takes numbers, and the column holds dates or times of day; leave the expression out",
             table.name
         )));
     }
     if affine.scale <= 0.0 {
-        return Err(Error::Usage(format!(
+        return Err(Error::usage(format!(
             "{}: --columns t=…: a factor of {} lets time stand still or run back; a positive one expected",
             table.name,
             figure(affine.scale)
@@ -100,7 +100,7 @@ fn of_expression(table: &Table, options: &ReadOptions, scale: f64) -> Result<Tim
     let rate = usual_step(table).map(|step| unit.per_second() / (scale * step));
     match rate.filter(|rate| scale > 0.0 && !POSSIBLE.contains(rate)) {
         None => Ok(unit),
-        Some(rate) => Err(Error::Usage(format!(
+        Some(rate) => Err(Error::usage(format!(
             "{}: --columns t=…: the expression gives {}, in which the rate would be {} Hz; correct the factor, or say the unit that it gives, as in --time-unit ms",
             table.name,
             unit.name(),

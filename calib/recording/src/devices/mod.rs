@@ -56,7 +56,7 @@ pub(crate) fn choose(table: &mut Table, options: &ReadOptions) -> Result<(), Err
         };
     };
     let Some(wanted) = wanted else {
-        return Err(Error::Usage(format!(
+        return Err(Error::usage(format!(
             "{}; {}",
             devices.listed(table),
             devices.asked()
@@ -64,7 +64,7 @@ pub(crate) fn choose(table: &mut Table, options: &ReadOptions) -> Result<(), Err
     };
     let is_it = |(value, _): &&(usize, usize)| devices.column.is(*value, &wanted);
     let Some(&(value, _)) = devices.values.iter().find(is_it) else {
-        return Err(Error::Usage(format!(
+        return Err(Error::usage(format!(
             "--instance {}: {}",
             quoted(&wanted),
             devices.listed(table)
@@ -86,7 +86,7 @@ fn alone(table: &Table, labels: &Labels, wanted: &str) -> Result<(), Error> {
     if named.any(|column| column.values.len() == 1 && column.is(0, wanted)) {
         return Ok(());
     }
-    Err(Error::Usage(format!(
+    Err(Error::usage(format!(
         "{}: --instance {}: no column tells devices apart; leave the option out, or name the column, as in --columns device=3",
         table.name,
         quoted(wanted)

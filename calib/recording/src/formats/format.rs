@@ -46,7 +46,7 @@ pub(super) fn files(source: Source, format: &dyn Format) -> Result<Files, Error>
 }
 
 pub(super) fn mismatch(name: &str, format: &dyn Format, expected: &str) -> Error {
-    Error::Usage(format!(
+    Error::usage(format!(
         "{name}: --format {} reads {expected}, and this is none",
         format.name()
     ))

@@ -58,14 +58,14 @@ impl Format for Measured {
             let words = format!(
                 "{name}: --columns is for tables of text; --topic and --instance choose in this file"
             );
-            return Err(Error::Usage(words));
+            return Err(Error::usage(words));
         }
         if let (Some(device), None) = (&options.device, options.instance) {
             let words = format!(
                 "{name}: --instance {}: in this file it takes the number of a sensor, such as 0",
                 shown(device)
             );
-            return Err(Error::Usage(words));
+            return Err(Error::usage(words));
         }
         refuse_part(&name, options)?;
         let wanted = Wanted {
@@ -353,7 +353,7 @@ impl Chooser<'_> {
                 stream.source
             )
         });
-        Err(Error::NotEnough(format!(
+        Err(Error::not_enough(format!(
             "{}: {} is logged at {rate:.1} Hz only, too slow for a calibration; set SDLOG_PROFILE to 769 (raw FIFO of both sensors) and record again{instead}",
             self.name, stream.source
         )))

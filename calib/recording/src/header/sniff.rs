@@ -258,7 +258,7 @@ impl Start {
         }
         let cell = |cell: &Cell| decode(&bytes[cell.clone()]);
         let mut names: Vec<String> = cells.iter().map(cell).collect();
-        header::refuse_twins(&names, &options.columns).map_err(Error::Usage)?;
+        header::refuse_twins(&names, &options.columns).map_err(Error::usage)?;
         let width = usual_width(rows, self.dialect).unwrap_or(names.len());
         if rows.is_empty() {
             // A wrong header is the better news.
@@ -331,7 +331,7 @@ impl Start {
             }
             roles
         } else {
-            header::refuse_twins(&names, &options.columns).map_err(Error::Usage)?;
+            header::refuse_twins(&names, &options.columns).map_err(Error::usage)?;
             self.layout.affine = header::affines(&names, &options.columns);
             header::roles_by_map(&names, &options.columns).map_err(refuse)?
         };

@@ -24,7 +24,7 @@ enum Unit {
 /// An unreadable table, or rows that do not fit the recording; the message names file and line.
 pub fn read_sections(path: &Path, recording: &Recording) -> Result<Vec<Span>, Error> {
     let fail =
-        |line: u64, what: String| Error::Input(format!("{}:{line}: {what}", shown_path(path)));
+        |line: u64, what: String| Error::input(format!("{}:{line}: {what}", shown_path(path)));
     let text = read_text(path)?;
     let mut reader = csv::ReaderBuilder::new()
         .comment(Some(b'#'))

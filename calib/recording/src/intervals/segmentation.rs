@@ -168,7 +168,7 @@ impl Segmentation {
                         rest.span.from, rest.span.to
                     )
                 });
-                return Err(Error::Usage(format!(
+                return Err(Error::usage(format!(
                     "{}: no static interval at t = {} s that could be left out{nearest}",
                     recording.name,
                     figure(t)

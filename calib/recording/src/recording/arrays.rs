@@ -97,17 +97,17 @@ impl Rows<'_> {
         let other = arrays.iter().find(|(_, len)| *len != 0 && *len != stamps);
         if let Some((array, len)) = other {
             let plural = if *len == 1 { "" } else { "s" };
-            return Err(Error::Input(format!(
+            return Err(Error::input(format!(
                 "{name}: {array} has {len} row{plural}, t has {stamps}"
             )));
         }
         if self.accel.is_empty() && self.gyro.is_empty() {
-            return Err(Error::Input(format!(
+            return Err(Error::input(format!(
                 "{name}: neither accel nor gyro has a row; give at least one of them"
             )));
         }
         if stamps < 2 {
-            return Err(Error::NotEnough(format!(
+            return Err(Error::not_enough(format!(
                 "{name}: one sample is no recording; record for a minute or more"
             )));
         }

@@ -94,7 +94,7 @@ impl ReadOptions {
     /// [`Error::Usage`] for a rate that no recording has.
     pub(crate) fn check(&self) -> Result<(), Error> {
         match self.rate {
-            Some(rate) if !(1e-3..=1e7).contains(&rate) => Err(Error::Usage(format!(
+            Some(rate) if !(1e-3..=1e7).contains(&rate) => Err(Error::usage(format!(
                 "--rate {}: a sampling rate is from 0.001 to 1e7 Hz, such as --rate 100",
                 figure(rate)
             ))),

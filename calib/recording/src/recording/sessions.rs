@@ -61,7 +61,7 @@ pub(crate) fn take_one(
 pub(crate) fn refuse_part(name: &str, options: &ReadOptions) -> Result<(), Error> {
     match options.part {
         None | Some(1) => Ok(()),
-        Some(part) => Err(Error::Usage(format!(
+        Some(part) => Err(Error::usage(format!(
             "{name}: --part {part}: there is one recording in it; leave the option out"
         ))),
     }
@@ -152,7 +152,7 @@ fn several(table: &Table, sessions: &[Session], long: &[usize], given: Option<us
         rows.join(" and ")
     );
     Error::Parts {
-        message,
+        finding: message.into(),
         count: long.len(),
     }
 }
@@ -239,9 +239,10 @@ mod tests {
     #[test]
     fn a_counter_that_begins_again_makes_two_recordings() {
         let text = boots(&[500, 700]);
-        let Err(Error::Parts { message, count }) = read(&text, &ReadOptions::default()) else {
+        let Err(Error::Parts { finding, count }) = read(&text, &ReadOptions::default()) else {
             panic!("two recordings read as one");
         };
+        let message = finding.to_string();
         assert_eq!(count, 2);
         assert!(
             message.starts_with("r.csv:502: the clock begins again"),

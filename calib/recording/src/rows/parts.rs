@@ -116,7 +116,7 @@ impl Part {
             ..options.clone()
         };
         if let (Some(usual), None) = (self.usual_rate, options.rate) {
-            return Err(Error::Usage(format!(
+            return Err(Error::usage(format!(
                 "{}: its rows have no time; say the sampling rate in Hz, as in --rate {usual}, which its program has unless it was changed",
                 input.name
             )));

@@ -193,7 +193,7 @@ fn no_time(name: &str, start: &Start) -> Error {
             entry(names, first)
         ),
     };
-    Error::Usage(format!(
+    Error::usage(format!(
         "{name}: no time column; say the sampling rate in Hz, as in --rate 100, or {column}"
     ))
 }

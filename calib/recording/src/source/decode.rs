@@ -209,7 +209,7 @@ pub(crate) fn refuse_other_formats(name: &str, head: &[u8]) -> Result<(), Error>
 
 fn empty(name: &str) -> Error {
     if name == "<stdin>" {
-        return Error::Usage("standard input is empty: pipe a recording into it".to_owned());
+        return Error::usage("standard input is empty: pipe a recording into it".to_owned());
     }
     in_file(name, "file is empty")
 }

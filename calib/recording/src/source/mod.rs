@@ -117,7 +117,7 @@ impl Source {
     fn standard_input(options: &ReadOptions) -> Result<Self, Error> {
         if io::stdin().is_terminal() {
             let words = "`-` is standard input, and that is a terminal: pipe a recording into it";
-            return Err(Error::Usage(words.to_owned()));
+            return Err(Error::usage(words.to_owned()));
         }
         Self::of(
             "<stdin>".to_owned(),

@@ -24,7 +24,7 @@ impl Complaint {
 
 impl From<Complaint> for Error {
     fn from(complaint: Complaint) -> Self {
-        Self::Usage(format!("{}: {}", complaint.key, complaint.what))
+        Self::usage(format!("{}: {}", complaint.key, complaint.what))
     }
 }
 

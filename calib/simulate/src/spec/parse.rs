@@ -26,14 +26,14 @@ impl Spec {
     pub fn from_toml_with(text: &str, name: &str, own: OwnEffects) -> Result<Self, Error> {
         let mut spec: Self = toml::from_str(text).map_err(|e| {
             let at = place(text, e.span().map_or(0, |span| span.start));
-            Error::Input(format!("{name}:{at}: {}", explain_toml(e.message())))
+            Error::input(format!("{name}:{at}: {}", explain_toml(e.message())))
         })?;
         spec.own = own;
         match spec.complaint() {
             None => Ok(spec),
             Some(Complaint { key, what }) => {
                 let at = place(text, key_position(text, &key).unwrap_or(0));
-                Err(Error::Input(format!("{name}:{at}: {key}: {what}")))
+                Err(Error::input(format!("{name}:{at}: {key}: {what}")))
             }
         }
     }
@@ -43,7 +43,7 @@ impl Spec {
     /// # Errors
     /// [`Error::Usage`] for a seed above 2⁶³ − 1, which TOML cannot hold.
     pub fn to_toml(&self) -> Result<String, Error> {
-        toml::to_string(self).map_err(|e| Error::Usage(format!("spec cannot be written: {e}")))
+        toml::to_string(self).map_err(|e| Error::usage(format!("spec cannot be written: {e}")))
     }
 }
 

@@ -213,7 +213,7 @@ pub(super) fn published(
             ),
         ));
     };
-    let missing = || calib::Error::NotEnough(format!("{}: no accelerometer", recording.name));
+    let missing = || calib::Error::not_enough(format!("{}: no accelerometer", recording.name));
     let picking = picker.apply(recording)?.accelerometer.ok_or_else(missing)?;
     let moving = procedure.moving(&picking);
     let results = calibrations

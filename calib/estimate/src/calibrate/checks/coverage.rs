@@ -93,7 +93,7 @@ pub fn not_in_one_plane(means: &[Vec<StaticMean>]) -> Result<(), Error> {
         return Ok(());
     }
     let directions: Vec<Vector3<f64>> = raw.iter().map(Vector3::normalize).collect();
-    Err(Error::NotEnough(refusal(
+    Err(Error::not_enough(refusal(
         &directions,
         "all near one plane, what lies across it is not observable",
     )))

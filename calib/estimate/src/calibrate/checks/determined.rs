@@ -85,22 +85,22 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
     let count = directions.len();
     if fit.fitted.rank < free {
         let unknown = format!("not observable: {}", involved(fit.fitted).join(", "));
-        return Err(Error::NotEnough(refusal(directions, &unknown)));
+        return Err(Error::not_enough(refusal(directions, &unknown)));
     }
     if count <= free {
         let unknown = format!(
             "{free} parameters leave nothing to check them with{}",
             least_known(fit)
         );
-        return Err(Error::NotEnough(refusal(directions, &unknown)));
+        return Err(Error::not_enough(refusal(directions, &unknown)));
     }
     if !fit.ending.termination.converged()
         && let Some(open) = open_by_directions(&fit.seen)
     {
-        return Err(Error::NotEnough(refusal(&fit.seen, &open)));
+        return Err(Error::not_enough(refusal(&fit.seen, &open)));
     }
     if !fit.ending.termination.converged() {
-        return Err(Error::NotConverged(format!(
+        return Err(Error::not_converged(format!(
             "the accelerometer's fit stopped after {} steps ({:?}); is the gravity of {} m/s² right, \
              and was the device still in the intervals that `segment` shows?",
             fit.ending.steps, fit.ending.termination, fit.gravity
@@ -114,7 +114,7 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
         .collect();
     if !refused.is_empty() {
         let unknown = format!("not known: {}{}", refused.join(", "), least_known(fit));
-        return Err(Error::NotEnough(refusal(directions, &unknown)));
+        return Err(Error::not_enough(refusal(directions, &unknown)));
     }
     let found = plan::coverage(directions);
     if !found.is_complete() {
@@ -196,7 +196,7 @@ pub(in crate::calibrate) fn gyroscope_is_determined(
     let RateEvidence { fitted, turns, .. } = *fit;
     let refusal = |unknown: String, names: &[&str]| {
         let wanted = plan::turns_wanted(names.iter().copied());
-        Error::NotEnough(format!(
+        Error::not_enough(format!(
             "{turns} turns: {unknown}; {}; {wanted}",
             plan::REQUIREMENT
         ))
@@ -220,7 +220,7 @@ pub(in crate::calibrate) fn gyroscope_is_determined(
         return Err(refusal(unknown, &[]));
     }
     if !fit.ending.termination.converged() {
-        return Err(Error::NotConverged(format!(
+        return Err(Error::not_converged(format!(
             "the gyroscope's fit stopped after {} steps ({:?})",
             fit.ending.steps, fit.ending.termination
         )));

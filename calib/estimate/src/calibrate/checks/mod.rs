@@ -80,7 +80,7 @@ pub(super) fn force_is_all_they_need(effects: &[&'static dyn AnyEffect]) -> Resu
     for effect in effects {
         let all = effect.needs().into_iter();
         if let Some(need) = all.clone().find(|need| *need != Quantity::SpecificForce) {
-            return Err(Error::NotEnough(format!(
+            return Err(Error::not_enough(format!(
                 "static means: the effect {} needs the {need}, which cannot be known: a file of means has none; \
                  calibrate from the recording itself",
                 effect.name()
@@ -100,14 +100,14 @@ pub(super) fn enough_rests(
     let rejected = choices.iter().flat_map(|c| &c.segmentation.rejected);
     let found = means.iter().map(Vec::len).sum::<usize>();
     if let Some(first) = rejected.clone().next().filter(|_| found < 2) {
-        return Err(Error::NotEnough(format!(
+        return Err(Error::not_enough(format!(
             "{}: {found} static intervals; {} quiet stretches are none, the first: {first}",
             names.join(", "),
             rejected.count()
         )));
     }
     match found {
-        0 => Err(Error::NotEnough(format!(
+        0 => Err(Error::not_enough(format!(
             "{}: no static interval: the device is never still for long enough{}; {}; lay it down for {:.0} s \
              between the turns, or lower --min-static or raise --multiplier",
             names.join(", "),
@@ -121,7 +121,7 @@ pub(super) fn enough_rests(
                 .flat_map(|c| &c.segmentation.statics)
                 .map(|rest| rest.span.length())
                 .sum();
-            Err(Error::NotEnough(format!(
+            Err(Error::not_enough(format!(
                 "{}: all static: one rest of {length:.1} s and no turn; {}; run `stillpoint plan` for the orientations",
                 names.join(", "),
                 plan::REQUIREMENT

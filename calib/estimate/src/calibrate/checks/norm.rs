@@ -55,7 +55,7 @@ pub(in crate::calibrate) fn the_norm_tells_them(
     if names.is_empty() {
         return Ok(());
     }
-    Err(Error::NotEnough(format!(
+    Err(Error::not_enough(format!(
         "{} cannot be told apart: they need the direction of the specific force, which the stepwise method does not know, as it \
          sees the norm of it at static intervals only; use --method joint",
         names.join(", ")

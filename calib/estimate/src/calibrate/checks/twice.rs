@@ -49,7 +49,7 @@ pub fn none_is_there_twice<'a>(
                 continue;
             };
             let (here, there) = (of_first.statics[i].span, of_second.statics[j].span);
-            return Err(Error::Input(format!(
+            return Err(Error::input(format!(
                 "{} has the readings of {}: static interval {} (t = {:.2} s) and those after it are interval {} (t = {:.2} s) \
                  and those after it there, with the same noise. Counted twice they make the standard errors too small: leave one \
                  of the two out (--force-device to count them)",

@@ -39,7 +39,7 @@ pub fn refuse_attitude(effects: &[&'static dyn AnyEffect]) -> Result<(), Error> 
         effect.sensor() == Sensor::Accelerometer && effect.needs().contains(&Quantity::Attitude)
     };
     effects.iter().find(looks).map_or(Ok(()), |effect| {
-        Err(Error::NotEnough(format!(
+        Err(Error::not_enough(format!(
             "the effect {} needs the attitude, which the stepwise method does not know before it has calibrated the \
              gyroscope; use --method joint, or leave the effect out",
             effect.name()

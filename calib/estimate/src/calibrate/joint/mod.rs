@@ -31,8 +31,8 @@ pub fn calibrate(
     mut warnings: Findings,
 ) -> Result<Outcome, Error> {
     if !request.static_means.is_empty() || recordings.iter().any(|r| r.accelerometer.is_none()) {
-        return Err(Error::Usage(
-            "the joint method needs recordings with an accelerometer: use --method stepwise".into(),
+        return Err(Error::usage(
+            "the joint method needs recordings with an accelerometer: use --method stepwise",
         ));
     }
     let means: Vec<_> = recordings

@@ -41,7 +41,7 @@ pub(super) fn with_magnetometer(
     let asked = request.effects.iter().find(asked);
     if recordings.iter().all(|r| r.magnetometer.is_none()) {
         return match asked {
-            Some(effect) => Err(Error::NotEnough(format!(
+            Some(effect) => Err(Error::not_enough(format!(
                 "no magnetometer in the recording: the effect {} cannot be estimated",
                 effect.name()
             ))),
@@ -51,10 +51,9 @@ pub(super) fn with_magnetometer(
     match fitted(&mut outcome, recordings, request) {
         Ok(()) => Ok(outcome),
         Err(Error::NotEnough(reason) | Error::NotConverged(reason)) if asked.is_none() => {
-            outcome
-                .calibration
-                .warnings
-                .push(Finding::of(Kind::MagnetometerNotCalibrated).detail("why", reason));
+            outcome.calibration.warnings.push(
+                Finding::of(Kind::MagnetometerNotCalibrated).detail("why", reason.to_string()),
+            );
             Ok(outcome)
         }
         Err(other) => Err(other),
@@ -67,7 +66,7 @@ pub(super) fn with_magnetometer(
 /// [`Error::NotEnough`] with what to record beside it.
 pub(super) fn refuse_alone(recordings: &[&Recording]) -> Result<(), Error> {
     match recordings.iter().find(|r| r.is_magnetometer_only()) {
-        Some(alone) => Err(Error::NotEnough(format!("{}: {ALONE}", alone.name))),
+        Some(alone) => Err(Error::not_enough(format!("{}: {ALONE}", alone.name))),
         None => Ok(()),
     }
 }
@@ -79,8 +78,8 @@ fn fitted(
 ) -> Result<(), Error> {
     let unit = common_unit(recordings, request)?;
     if outcome.calibration.accelerometer.is_none() {
-        return Err(Error::NotEnough(
-            "without an accelerometer nobody knows how the device was held".into(),
+        return Err(Error::not_enough(
+            "without an accelerometer nobody knows how the device was held",
         ));
     }
     let effects = request.effects.iter();
@@ -152,7 +151,7 @@ fn common_unit(recordings: &[&Recording], request: &Request) -> Result<Option<Fi
     let unit = all.first().and_then(|(_, unit)| *unit);
     if let Some((other, differs)) = all.iter().find(|(_, other)| *other != unit) {
         let word = |unit: Option<FieldUnit>| unit.map_or("no stated unit", FieldUnit::name);
-        return Err(Error::Usage(format!(
+        return Err(Error::usage(format!(
             "{}: its magnetometer is in {}, that of {} in {}: name the columns' unit in both files alike",
             other.name,
             word(*differs),
@@ -161,7 +160,7 @@ fn common_unit(recordings: &[&Recording], request: &Request) -> Result<Option<Fi
         )));
     }
     if request.field.is_some_and(|field| !FIELDS.contains(&field)) {
-        return Err(Error::Usage(format!(
+        return Err(Error::usage(format!(
             "a magnetic field of {} to {} µT expected; the earth's is 22 to 67",
             FIELDS.start(),
             FIELDS.end()

@@ -39,7 +39,7 @@ pub fn check_units(calibration: &Calibration, recording: &Recording) -> Result<(
     if PLAUSIBLE.contains(&(median / calibration.gravity)) {
         return Ok(());
     }
-    Err(Error::Input(format!(
+    Err(Error::input(format!(
         "{}: corrected by this calibration the specific force has a median of {median:.3e} m/s² \
          where gravity is {:.3}: the calibration is for readings in another unit or of another \
          device (--force-device to go on)",

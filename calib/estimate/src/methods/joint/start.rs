@@ -51,7 +51,7 @@ pub fn start(request: &JointRequest<'_>) -> Result<Start, Error> {
         .collect();
     let raw: Vec<Vector3<f64>> = means.iter().flatten().map(|m| m.raw).collect();
     let force_unit = accelerometer_unit(&raw, request.gravity).ok_or_else(|| {
-        Error::NotEnough(format!(
+        Error::not_enough(format!(
             "{} static means lie on no sphere: the unit of the accelerometer cannot be told; {}; run \
              `stillpoint plan` for the orientations",
             raw.len(),
@@ -73,9 +73,9 @@ pub fn start(request: &JointRequest<'_>) -> Result<Start, Error> {
     let left = (2.0 * first.cost / first.residuals.len().max(1) as f64).sqrt();
     if !first.termination.converged() && left > NOT_STILL * gravity {
         if let Some(reason) = few_directions(&raw) {
-            return Err(Error::NotEnough(reason));
+            return Err(Error::not_enough(reason));
         }
-        return Err(Error::NotConverged(format!(
+        return Err(Error::not_converged(format!(
             "the accelerometer's fit stopped after {} steps ({:?}) and leaves {left:.2} m/s² of the norms; is the gravity of \
              {gravity} m/s² right, and was the device still in the intervals that `segment` shows?",
             first.iterations.len(),
@@ -193,7 +193,7 @@ pub fn charts(data: &Data, model: &Model, start: &Start) -> Result<Vec<Chart>, E
             let p = &start.accelerometer[rest.recording];
             let force = model.correct(&(sum / count), &rest.known, p);
             Chart::around(&force).filter(|c| c.reference.iter().all(|v| v.is_finite())).ok_or_else(|| {
-                Error::NotEnough(format!(
+                Error::not_enough(format!(
                     "{}: static interval {} (t = {:.2} to {:.2} s) has no accelerometer samples or \
                      shows no gravity",
                     data.sources[rest.recording].name,

@@ -66,7 +66,7 @@ pub fn fit_magnetometer(mut request: MagneticRequest<'_>) -> Result<MagneticFit,
 fn fit_all(request: &MagneticRequest<'_>) -> Result<(MagneticFit, Option<(usize, f64)>), Error> {
     let used = request.placements.iter().filter(|p| p.is_used).count();
     if used < LEAST_PLACEMENTS {
-        return Err(Error::NotEnough(format!(
+        return Err(Error::not_enough(format!(
             "{used} static intervals have readings of the magnetometer, {LEAST_PLACEMENTS} at least are needed"
         )));
     }

@@ -85,7 +85,7 @@ impl<'a> Problem<'a> {
         p[..sensor::BASE_PARAMETERS].copy_from_slice(&base.parameters());
         let add = |graph: &mut Graph<'a>, name: String, start: &[f64]| {
             let block = graph.add(name, Euclidean(start.len()), start);
-            block.map_err(|e| Error::NotConverged(e.to_string()))
+            block.map_err(|e| Error::not_converged(e.to_string()))
         };
         let model = add(&mut graph, "mag".into(), &p)?;
         let errors = add(&mut graph, "errors".into(), &vec![0.0; self.errors])?;
@@ -139,7 +139,7 @@ impl<'a> Problem<'a> {
                 };
                 let block = graph
                     .add(format!("rate {place}"), Euclidean(3), rest.mean.as_slice())
-                    .map_err(|e| Error::NotConverged(e.to_string()))?;
+                    .map_err(|e| Error::not_converged(e.to_string()))?;
                 let weight = rest.noise.recip();
                 graph.add_factor(&[block], Linear::axes(weight, &[1.0], rest.mean.into()));
                 blocks.rates[place] = Some(block);
@@ -245,11 +245,11 @@ impl<'a> Problem<'a> {
         if let Some(values) = from {
             graph.start_at(values);
         }
-        let failed = |e: solver::Error| Error::NotConverged(e.to_string());
+        let failed = |e: solver::Error| Error::not_converged(e.to_string());
         let report = solve_graph(&graph, options).map_err(failed)?;
         if !report.termination.converged() {
             let why = &report.termination;
-            return Err(Error::NotEnough(format!(
+            return Err(Error::not_enough(format!(
                 "its fit did not end ({why}), as where the attitudes hardly determine it: hold every face up and turn the \
                  device to other headings in between"
             )));

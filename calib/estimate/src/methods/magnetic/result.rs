@@ -42,10 +42,10 @@ impl<'a> Judged<'a> {
         minimum: &'a Minimum,
     ) -> Result<Self, Error> {
         let graph = problem.graph(start, uneven, TIE)?.graph;
-        let failed = |e: solver::Error| Error::NotConverged(e.to_string());
+        let failed = |e: solver::Error| Error::not_converged(e.to_string());
         let products = Products::new(&graph, &minimum.report.values).map_err(failed)?;
         if let Some(open) = products.null_space().first() {
-            return Err(Error::NotEnough(format!(
+            return Err(Error::not_enough(format!(
                 "the attitudes do not determine it ({}): hold every face up and turn the device to other headings in between",
                 open.words
             )));
@@ -75,7 +75,7 @@ impl<'a> Judged<'a> {
     pub fn written(&self) -> Result<MagneticFit, Error> {
         let dof = self.freedom();
         if dof == 0 {
-            return Err(Error::NotEnough(format!(
+            return Err(Error::not_enough(format!(
                 "{} static intervals leave nothing to judge it by",
                 self.used().count()
             )));

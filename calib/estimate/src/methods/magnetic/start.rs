@@ -75,7 +75,7 @@ pub fn linear_start(
         horizontal += if connected { 2 } else { 0 };
     }
     if rows < unknowns {
-        return Err(Error::NotEnough(format!(
+        return Err(Error::not_enough(format!(
             "{} static intervals with readings of the magnetometer are too few",
             placements.len()
         )));
@@ -87,7 +87,7 @@ pub fn linear_start(
     let (t, offset) = (t * sign, offset * sign);
     let bias = t.try_inverse().map(|inverse| inverse * offset);
     let bias = bias.ok_or_else(|| {
-        Error::NotEnough("the attitudes do not determine the magnetometer's axes".into())
+        Error::not_enough("the attitudes do not determine the magnetometer's axes")
     })?;
     Ok(scaled(placements, &chains, recordings, (t, bias), strength))
 }

@@ -216,7 +216,7 @@ impl SixPosition {
     /// Means that make `I + M` singular.
     pub fn calibration(&self, first_order: bool) -> Result<Calibration, Error> {
         let exact = self.base().ok_or_else(|| {
-            Error::NotEnough("six positions: I + M has no inverse; are two axes the same?".into())
+            Error::not_enough("six positions: I + M has no inverse; are two axes the same?")
         })?;
         let base = if first_order {
             self.first_order_base()

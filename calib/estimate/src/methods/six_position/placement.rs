@@ -110,7 +110,7 @@ impl Six {
             } else {
                 format!(", {}", doubled.join(", "))
             };
-            return Err(Error::NotEnough(format!(
+            return Err(Error::not_enough(format!(
                 "six positions: no rest with {}{also}; every axis must once point up and once down",
                 missing.join(", no rest with ")
             )));
@@ -128,7 +128,7 @@ impl Six {
         let six: Vec<Placement> = (0..6).filter_map(next).collect();
         let placements = six
             .try_into()
-            .map_err(|_| Error::NotEnough("six positions: a face is missing".into()))?;
+            .map_err(|_| Error::not_enough("six positions: a face is missing"))?;
         Ok(Self {
             placements,
             warnings,
@@ -185,7 +185,7 @@ pub fn placements<R: Borrow<Recording>>(
                 .max_by(|a, b| a.span.length().total_cmp(&b.span.length()));
             let found = longest.and_then(|rest| placement(rest, recording.name.clone()));
             all.push(found.ok_or_else(|| {
-                Error::NotEnough(format!(
+                Error::not_enough(format!(
                     "{}: no rest of the accelerometer found",
                     recording.name
                 ))

@@ -13,6 +13,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 30.0,
         reason: "{axis} of the {sensor} has another unit or range",
         text: "{axis} of the {sensor} reads {times} what {others} read of the same {what}: it has another unit or range",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -21,6 +22,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 1.0,
         reason: "the axes of the {sensor} differ in their range",
         text: "the axes of the {sensor} read {x}, {y} and {z} counts per m/s², which differ by {share}. They may not all have one range",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -29,6 +31,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 3.0,
         reason: "the {sensor} reads {share} {more} on all axes",
         text: "the {sensor} reads gravity as {reads}, {share} {more} than {gravity}, on all axes alike[. {so}]",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -37,6 +40,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 30.0,
         reason: "the zero of {axis} lies where no sensor has it",
         text: "{axis} of the {sensor} has its zero at {bias}, as no sensor has: {why}",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -45,6 +49,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the readings look like units of g",
         text: "the readings of the accelerometer look like units of g. The calibration's matrix carries them to m/s²",
+        advice: "",
         remedies: || vec![Remedy::set_to(OptionName::AccelUnit, "g")],
     },
     Entry {
@@ -53,6 +58,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.0001,
         reason: "the readings are raw counts",
         text: "the readings of the {sensor} are raw counts: one is about {scale}[, and zero lies near {zero}]",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -61,6 +67,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 10.0,
         reason: "the gyroscope misses gravity by {missed} after the fit",
         text: "the gyroscope misses gravity by {missed} rms after the fit. A sensor may be mounted or logged with other axes, or the stamps may not be those of the samples",
+        advice: "",
         remedies: || vec![Remedy::LookInto],
     },
     Entry {
@@ -69,6 +76,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 10.0,
         reason: "the turns do not show the gyroscope's axes",
         text: "the gyroscope's matrix is that of no sensor (its determinant is negative and no axis is flipped): the turns do not show its axes",
+        advice: "",
         remedies: || vec![Remedy::TurnBetween],
     },
     Entry {
@@ -77,6 +85,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 30.0,
         reason: "the gyroscope's axes are left-handed",
         text: "the gyroscope's axes are left-handed against the accelerometer's: {axes}",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -85,6 +94,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.01,
         reason: "the gyroscope's axes are turned against the accelerometer's",
         text: "the gyroscope's axes are turned against the accelerometer's{axes}. The calibration's matrix turns them back[. {or}]",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -93,6 +103,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 30.0,
         reason: "the gyroscope's scale is {ratio} on all axes",
         text: "the gyroscope's scale is {ratio} on all axes: its unit or its rate is wrong, for no sensor errs so",
+        advice: "",
         remedies: || vec![Remedy::set(OptionName::Rate)],
     },
     Entry {
@@ -101,6 +112,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the gyroscope's unit looks like {unit}",
         text: "the readings of the gyroscope look like {unit}[ that were read as {read}]. The calibration's matrix carries them to rad/s",
+        advice: "",
         remedies: Vec::new,
     },
 ];

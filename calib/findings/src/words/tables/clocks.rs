@@ -13,6 +13,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "the stamps scatter so much that lost samples cannot be counted",
         text: "the stamps of the gyroscope scatter by {scatter} about steps of {step}. Lost samples cannot be told from late ones, and the stamps are taken as they are",
+        advice: "",
         remedies: || vec![Remedy::SensorStamps, Remedy::set(OptionName::Rate)],
     },
     Entry {
@@ -21,6 +22,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.3,
         reason: "no clock says when the gyroscope was sampled",
         text: "the turns miss gravity by {ratio} times their noise with an even clock and with the stamps. Neither says when the gyroscope was sampled, as if a program had polled it at another rate than its own",
+        advice: "",
         remedies: || vec![Remedy::SensorStamps],
     },
     Entry {
@@ -29,6 +31,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.05,
         reason: "the stamps of the {sensor} come in bursts",
         text: "the stamps of the {sensor} come in bursts of {size} samples. They say when the samples were read and not when they were taken. An even clock of {rate} is used instead[, with {lost} samples missing]",
+        advice: "",
         remedies: || vec![Remedy::SensorStamps],
     },
     Entry {
@@ -37,6 +40,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 1.0,
         reason: "the clock of the {sensor} is {late} late",
         text: "the clock of the {sensor} is {late} late against that of the {other}, by when they move. Their static intervals do not fall together[. An offset of {also} fits about as well]",
+        advice: "",
         remedies: || vec![Remedy::OneClock],
     },
     Entry {
@@ -45,6 +49,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "the clock of the gyroscope runs {drift} ppm {which}",
         text: "the clock of the gyroscope runs {drift} ± {error} ppm {which} than that of the accelerometer, by {turns} turns. One of the two is wrong by that, and with it perhaps the gyroscope's scale factors",
+        advice: "",
         remedies: || vec![Remedy::OneClock, Remedy::set(OptionName::Rate)],
     },
     Entry {
@@ -53,6 +58,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.0001,
         reason: "the rate is higher than needed",
         text: "sampled at {rate}: no hand turns so fast. Means over {block} samples would do and take less time",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -61,6 +67,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.2,
         reason: "the turns are too fast for the sampling rate",
         text: "{count} of {all} turns are too fast for {rate}: the device turns by up to {step} from one sample to the next. The order of the rotations in between (coning) makes an error of about {coning}, most in {at}. {needed} would do",
+        advice: "",
         remedies: || vec![Remedy::TurnSlower, Remedy::SampleFaster],
     },
 ];

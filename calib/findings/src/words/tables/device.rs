@@ -13,6 +13,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.04,
         reason: "the recording speaks against the latitude",
         text: "at a latitude of {given}° the vertical rate of the earth is {expected}. The recording shows {shown} ± {error}, as at a latitude of {seen}°. {what} may be wrong",
+        advice: "",
         remedies: || vec![Remedy::set(OptionName::Latitude)],
     },
     Entry {
@@ -21,6 +22,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.02,
         reason: "the recording system has taken the gyroscope's bias off",
         text: "the gyroscope reads zero at rest on all axes to within its noise: the system that recorded it has taken the bias off. These parameters come on top of the system's and hold while it does not change its own",
+        advice: "",
         remedies: || vec![Remedy::RawReadings],
     },
     Entry {
@@ -29,6 +31,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.3,
         reason: "some readings were corrected before and others were not",
         text: "{how}. One calibration does not hold for both",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -37,6 +40,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.0001,
         reason: "a recording is given twice",
         text: "has the same data as {other}, and is counted once",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -45,6 +49,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.05,
         reason: "the parameters differ from recording to recording",
         text: "{first} and {second}: {what}{temperatures}",
+        advice: "",
         remedies: || vec![Remedy::Discover],
     },
     Entry {
@@ -53,6 +58,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.05,
         reason: "the gyroscope of one recording differs from the others",
         text: "{parameter} of the gyroscope differs by {change} ± {error} from that in the other recordings. It may have been at another temperature, or its clock may run fast or slow. The standard errors are enlarged to it",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -61,6 +67,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.0001,
         reason: "there is no gyroscope",
         text: "no gyroscope in the recording: only the accelerometer is calibrated",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -69,6 +76,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.0001,
         reason: "there is no accelerometer",
         text: "no accelerometer in the recording: only the gyroscope's bias is found",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -77,6 +85,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "a recording lacks a sensor",
         text: "a sensor is missing, so the recording says nothing of the gyroscope",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -85,6 +94,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "the device is not of the type of the prior",
         text: "the device is not of the type of the prior: {parameter} lies {distance} standard deviations from its mean, as one device of the type in {p} does. The prior is not used",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -93,6 +103,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.05,
         reason: "the biases of the calibration's recordings differ",
         text: "the biases of the calibration's recordings differ ({how}), and this recording is none of them. Those of the last, {last}, are taken off",
+        advice: "",
         remedies: || vec![Remedy::UpdateBias],
     },
     Entry {
@@ -101,6 +112,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 1.0,
         reason: "the recording looks like one of another device",
         text: "corrected by this calibration {what}. It may be of another device, or of another time",
+        advice: "",
         remedies: || vec![Remedy::OwnCalibration, Remedy::UpdateBias],
     },
     Entry {
@@ -109,6 +121,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.05,
         reason: "the effect {effect} gives no number",
         text: "the effect {effect} {what}. It was not looked for beyond that",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -117,6 +130,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 5.0,
         reason: "{name} is {value}, and {allowed} is allowed",
         text: "{name} is {value}, and {allowed} is allowed",
+        advice: "",
         remedies: || vec![Remedy::RecordAgain],
     },
     Entry {
@@ -125,6 +139,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 20.0,
         reason: "the {sensor} is not calibrated",
         text: "the {sensor} is not calibrated: {why}[ ({kept})]",
+        advice: "",
         remedies: || vec![Remedy::set_to(OptionName::Sensor, "accelerometer")],
     },
     Entry {
@@ -133,6 +148,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.01,
         reason: "a time constant was supposed",
         text: "the {parameter} of {effect} is supposed to be {value}, because these recordings do not show it. Its other parameters go with it, so no standard error is stated",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -141,6 +157,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.01,
         reason: "some recordings have no temperature",
         text: "the recordings without a temperature ({without}) keep effects of the temperature from being looked for",
+        advice: "",
         remedies: || vec![Remedy::Thermometer],
     },
     Entry {
@@ -149,6 +166,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "the {sensor} is not calibrated",
         text: "the {sensor} is not calibrated[ ({why})], and its readings are left as they are",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -157,6 +175,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "only the bias of the {sensor} is known",
         text: "only the bias of the {sensor} is known. Its scale factors and misalignments are those of a perfect sensor",
+        advice: "",
         remedies: Vec::new,
     },
 ];

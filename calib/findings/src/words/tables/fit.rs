@@ -15,6 +15,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         text: "the {channel} misfits: {rms} rms is left where the noise makes {noise} ({ratio} times the noise, p {p})[. It changes with \
                the orientation, most like {pattern} (p {pattern_p}), as neither noise nor a slow change of the bias does]. The standard \
                errors are enlarged to it",
+        advice: "",
         remedies: || vec![Remedy::Discover],
     },
     Entry {
@@ -24,6 +25,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "the model of the {sensor} lacks an effect, most like {effect}",
         text: "the model of the {sensor} lacks an effect, most like {effect} (χ² {statistic} of {dof} degrees of freedom, p = {p}). The \
                standard errors do not contain it",
+        advice: "",
         remedies: || vec![Remedy::Discover],
     },
     Entry {
@@ -32,6 +34,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.3,
         reason: "{parameter} is known to {error} only",
         text: "{parameter} is known to {error} only[ ({evidence})]",
+        advice: "",
         remedies: || vec![Remedy::Plan],
     },
     Entry {
@@ -40,6 +43,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "placements are missing: {found}",
         text: "{found}[; {parameter} is known to {error} only]",
+        advice: "",
         remedies: || vec![Remedy::Plan],
     },
     Entry {
@@ -49,6 +53,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "{at} alone carries {parameter}",
         text: "without {at} {parameter} would move by {change} of its standard errors, because few others show it. If the device was \
                not still there, leave it out",
+        advice: "",
         remedies: || vec![Remedy::RecordAgain],
     },
     Entry {
@@ -58,6 +63,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "gravity was assumed",
         text: "gravity is taken to be {gravity}, because nobody gave it. The accelerometer's scale factors may all be wrong by {share}, and \
                their standard errors contain it",
+        advice: "",
         remedies: || vec![Remedy::any_of([OptionName::Gravity, OptionName::Latitude])],
     },
     Entry {
@@ -67,6 +73,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "the height was assumed",
         text: "gravity is taken to be {gravity}, that of the latitude {latitude} at sea level. The accelerometer's scale factors may \
                all be wrong by {share}, and their standard errors contain it",
+        advice: "",
         remedies: || vec![Remedy::set(OptionName::Altitude)],
     },
 ];

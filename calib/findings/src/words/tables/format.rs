@@ -13,6 +13,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the file is in {encoding}",
         text: "{part} is not in UTF-8: read as {encoding}",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -21,6 +22,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the file is text in spite of its name",
         text: "text in spite of its name, .{extension}",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -29,6 +31,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "numbers are spelt in another way",
         text: "{spelling} are read as {read_as}",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -37,6 +40,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the {which} row is cut and left out",
         text: "the {which} row is cut short and left out[: line {line}][: {why}]",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -45,6 +49,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.05,
         reason: "broken rows were left out",
         text: "{count:broken row} left out",
+        advice: "",
         remedies: || vec![Remedy::ExportAgain],
     },
     Entry {
@@ -53,6 +58,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "rows without all numbers were left out",
         text: "{count:row} with missing numbers left out",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -61,6 +67,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the columns were told by their units",
         text: "columns taken by their units: {columns}",
+        advice: "",
         remedies: || vec![Remedy::if_wrong([OptionName::Columns])],
     },
     Entry {
@@ -70,6 +77,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "the columns have no names and were told by their readings",
         text: "no header: columns taken as {columns}[. The mean of {turning} turns from rest to rest, as only an \
                accelerometer's does]",
+        advice: "",
         remedies: || vec![Remedy::if_wrong([OptionName::Columns])],
     },
     Entry {
@@ -78,6 +86,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the magnetometer could not be read",
         text: "the magnetometer is left out: {why}",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -86,6 +95,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "columns of a magnetometer are not read",
         text: "the columns {columns} look like a magnetometer's and are not read",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -94,6 +104,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "some of the recorded sensors were taken",
         text: "the recording of {system} holds more than is read: taken are {streams}",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -103,6 +114,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "the file is cut short",
         text: "the file ends within {within}[ at byte {byte}][ in line {line}]: what is before is read, and the recording \
                may be shorter than it was",
+        advice: "",
         remedies: || vec![Remedy::RecordAgain],
     },
     Entry {
@@ -111,6 +123,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the file was not closed",
         text: "the file ends without a footer at byte {byte}: the recording was not closed, and may be shorter than it was",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -120,6 +133,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "the file is damaged",
         text: "the file is damaged from byte {byte} on: what is before is read, and the recording may be shorter than it \
                was ({why})",
+        advice: "",
         remedies: || vec![Remedy::ExportAgain],
     },
     Entry {
@@ -128,6 +142,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.05,
         reason: "a part of the file is damaged and left out",
         text: "at byte {byte} a chunk is damaged and left out[ ({why})]",
+        advice: "",
         remedies: || vec![Remedy::ExportAgain],
     },
     Entry {
@@ -136,6 +151,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.05,
         reason: "a part of the file is damaged and skipped",
         text: "{count:byte} from byte {byte} on are no messages and are skipped",
+        advice: "",
         remedies: || vec![Remedy::ExportAgain],
     },
     Entry {
@@ -144,6 +160,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "a variable could not be read",
         text: "the variable {variable} is an object of class {class} and is not read",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -153,6 +170,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "no variable is called as a sensor is",
         text: "read are matrices `acc` and `gyro` with the columns t, x, y, z, or `t`, `acc` and `gyro` apart, or `t`, `ax` \
                to `gz`; save('FILE', '-struct', 'S') writes the fields of a structure S as variables",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -161,6 +179,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "a hidden sheet was left out",
         text: "the sheet {sheet} is hidden and is left out",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -169,6 +188,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "an entry of the archive was left out",
         text: "entry `{entry}` lies outside of the archive and is left out",
+        advice: "",
         remedies: Vec::new,
     },
 ];

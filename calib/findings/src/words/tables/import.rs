@@ -13,6 +13,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the imported calibration states no errors",
         text: "imported from {tool}: it states no errors",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -21,6 +22,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 1.0,
         reason: "the imported calibration has no bias",
         text: "imported from {tool}: its {sensors} have no bias, which is taken as 0",
+        advice: "",
         remedies: || vec![Remedy::UpdateBias],
     },
     Entry {
@@ -29,6 +31,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "of several units the first was read",
         text: "of {units} the first is read",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -37,6 +40,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "an entry of the file is not known",
         text: "{entry} is not read: {tool} has no such entry",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -45,6 +49,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the places of the accelerometer's axes are not read",
         text: "the places of the accelerometer's axes ({entries}) are not read: they matter in turns only",
+        advice: "",
         remedies: Vec::new,
     },
 ];

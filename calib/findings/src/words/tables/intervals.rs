@@ -13,6 +13,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 2.0,
         reason: "placements disagree with each other, as if the sensor slipped in its case",
         text: "the placements disagree with each other though nothing shook there: {places}. The sensor may have slipped in its case. The calibration is without these placements",
+        advice: "",
         remedies: || vec![Remedy::FixSensor],
     },
     Entry {
@@ -21,6 +22,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.02,
         reason: "a turn cannot be used",
         text: "{at} is not used: {fault}",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -29,6 +31,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.01,
         reason: "samples are missing in a static interval",
         text: "{at} misses samples for {gap} from t = {gap_from} on",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -37,6 +40,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.03,
         reason: "{shaken} of {all} static intervals shake, as in a hand",
         text: "{shaken} of {all} static intervals shake more than the quiet parts of the recording, as a device in a hand does. Each is weighted by its own noise",
+        advice: "",
         remedies: || vec![Remedy::LayDown],
     },
     Entry {
@@ -45,6 +49,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.02,
         reason: "the device sways while it should rest",
         text: "the device sways while it should rest, as a device in a hand does. Turns then begin and end a little beside the mean direction, and a slow creep would look the same",
+        advice: "",
         remedies: || vec![Remedy::LayDown],
     },
     Entry {
@@ -53,6 +58,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.02,
         reason: "a bias steps within a static interval",
         text: "{at}: the bias steps within it, so its mean is not used[ ({more})]",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -61,6 +67,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.05,
         reason: "the readings drift in {at}",
         text: "{at}: the readings drift while the device should rest, as from a creep of the device or a warm-up of the sensor. The drift is fitted[ ({more})]",
+        advice: "",
         remedies: || vec![Remedy::RecordAgain, Remedy::LeaveOut],
     },
     Entry {
@@ -69,6 +76,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.05,
         reason: "the device moved in {at}",
         text: "{at}: the device moved while it should have rested, as a slipping mount does. Its move is fitted[ ({more})]",
+        advice: "",
         remedies: || vec![Remedy::RecordAgain, Remedy::LeaveOut],
     },
     Entry {
@@ -77,6 +85,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.03,
         reason: "something touched the device in {at}",
         text: "{at}: something touched or pushed the device, and its force is not used[ ({more})]",
+        advice: "",
         remedies: || vec![Remedy::RecordAgain, Remedy::LeaveOut],
     },
     Entry {
@@ -85,6 +94,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.02,
         reason: "the rate is off in one static interval",
         text: "{at}: the mean rate is off in this interval alone, and it is not used[ ({more})]",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -93,6 +103,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "{at} misses gravity, and is not used",
         text: "{at} misses gravity by far more than the noise, and is not used[ ({more})]",
+        advice: "",
         remedies: || vec![Remedy::RecordAgain, Remedy::LeaveOut],
     },
     Entry {
@@ -101,6 +112,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.02,
         reason: "a turn lasts long and may hide a static interval",
         text: "{at} lasts {length} and no static interval was found in it. If the device was still, it shook or not for long enough",
+        advice: "",
         remedies: || {
             vec![Remedy::any_of([
                 OptionName::MinStatic,
@@ -114,6 +126,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 3.0,
         reason: "the device shook in {at}",
         text: "{at} shakes by {spread}: the device was not still",
+        advice: "",
         remedies: || vec![Remedy::LayDown],
     },
     Entry {
@@ -122,6 +135,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 1.0,
         reason: "{at} disagrees with the others",
         text: "{at} disagrees with the others by {size} (by chance in {p} of recordings): the device may have been touched, or have slipped",
+        advice: "",
         remedies: || vec![Remedy::LeaveOut, Remedy::RecordAgain],
     },
     Entry {
@@ -130,6 +144,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.01,
         reason: "only {most} of {all} static intervals are used",
         text: "only {most} of {all} static intervals are used, numbers {first} to {last} ({where}), in which the device takes the most directions. Intervals and turns are counted from there",
+        advice: "",
         remedies: || {
             vec![Remedy::OtherMethod {
                 method: "stepwise".into(),
@@ -142,6 +157,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.005,
         reason: "the static intervals are short",
         text: "static intervals of {least} and more are used, because longer ones are too few",
+        advice: "",
         remedies: || vec![Remedy::RestLonger],
     },
     Entry {
@@ -150,6 +166,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.01,
         reason: "a placement lies on no face",
         text: "{label} lies on no face, and is not used",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -158,6 +175,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "a face was taken more than once",
         text: "{face}: the one nearest to gravity is used",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -166,6 +184,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 1.0,
         reason: "the six placements are tilted by {tilt}",
         text: "the six placements are tilted by about {tilt} rms[, and at most {most} is expected]. This method takes every face as level",
+        advice: "",
         remedies: || {
             vec![
                 Remedy::Level,

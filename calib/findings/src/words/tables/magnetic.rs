@@ -13,6 +13,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.5,
         reason: "the magnetic field is disturbed in a static interval",
         text: "in {at} the magnetic field is off by {size} from that of the others, as near iron, a magnet or a current. The magnetometer's reading there is not used",
+        advice: "",
         remedies: || vec![Remedy::AwayFromIron],
     },
     Entry {
@@ -21,6 +22,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.5,
         reason: "the magnetic field is uneven",
         text: "the magnetic field differs by {size} per axis from one static interval to the next ({share} of it; the magnetometer's noise makes {noise}), as near iron or currents. The magnetometer's errors are enlarged to it",
+        advice: "",
         remedies: || vec![Remedy::AwayFromIron],
     },
     Entry {
@@ -29,6 +31,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.3,
         reason: "the model of the magnetometer lacks {effect}",
         text: "the readings of the magnetometer go with {effect} (p = {p}), which its model lacks. Its errors do not cover that",
+        advice: "",
         remedies: || vec![Remedy::set(OptionName::Effects)],
     },
     Entry {
@@ -37,6 +40,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.3,
         reason: "magnetometer and gyroscope disagree about the heading",
         text: "magnetometer and gyroscope disagree about the heading after turns by more than noise (p = {p}). The gyroscope is left as its turns alone show it",
+        advice: "",
         remedies: || vec![Remedy::AwayFromIron],
     },
     Entry {
@@ -45,6 +49,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "the magnetometer is not calibrated",
         text: "the magnetometer is not calibrated: {why}",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -53,6 +58,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 30.0,
         reason: "the axes of the magnetometer are turned or mirrored",
         text: "{how}",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -61,6 +67,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "the unit of the magnetometer is not known",
         text: "the unit of the magnetometer is known in this recording or in those of the calibration, and not in both. It is corrected as if it were the same",
+        advice: "",
         remedies: || vec![Remedy::set(OptionName::MagUnit)],
     },
 ];

@@ -3,6 +3,7 @@
 mod axes;
 mod clocks;
 mod device;
+mod errors;
 mod fit;
 mod format;
 mod import;
@@ -34,6 +35,9 @@ pub fn entries() -> impl Iterator<Item = &'static Entry> {
         intervals::ENTRIES,
         magnetic::ENTRIES,
         part_way::ENTRIES,
+        errors::files::ENTRIES,
+        errors::recordings::ENTRIES,
+        errors::requests::ENTRIES,
         other::ENTRIES,
     ]
     .into_iter()

@@ -12,6 +12,7 @@ pub(super) const REMARK: Entry = Entry {
     severity: 0.1,
     reason: "{text}",
     text: "{text}",
+    advice: "",
     remedies: Vec::new,
 };
 

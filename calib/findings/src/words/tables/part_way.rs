@@ -13,6 +13,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.5,
         reason: "the bias of the {sensor} steps part of the way",
         text: "the bias of the {sensor} on {axis} steps by {size} {where}. One calibration does not hold for both parts",
+        advice: "",
         remedies: || vec![Remedy::Split, Remedy::RecordAgain],
     },
     Entry {
@@ -21,6 +22,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 3.0,
         reason: "the scale of the {sensor} changes part of the way",
         text: "the scale factor of the {sensor} on {axis} changes by {size} {where}[, as with {cause}]. One calibration does not hold for both parts",
+        advice: "",
         remedies: || vec![Remedy::Split, Remedy::RecordAgain],
     },
     Entry {
@@ -29,6 +31,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 5.0,
         reason: "the axes of the {sensor} turn part of the way",
         text: "the axes of the {sensor} turn by {size} {where}, as if the sensor had moved in its case. One calibration does not hold for both parts",
+        advice: "",
         remedies: || vec![Remedy::Split, Remedy::RecordAgain],
     },
     Entry {
@@ -37,6 +40,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 30.0,
         reason: "an axis of the {sensor} changes its sign part of the way",
         text: "the {axis} axis of the {sensor} changes its sign {where}. One calibration does not hold for both parts",
+        advice: "",
         remedies: || vec![Remedy::Split, Remedy::RecordAgain],
     },
     Entry {
@@ -45,6 +49,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 30.0,
         reason: "two columns of the {sensor} change places part of the way",
         text: "the columns {axis} of the {sensor} change places {where}. One calibration does not hold for both parts",
+        advice: "",
         remedies: || vec![Remedy::Split, Remedy::RecordAgain],
     },
     Entry {
@@ -53,6 +58,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.3,
         reason: "{at} misses gravity where the others meet it",
         text: "{at} misses gravity by {size} where the others meet it. Rows may be lost, repeated or moved there, or the clock may have jumped",
+        advice: "",
         remedies: || vec![Remedy::LeaveOut, Remedy::RecordAgain],
     },
     Entry {
@@ -61,6 +67,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.2,
         reason: "{at} lies off where the turns carry gravity",
         text: "{at} lies {size} off where the turns before and after it carry gravity. The device may have been touched, or have slipped",
+        advice: "",
         remedies: || vec![Remedy::LeaveOut, Remedy::RecordAgain],
     },
 ];

@@ -13,6 +13,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "rows repeat earlier rows",
         text: "{count:row} between lines {first_line} and {last_line} repeated earlier rows, stamp and values; left out",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -21,6 +22,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "rows have the stamp of another",
         text: "{count:row} had the stamp of another row: merged to their mean",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -30,6 +32,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "the stamps are coarser than the rate",
         text: "{rows:row} of the {sensor} had the stamp of another row ({size} with one stamp on average): the stamps are \
                coarser than the rate. The even clock behind them is used, {rate}",
+        advice: "",
         remedies: || vec![Remedy::if_wrong([OptionName::Rate])],
     },
     Entry {
@@ -38,6 +41,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.05,
         reason: "the stamps tell when samples arrived, not when they were taken",
         text: "stamps of the {sensor} come in bursts (median step {median}, mean {mean}), as of arrival",
+        advice: "",
         remedies: || vec![Remedy::SensorStamps],
     },
     Entry {
@@ -46,6 +50,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.05,
         reason: "samples of the {sensor} are missing",
         text: "the {sensor} has {count:gap} without samples, the longest of {longest} from t = {t0} on",
+        advice: "",
         remedies: || vec![Remedy::RecordAgain],
     },
     Entry {
@@ -54,6 +59,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.05,
         reason: "the log lost samples",
         text: "the log has {count:dropout} of {missing} in all, from t = {t0} on ({listed})",
+        advice: "",
         remedies: || vec![Remedy::RecordAgain],
     },
     Entry {
@@ -62,6 +68,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the recording was paused",
         text: "the recording was paused at t = {t0} for {length}: later stamps are moved on by that",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -70,6 +77,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.3,
         reason: "the clock of the log jumps back",
         text: "the clock of the log jumps back {count:time}",
+        advice: "",
         remedies: || vec![Remedy::RecordAgain],
     },
     Entry {
@@ -78,6 +86,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the time counter starts again",
         text: "the time counter starts again, {count:time} in all, first in line {line}: it is counted on",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -86,6 +95,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "a short recording in the file was left out",
         text: "in line {line} the clock begins again after {rows:row}: these are left out",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -94,6 +104,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the file holds several recordings",
         text: "the clock begins again, so that the file holds {count:recording}: read as {names}",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -102,6 +113,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the unit of the time was told from the stamps",
         text: "the time is taken as {unit}[, in which the rate is {rate}][, in which the first stamp is of the year {year}]",
+        advice: "",
         remedies: || vec![Remedy::if_wrong([OptionName::TimeUnit])],
     },
     Entry {
@@ -110,6 +122,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 30.0,
         reason: "the stamps may count the rows instead of seconds",
         text: "the stamps go up by 1 from row to row and are read as seconds, though they may count the rows",
+        advice: "",
         remedies: || vec![Remedy::any_of([OptionName::Rate, OptionName::TimeUnit])],
     },
     Entry {
@@ -118,6 +131,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the given rate stands for the stamps",
         text: "a rate was given: time stamps are ignored",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -127,6 +141,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "the stamps tell another rate than the given one",
         text: "by its stamps the rate is {rate} and not {given}[, and {missing:sample} are missing that the given rate \
                passes over]: angles between rests come out {share} too {size}",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -135,6 +150,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the {sensor} was interpolated to other stamps",
         text: "the {sensor} has a clock of its own and is interpolated to the stamps of the {other}",
+        advice: "",
         remedies: || vec![Remedy::WriteFolder],
     },
     Entry {
@@ -144,6 +160,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "the temperature is not known throughout",
         text: "the temperature is known from {from} to {to}, the sensors from {sensors_from} to {sensors_to}: before and \
                after it is taken as constant",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -153,6 +170,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "the temperature is of another clock and left out",
         text: "the temperature is known from {from} to {to}, the sensors from {sensors_from} to {sensors_to}: left out, as \
                of another clock",
+        advice: "",
         remedies: || vec![Remedy::OneClock],
     },
 ];

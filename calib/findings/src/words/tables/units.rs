@@ -13,6 +13,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the accelerometer's unit was told by gravity",
         text: "the accelerometer is taken as {unit}, in which its median length is {norm}",
+        advice: "",
         remedies: || vec![Remedy::if_wrong([OptionName::AccelUnit])],
     },
     Entry {
@@ -21,6 +22,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the gyroscope's unit was told by the turns",
         text: "the gyroscope is taken as {unit}: read so, its turns are those that the accelerometer saw",
+        advice: "",
         remedies: || vec![Remedy::if_wrong([OptionName::GyroUnit])],
     },
     Entry {
@@ -29,6 +31,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.5,
         reason: "the gyroscope's unit is only guessed from its largest reading",
         text: "the gyroscope is taken as {unit}, because it reaches {fastest}",
+        advice: "",
         remedies: || vec![Remedy::set(OptionName::GyroUnit)],
     },
     Entry {
@@ -38,6 +41,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "the {sensor} is read as raw counts",
         text: "the {sensor} is taken as raw counts and kept as they are[: its median length is {norm}][: it reaches \
                {fastest}][: whole numbers, up to {at_rest} at rest]",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -46,6 +50,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the given unit of {quantity} is another than the file states",
         text: "the unit of {quantity} is taken as {given}, as was said, though the file says {stated}",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -54,6 +59,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the units are those that files of {system} have",
         text: "files of {system} state no units: stamps are read in {time}, rates in {rate}",
+        advice: "",
         remedies: || {
             vec![Remedy::if_wrong([
                 OptionName::TimeUnit,
@@ -68,6 +74,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "the temperatures may be °F",
         text: "temperatures of {least} to {most} are taken as °C, though in °F they would be {least_celsius} to \
                {most_celsius}",
+        advice: "",
         remedies: || {
             vec![Remedy::NameUnit {
                 example: "temp [F]".into(),
@@ -81,6 +88,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "the temperatures are counts of the sensor",
         text: "temperatures of {least} to {most} are counts of the sensor and no °C, left out[. The formula of its data \
                sheet makes {formulas} of them]",
+        advice: "",
         remedies: Vec::new,
     },
     Entry {
@@ -89,6 +97,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the temperatures are no °C",
         text: "temperatures of {least} to {most} are beyond -60 to 150 °C, left out[. A formula makes {formulas} of them]",
+        advice: "",
         remedies: || {
             vec![Remedy::NameUnit {
                 example: "temp [K]".into(),

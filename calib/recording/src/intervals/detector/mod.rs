@@ -88,10 +88,10 @@ impl<'a> Level<'a> {
     /// A stream without samples or shorter than the window.
     pub fn measure(stream: &'a Stream, detector: &Detector) -> Result<Self, Error> {
         let (Some(&first), Some(&last)) = (stream.t.first(), stream.t.last()) else {
-            return Err(Error::NotEnough("a sensor has no samples".into()));
+            return Err(Error::not_enough("a sensor has no samples"));
         };
         if last - first < detector.window {
-            return Err(Error::NotEnough(format!(
+            return Err(Error::not_enough(format!(
                 "{:.2} s of samples: the detector looks at windows of {} s; record longer",
                 last - first,
                 figure(detector.window)
@@ -99,7 +99,7 @@ impl<'a> Level<'a> {
         }
         let step = stream.median_step().unwrap_or(0.0);
         if step * MIN_SAMPLES > detector.window {
-            return Err(Error::NotEnough(format!(
+            return Err(Error::not_enough(format!(
                 "a sample every {step:.3} s ({:.1} Hz): too few to follow a turn, and the detector's window of \
                  {} s holds fewer than {MIN_SAMPLES}; record faster, or use --window {:.0} for the \
                  accelerometer alone",

@@ -95,7 +95,7 @@ impl Recording {
     fn of_source(source: Source, options: &ReadOptions) -> Result<Self, Error> {
         refuse_choice(&source, options)?;
         let format = match options.format {
-            Some(name) => Some(formats::by_name(name).map_err(Error::Usage)?),
+            Some(name) => Some(formats::by_name(name).map_err(Error::usage)?),
             None => formats::recognise(&source),
         };
         let format = format.ok_or_else(|| in_file(source.name(), "of no known format"))?;
@@ -133,7 +133,7 @@ fn refuse_choice(source: &Source, options: &ReadOptions) -> Result<(), Error> {
         Source::Text(_) if has_topic => "--topic chooses within a log or a bag, and this is a text",
         _ => return Ok(()),
     };
-    Err(Error::Usage(format!(
+    Err(Error::usage(format!(
         "{}: {why}; leave it out",
         source.name()
     )))

@@ -47,7 +47,7 @@ pub fn none_is_turned<'a>(
     for (k, (second, b)) in own.iter().enumerate() {
         for (first, a) in &own[..k] {
             if let Some(axes) = turned(a, b) {
-                return Err(Error::Input(words(first, second, &axes)));
+                return Err(Error::input(words(first, second, &axes)));
             }
         }
     }

@@ -1,0 +1,5 @@
+//! Words of files that hold no recording that can be read.
+
+use crate::words::entry::Entry;
+
+pub(in super::super) const ENTRIES: &[Entry] = &[];
