@@ -38,5 +38,10 @@ pub fn again(more: &str, output: Option<&str>) -> String {
         Some(output) => format!("-o {output}"),
         None => "--force".to_owned(),
     };
-    format!("stillpoint {} {more} {end}", words.join(" "))
+    let more = if more.is_empty() {
+        String::new()
+    } else {
+        format!("{more} ")
+    };
+    format!("stillpoint {} {more}{end}", words.join(" "))
 }

@@ -146,7 +146,21 @@ pub fn remark(line: &str) {
 pub fn gist(message: &str) -> String {
     let end = message.find(". ").unwrap_or(message.len());
     let sentence = message[..end].trim_end_matches('.');
-    without_odds(sentence.split("; ").next().unwrap_or(sentence))
+    without_odds(before_semicolon(sentence))
+}
+
+/// What comes before the first semicolon that stands in no brackets.
+fn before_semicolon(sentence: &str) -> &str {
+    let mut depth = 0;
+    for (at, c) in sentence.char_indices() {
+        match c {
+            '(' => depth += 1,
+            ')' => depth -= 1,
+            ';' if depth <= 0 => return &sentence[..at],
+            _ => {}
+        }
+    }
+    sentence
 }
 
 /// The text without the brackets that hold odds.

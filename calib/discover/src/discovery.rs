@@ -22,6 +22,7 @@ use super::fault::undersampled::undersampled;
 use super::findings::late::{late, late_apart, late_finding};
 use super::findings::named::{Final, finding, parameters_of, ranked_claim};
 use super::findings::room::described;
+use super::findings::typed::of_discovery;
 use super::findings::{FINDINGS_SCHEMA, Findings, Verdict};
 use super::gap::localise::disagreements;
 use super::judgement::{Judged, judged};
@@ -32,7 +33,7 @@ use super::request::{Request, Session};
 use super::search::{Name, Search};
 use super::settle::{HeldShape, say_held, settle};
 use super::state::State;
-use super::visible::NEVER_VISIBLE;
+use super::visible::never_visible;
 
 /// The chance that stamps which are late by the same in all recordings are said to be late by different times.
 const LATE_APART: f64 = 1e-3;
@@ -173,6 +174,9 @@ pub(super) fn discover_in(
     let inputs = session.recordings.iter();
     let inputs = inputs.map(|(r, choice)| (*r, Some(&choice.segmentation)));
     calibration.state_inputs(inputs, None);
+    calibration
+        .warnings
+        .extend(of_discovery(&effects, &faults, rest.as_ref()));
     let findings = Findings {
         schema: FINDINGS_SCHEMA,
         verdict,
@@ -191,7 +195,7 @@ pub(super) fn discover_in(
             .map(|(c, r)| ranked_claim(c, r))
             .collect(),
         not_observable: search.not_observable.clone(),
-        never_visible: NEVER_VISIBLE.to_vec(),
+        never_visible: never_visible(),
         validation: Vec::new(),
         walks: search.last.noise.walk,
         bias_instability: search.last.noise.flicker,

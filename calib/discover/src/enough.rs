@@ -1,5 +1,6 @@
 //! Whether a session can show anything at all.
 
+use findings::{Finding, Kind};
 use recording::Error;
 
 use super::request::Session;
@@ -12,10 +13,8 @@ use super::state::State;
 pub fn enough_rests(session: &Session<'_>) -> Result<(), Error> {
     for (recording, _) in &session.recordings {
         if recording.accelerometer.is_none() {
-            return Err(Error::not_enough(format!(
-                "{}: no accelerometer: gravity is the reference that the model is checked against",
-                recording.name
-            )));
+            let found = Finding::of(Kind::AccelerometerNeeded);
+            return Err(Error::not_enough(found.in_recording(&recording.name)));
         }
     }
     let rests: usize = session
@@ -26,13 +25,12 @@ pub fn enough_rests(session: &Session<'_>) -> Result<(), Error> {
     if rests >= plan::REQUIREMENT.placements {
         return Ok(());
     }
-    Err(Error::not_enough(format!(
-        "{}: {rests} static interval{}, too few to tell a missing effect from a scale factor; {}; {}",
-        names(session),
-        if rests == 1 { "" } else { "s" },
-        plan::REQUIREMENT,
-        wanted(session)
-    )))
+    let found = Finding::of(Kind::TooFewForSearch)
+        .in_recording(names(session))
+        .count("count", rests)
+        .detail("requirement", plan::REQUIREMENT.to_string())
+        .detail("wanted", wanted(session));
+    Err(Error::not_enough(found))
 }
 
 /// The placements to add, from the directions of the readings at rest.
@@ -53,13 +51,11 @@ pub fn enough_to_compare(session: &Session<'_>, base: &State) -> Result<(), Erro
     if base.projected.dof() > 0 {
         return Ok(());
     }
-    Err(Error::not_enough(format!(
-        "{}: the base models use up all {} readings: nothing is left that an effect could show in; {}; record \
-         more placements",
-        names(session),
-        base.rows(),
-        plan::REQUIREMENT
-    )))
+    let found = Finding::of(Kind::NothingToCompare)
+        .in_recording(names(session))
+        .count("rows", base.rows())
+        .detail("requirement", plan::REQUIREMENT.to_string());
+    Err(Error::not_enough(found))
 }
 
 fn names(session: &Session<'_>) -> String {

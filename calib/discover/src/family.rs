@@ -63,7 +63,7 @@ impl Claim {
                 "disturbed_interval"
             }
             Self::Disturbed(Disturbance::BadTurn) => "outlying_turn",
-            Self::Shape(shape, _) => shape.words(),
+            Self::Shape(shape, _) => shape.kind().name(),
         }
     }
 

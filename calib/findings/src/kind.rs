@@ -364,6 +364,80 @@ kinds! {
     GyroscopeScaleOff = "gyroscope_scale_off",
     /// The unit of the gyroscope looks like another one.
     ReadingsInDegrees = "readings_in_degrees",
+    // Names, faults and remainders of a search for what is missing.
+    /// The base models lack effects that the search names.
+    EffectNamed = "effect_named",
+    /// Turns miss something because the rate jumps between samples.
+    UndersampledMotion = "undersampled_motion",
+    /// The stamps of one recording are late in a way of their own.
+    StampsApart = "stamps_apart",
+    /// Samples are missing in one place.
+    SamplesMissing = "samples_missing",
+    /// A turn misses gravity where samples are lost.
+    TurnWithoutSamples = "turn_without_samples",
+    /// Readings stand at the end of the range in a turn or a static interval.
+    RangeReached = "range_reached",
+    /// What is left has a fine pattern over orientation.
+    FineOrientation = "fine_orientation",
+    /// What is left changes slowly over time.
+    SlowChange = "slow_change",
+    /// What is left is periodic in time.
+    PeriodicInTime = "periodic_in_time",
+    /// What is left is fixed to a horizontal direction of the room.
+    RoomDirection = "room_direction",
+    /// What is left relaxes after each turn.
+    RelaxationAfterTurn = "relaxation_after_turn",
+    /// What is left goes with products of the rates of two axes.
+    RateProducts = "rate_products",
+    /// A bias moves in one recording of several.
+    BiasMoves = "bias_moves",
+    /// A bias jumps to and fro between two levels.
+    BiasTwoLevels = "bias_two_levels",
+    /// A bias differs from static interval to static interval.
+    BiasScatters = "bias_scatters",
+    /// A bias wanders with a memory.
+    BiasWanders = "bias_wanders",
+    /// There is more scatter than the noise explains.
+    MoreScatter = "more_scatter",
+    /// Readings drift within static intervals.
+    DriftAtRest = "drift_at_rest",
+    /// The search ended before it was through.
+    SearchCutShort = "search_cut_short",
+    // Errors of a search, and what no recording shows.
+    /// The recording lacks an accelerometer.
+    AccelerometerNeeded = "accelerometer_needed",
+    /// Static intervals are too few for a search.
+    TooFewForSearch = "too_few_for_search",
+    /// The base models use up all readings.
+    NothingToCompare = "nothing_to_compare",
+    /// No effects are tied.
+    NothingTied = "nothing_tied",
+    /// There are no placements to plan with.
+    NoPlacements = "no_placements",
+    /// One unit was given where several are needed.
+    OneUnitOnly = "one_unit_only",
+    /// The noise file lacks a sensor.
+    NoiseOfOneSensor = "noise_of_one_sensor",
+    /// The noise file does not bound a random walk.
+    WalkUnbounded = "walk_unbounded",
+    /// The noise file has a random walk that no sensor has.
+    WalkImpossible = "walk_impossible",
+    /// The noise file only bounds a random walk.
+    WalkOnlyBounded = "walk_only_bounded",
+    /// The file is no noise file.
+    NotANoiseFile = "not_a_noise_file",
+    /// The file has another schema than is expected.
+    OtherSchema = "other_schema",
+    /// Local gravity cannot be told from a common scale.
+    GravityNeverSeen = "gravity_never_seen",
+    /// The rate of a clock cannot be told from a common scale.
+    ClockNeverSeen = "clock_never_seen",
+    /// The distance between the accelerometer's axes never shows.
+    DistanceNeverSeen = "distance_never_seen",
+    /// A delay common to the gyroscope's axes never shows.
+    DelayNeverSeen = "delay_never_seen",
+    /// Isotropic g-sensitivity cannot be told from the earth's rate.
+    EarthNeverSeen = "earth_never_seen",
     // Errors: files of any format (crates formats, output, exchange, live, batch).
     /// A file cannot be read.
     Unreadable = "unreadable",

@@ -133,6 +133,31 @@ pub enum Remedy {
     TurnBetween,
     /// Record at a higher rate.
     SampleFaster,
+    /// Filter the readings before they are sampled.
+    FilterFirst,
+    /// Measure the noise of the sensor at rest.
+    MeasureNoise,
+    /// Leave an option out.
+    Without {
+        /// Option.
+        option: OptionName,
+    },
+    /// Let the temperature rise and fall at least twice, slowly and fast.
+    TemperatureCycles,
+    /// Warm the device, then let it cool while it is turned.
+    WarmAndCool,
+    /// Record twice as long, from switching on, and return to the first placement.
+    LongFromSwitchOn,
+    /// Turn at very different speeds, both ways about every axis.
+    SpeedsThatDiffer,
+    /// Place the device between its faces.
+    TiltsBetweenFaces,
+    /// Reach the same placements from different sides.
+    OtherSides,
+    /// Rest longer in many orientations, the latitude given.
+    LongRests,
+    /// Record again with the placements in another order.
+    OtherOrder,
     /// Record with a larger range of the sensor.
     LargerRange,
     /// Record with the stamps of the sensor itself.
@@ -198,6 +223,11 @@ impl Remedy {
         Self::Set {
             any_of: without_values(options),
         }
+    }
+
+    /// No such option.
+    pub fn without(option: OptionName) -> Self {
+        Self::Without { option }
     }
 
     /// One of several options where what was decided is wrong.

@@ -32,13 +32,13 @@ use crate::commands::shared::names::Names;
 use crate::commands::shared::pictures::Pictures;
 use crate::exit::{Failure, INPUT, NOT_CONVERGED, NOT_ENOUGH, USAGE};
 use crate::output::Output;
+use crate::pages::residual::Residual;
 use crate::pages::session::Session;
 use crate::pages::{calibration, refusal};
 use crate::report::{Picture, Report};
 use crate::show;
 
 pub use arguments::Args;
-pub use first_screen::residual;
 
 use arguments::Method;
 use request::{request, sections};
@@ -188,8 +188,13 @@ fn drawn(
     let session = session(recordings, outcome)?;
     let units = tables::units(outcome);
     let plots = calibration::pictures(calibration, &session, units);
-    let page = calibration::page(calibration, &session, &plots, units)?;
+    let page = calibration::page(calibration, &session, &residual(outcome), &plots, units)?;
     Ok((plots, page))
+}
+
+/// The residuals of a fit, raw and calibrated.
+pub fn residual(outcome: &Outcome) -> Residual {
+    Residual::of(outcome, tables::units(outcome))
 }
 
 /// The report alone, as HTML.
@@ -253,7 +258,7 @@ fn finish(
         recordings,
         calibration,
         session: Some(&session),
-        residual: first_screen::residual(outcome),
+        residual: residual(outcome).in_words(),
     };
     first_screen::screen(&shown).show(|| {
         let shares = calibration

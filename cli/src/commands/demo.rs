@@ -158,7 +158,7 @@ fn screen(
         "simulated".to_owned(),
         format!("{rests} placements by hand, {samples} samples, one hidden effect"),
     ]];
-    figures.push(["base models".into(), residual(outcome)]);
+    figures.push(["base models".into(), residual(outcome).in_words()]);
     if let Some(effect) = found {
         let [before, after] = gaps(effect.gap_before, effect.gap_after);
         let [left, then] = gaps(effect.held_out_gap_before, effect.held_out_gap_after);
@@ -275,7 +275,11 @@ fn simulated(session: &Session, outcome: &Outcome) -> String {
         "A simulated device, held by hand in {rests} placements: {samples} samples of both sensors, consumer grade.\n\
          It has an effect that the analysis is not told of.\n\n"
     );
-    let _ = writeln!(text, "calibrate: gravity is met {}.", residual(outcome));
+    let _ = writeln!(
+        text,
+        "calibrate: gravity is met {}.",
+        residual(outcome).in_words()
+    );
     text
 }
 

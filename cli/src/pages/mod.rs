@@ -16,6 +16,7 @@ pub mod parameters;
 pub mod provenance;
 mod quantiles;
 pub mod refusal;
+pub mod residual;
 pub mod residuals;
 pub mod session;
 pub mod verdict;

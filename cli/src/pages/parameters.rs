@@ -158,11 +158,11 @@ pub fn weakest(calibration: &Calibration) -> Option<Figure> {
     for sensor in sensors(calibration) {
         let Sensor {
             name,
-            angle,
             triad,
             scale,
             bias,
             at,
+            ..
         } = sensor;
         for (i, axis) in AXES.iter().enumerate() {
             for j in 0..3 {
@@ -172,29 +172,30 @@ pub fn weakest(calibration: &Calibration) -> Option<Figure> {
                 let std = std / scale;
                 let (parameter, text) = if i == j {
                     (
-                        format!("s_{axis}"),
-                        format!("± {} ppm", show::rounded(HALF * 1e6 * std, 2)),
+                        format!("{axis} scale"),
+                        format!("± {} ppm", show::rounded(1e6 * std, 2)),
                     )
                 } else {
+                    let angle = format!("{}{}", AXES[j], AXES[3 - i - j]);
                     (
-                        misalignment(angle, i, j),
-                        format!("± {} mrad", show::figures(HALF * 1e3 * std, 2)),
+                        format!("misalignment {angle}"),
+                        format!("± {} mrad", show::figures(1e3 * std, 2)),
                     )
                 };
                 all.push((std, format!("{name} {parameter}"), text));
             }
             if let Some(std) = triad.bias_std[i] {
                 let (unit, factor) = bias;
-                let text = format!("± {} {unit}", show::rounded(HALF * factor * scale * std, 2));
-                all.push((scale * std / at, format!("{name} b_{}", AXES[i]), text));
+                let text = format!("± {} {unit}", show::rounded(factor * scale * std, 2));
+                all.push((scale * std / at, format!("{name} {axis} bias"), text));
             }
         }
     }
     all.retain(|(share, ..)| share.is_finite());
     let (share, name, text) = all.into_iter().max_by(|a, b| a.0.total_cmp(&b.0))?;
     let note = format!(
-        "{name}, 95 % interval: {} % of {}",
-        show::figures(HALF * 100.0 * share, 2),
+        "{name}, one standard error: {} % of {}",
+        show::figures(100.0 * share, 2),
         match name.chars().next() {
             Some('a') => "one g",
             Some('g') => "a turn at 1 rad/s",

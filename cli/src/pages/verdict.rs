@@ -5,6 +5,7 @@ use calib::Calibration;
 
 use super::coverage::Coverage;
 use super::parameters;
+use super::residual::Residual;
 use super::session::Session;
 use crate::report::{Figure, Level};
 use crate::show::{self, capital};
@@ -55,16 +56,16 @@ fn in_words(step: &Step) -> String {
 /// Raw to calibrated residual, weakest parameter, coverage.
 pub fn figures(
     calibration: &Calibration,
-    session: &Session<'_>,
+    residual: &Residual,
     coverage: Option<&Coverage>,
 ) -> Vec<Figure> {
-    let mut all = vec![residual(session)];
+    let mut all = vec![residual.figure()];
     all.extend(parameters::weakest(calibration));
     all.extend(coverage.map(|c| Figure::new("Directions covered", c.value(), c.note())));
     all
 }
 
-/// What is left of the raw readings' misfit.
+/// What is left of the raw readings' misfit on recordings that nothing was fitted to.
 pub fn residual(session: &Session<'_>) -> Figure {
     let rms = |all: Vec<f64>| {
         let squares: f64 = all.iter().map(|v| v * v).sum();

@@ -85,7 +85,7 @@ pub fn run(row: Row, index: u64) -> Result<Record, Error> {
     record.seconds = start.elapsed().as_secs_f64();
     let findings = &discovery.findings;
     debug_assert!(findings.verdict != Verdict::Nothing || findings.effects.is_empty());
-    record.unexplained = findings.unexplained.as_ref().map(|u| u.shape.clone());
+    record.unexplained = findings.unexplained.as_ref().map(|u| u.shape());
     if let Some(proposed) = &findings.proposed {
         let hidden = formulas::Hidden::named(&job.kind);
         record.is_formula =

@@ -288,7 +288,7 @@ fn a_bias_that_steps_in_one_recording_is_said_to_step_there() {
     let both = [recorded(&device, 1, "still"), recorded(&steps, 2, "moved")];
     let found = found(&recordings(&both), device.gravity).unwrap();
     let said = found.unexplained.unwrap();
-    assert!(said.shape.contains("the bias steps"), "{said:?}");
+    assert!(said.shape().contains("the bias steps"), "{said:?}");
     assert_eq!(said.recording.as_deref(), Some("moved"));
     assert_eq!(found.effects, []);
 }

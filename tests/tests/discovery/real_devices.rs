@@ -87,7 +87,7 @@ fn a_zero_that_is_set_anew_at_rest_is_a_fault_of_the_recording() {
     let spec = Spec::hand_held(31).with_hidden(rezeroing);
     let discovery = of(&[spec.run().unwrap().recording], &spec);
     assert_eq!(claims(&discovery), ["rezeroing 0"]);
-    let detail = &discovery.findings.integrity[0].detail;
+    let detail = &discovery.findings.integrity[0].finding.what();
     // The detector needs up to half a second to see that the turn is over.
     let jumps = [" 2.5 s", " 2.75 s", " 2.8 s", " 3 s"].iter();
     assert!(
@@ -145,7 +145,7 @@ fn a_bias_that_flips_between_two_levels_is_said_to() {
         }));
         let findings = of(&[spec.run().unwrap().recording], &spec).findings;
         assert!(findings.effects.is_empty(), "{seed}");
-        let shape = findings.unexplained.unwrap().shape;
+        let shape = findings.unexplained.unwrap().shape();
         let said = format!("{}: the bias of axis z jumps to and fro", sensor.name());
         assert!(shape.starts_with(&said), "{seed}: {shape}");
     }
@@ -162,7 +162,7 @@ fn a_bias_that_goes_with_the_placement_does_not_jump_to_and_fro() {
             wavenumber: 7.0,
         }));
         let findings = of(&[spec.run().unwrap().recording], &spec).findings;
-        findings.unexplained.map(|rest| rest.shape)
+        findings.unexplained.map(|rest| rest.shape())
     });
     let said: Vec<String> = said.collect();
     assert!(said.len() > 3, "{said:?}");

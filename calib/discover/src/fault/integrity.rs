@@ -1,11 +1,12 @@
 //! Faults of the recording itself, found without a model.
 
+use ::findings::{Finding, Kind};
 use estimate::methods::joint::{Disturbance, Flagged, Reason, SensorNoise};
-use nalgebra::Vector3;
 use recording::intervals::{Rails, Segmentation, Span};
-use recording::readings::{Finding, altered_bias};
+use recording::readings::{Finding as Altered, altered_bias};
 use recording::{Recording, Stream};
-use serde::Serialize;
+use sensor::Sensor;
+use serde::{Serialize, Serializer};
 
 use crate::request::Session;
 use crate::search::Either;
@@ -24,8 +25,6 @@ const COARSE: f64 = 2.0;
 /// A clock whose steps hardly differ: 95 % within this share of the median.
 const REGULAR: f64 = 0.2;
 
-const GYROSCOPE: &str = "gyroscope";
-
 /// A fault of the recording.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Integrity {
@@ -40,11 +39,9 @@ pub struct Integrity {
     pub t0: f64,
     /// Until when, s.
     pub t1: f64,
-    /// In words.
-    pub detail: String,
-    /// What to do about it, where that is more than to record the interval again.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub remedy: Option<&'static str>,
+    /// The finding; documents have its text as `detail`.
+    #[serde(rename = "detail", serialize_with = "in_words")]
+    pub finding: Finding,
     /// What these recordings cannot tell from it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub indistinguishable_from: Vec<&'static str>,
@@ -52,6 +49,10 @@ pub struct Integrity {
     /// motion; m/s² or rad/s of what a static interval is off by.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub size: Option<Size>,
+}
+
+fn in_words<S: Serializer>(finding: &Finding, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(&finding.what())
 }
 
 /// How large a fault is.
@@ -86,20 +87,14 @@ pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
     for ((recording, choice), source) in session.recordings.iter().zip(&base.fit.data.sources) {
         let sensors = [
             (
-                "accelerometer",
+                Sensor::Accelerometer,
                 &recording.accelerometer,
                 &source.accelerometer,
-                base.fit.force_unit.scale,
             ),
-            (
-                GYROSCOPE,
-                &recording.gyroscope,
-                &source.gyroscope,
-                base.fit.rate_unit.scale,
-            ),
+            (Sensor::Gyroscope, &recording.gyroscope, &source.gyroscope),
         ];
         let altered = altered_bias(recording, &choice.segmentation);
-        for (sensor, stream, noise, scale) in sensors {
+        for (sensor, stream, noise) in sensors {
             let Some(stream) = stream else { continue };
             let place = Looked {
                 recording,
@@ -107,13 +102,13 @@ pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
                 sensor,
                 stream,
             };
-            let altered = altered.as_ref().filter(|_| sensor == GYROSCOPE);
+            let altered = altered.as_ref().filter(|_| sensor == Sensor::Gyroscope);
             let altered = altered.and_then(|finding| place.altered_bias(finding));
             // A dead zone is as wide as a step.
             let coarse = noise
                 .as_ref()
                 .filter(|_| altered.is_none())
-                .and_then(|noise| place.quantisation(noise, scale));
+                .and_then(|noise| place.quantisation(noise));
             all.extend(altered);
             // Coarse readings repeat at their extremes too.
             if coarse.is_none() {
@@ -143,8 +138,15 @@ fn is_lost_beside(fault: &Integrity, lost: &Integrity) -> bool {
 fn lost_together(fault: &mut Integrity, other: &Integrity) {
     fault.t0 = fault.t0.min(other.t0);
     fault.t1 = fault.t1.max(other.t1);
-    let length = fault.t1 - fault.t0;
-    fault.detail = format!("no sample of accelerometer and gyroscope for {length:.3} s");
+    fault.finding = samples_missing("accelerometer and gyroscope", fault.t1 - fault.t0)
+        .in_recording(&fault.recording)
+        .between(fault.t0, fault.t1);
+}
+
+fn samples_missing(which: &str, length: f64) -> Finding {
+    Finding::of(Kind::SamplesMissing)
+        .detail("which", which)
+        .number("length", length, "s")
 }
 
 /// What a fit found disturbed, in the same form; `seen` are the faults that the readings themselves show: samples are
@@ -172,49 +174,28 @@ pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<In
                     && fault.t1 > flagged.span.from
             });
             let crept = size * flagged.span.length();
-            let (name, size, detail) = match flagged.kind {
-                Disturbance::MountSlip => (
-                    "mount_slip",
-                    Size::at_one_place(crept, "rad"),
-                    format!(
-                        "gravity drifts by {:.3}° where the device should have rested, as from a creep of the device \
-                         or a warm-up of the sensor",
-                        crept.to_degrees()
-                    ),
-                ),
-                Disturbance::SuddenSlip => (
-                    "mount_slip",
-                    Size::at_one_place(size, "rad"),
-                    format!("the device moved at once by {:.3}°", size.to_degrees()),
-                ),
-                Disturbance::DisturbedInterval => (
-                    "disturbed_interval",
-                    Size::at_one_place(size, "m/s^2"),
-                    format!("the specific force is off by {:.1} mm/s²", 1e3 * size),
-                ),
-                Disturbance::RateExcursion => (
-                    "disturbed_interval",
-                    Size::at_one_place(size, "rad/s"),
-                    format!(
-                        "the mean rate is off by {:.2} mrad/s ({:.0} °/h) here and not beside it",
-                        1e3 * size,
-                        size.to_degrees() * 3600.0
-                    ),
-                ),
-                Disturbance::BadTurn if lost => (
-                    "lost_samples",
-                    Size::at_one_place(size, "rad"),
-                    format!("samples are lost: the turn misses gravity by {:.2}°", size.to_degrees()),
-                ),
-                Disturbance::BadTurn => (
-                    "outlying_turn",
-                    Size::at_one_place(size, "rad"),
-                    format!(
-                        "turn {} is an outlier: it misses gravity by {:.2}°; its stamps have no gap",
-                        flagged.interval + 1,
-                        size.to_degrees()
-                    ),
-                ),
+            let (name, kind, size, unit) = match flagged.kind {
+                Disturbance::MountSlip => ("mount_slip", Kind::Creep, crept, "rad"),
+                Disturbance::SuddenSlip => ("mount_slip", Kind::MountSlip, size, "rad"),
+                Disturbance::DisturbedInterval => {
+                    ("disturbed_interval", Kind::DisturbedInterval, size, "m/s^2")
+                }
+                Disturbance::RateExcursion => {
+                    ("disturbed_interval", Kind::RateExcursion, size, "rad/s")
+                }
+                Disturbance::BadTurn if lost => {
+                    ("lost_samples", Kind::TurnWithoutSamples, size, "rad")
+                }
+                Disturbance::BadTurn => ("outlying_turn", Kind::TurnMissed, size, "rad"),
+            };
+            let found = Finding::of(kind)
+                .in_recording(recording)
+                .between(flagged.span.from, flagged.span.to)
+                .number("size", size, unit)
+                .affects("corrected_reading", size, unit);
+            let found = match flagged.kind {
+                Disturbance::BadTurn => found.at_turn(flagged.interval),
+                _ => found.at_interval(flagged.interval),
             };
             Integrity {
                 name,
@@ -223,9 +204,8 @@ pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<In
                 t0: flagged.span.from,
                 t1: flagged.span.to,
                 indistinguishable_from: or.map_or_else(Vec::new, |either| either.or.clone()),
-                detail,
-                remedy: None,
-                size,
+                finding: found,
+                size: Size::at_one_place(size, unit),
             }
         })
         .collect()
@@ -235,7 +215,7 @@ pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<In
 struct Looked<'a> {
     recording: &'a Recording,
     segmentation: &'a Segmentation,
-    sensor: &'a str,
+    sensor: Sensor,
     stream: &'a Stream,
 }
 
@@ -245,7 +225,7 @@ impl Looked<'_> {
         name: &'static str,
         interval: Option<usize>,
         span: Span,
-        detail: String,
+        finding: Finding,
     ) -> Integrity {
         Integrity {
             name,
@@ -253,8 +233,9 @@ impl Looked<'_> {
             interval,
             t0: span.from,
             t1: span.to,
-            detail,
-            remedy: None,
+            finding: finding
+                .in_recording(&self.recording.name)
+                .between(span.from, span.to),
             indistinguishable_from: Vec::new(),
             size: None,
         }
@@ -286,37 +267,40 @@ impl Looked<'_> {
         turns
             .chain(rests)
             .map(|(k, span, count)| {
-                let detail = format!(
-                    "{count} samples of the {} at the end of its range",
-                    self.sensor
-                );
-                self.found("saturation", Some(k + 1), span, detail)
+                let found = Finding::of(Kind::RangeReached)
+                    .of_sensor(self.sensor)
+                    .count("count", count);
+                self.found("saturation", Some(k + 1), span, found)
             })
             .collect()
     }
 
     /// A bias that the device itself changes or hides.
-    fn altered_bias(&self, finding: &Finding) -> Option<Integrity> {
-        let name = match finding {
-            Finding::DeadZone { .. } => "dead_zone",
-            Finding::Rezeroed { .. } => "rezeroing",
+    fn altered_bias(&self, altered: &Altered) -> Option<Integrity> {
+        let name = match altered {
+            Altered::DeadZone { .. } => "dead_zone",
+            Altered::Rezeroed { .. } => "rezeroing",
             _ => return None,
         };
-        Some(self.found(name, None, self.whole(), finding.to_string()))
+        Some(self.found(name, None, self.whole(), altered.into()))
     }
 
     /// Steps too wide for the noise to even out.
-    fn quantisation(&self, noise: &SensorNoise, scale: f64) -> Option<Integrity> {
+    fn quantisation(&self, noise: &SensorNoise) -> Option<Integrity> {
         let axis = (0..3).find(|&i| noise.step[i] > COARSE * noise.white[i])?;
-        let step: Vector3<f64> = noise.step / scale;
-        let detail = format!(
-            "the {} reads in steps of {:.3e} on axis {}, {:.1} times its noise",
-            self.sensor,
-            step[axis],
-            ["x", "y", "z"][axis],
-            noise.step[axis] / noise.white[axis]
-        );
-        Some(self.found("quantisation", None, self.whole(), detail))
+        let unit = match self.sensor {
+            Sensor::Gyroscope => "rad/s",
+            _ => "m/s^2",
+        };
+        let error = noise.step[axis] / 12f64.sqrt();
+        let found = Finding::of(Kind::Quantised)
+            .of_sensor(self.sensor)
+            .detail("axes", ["x", "y", "z"][axis])
+            .number("step", noise.step[axis], unit)
+            .number("noise", noise.white[axis], unit)
+            .number("error", error, unit)
+            .affects("corrected_reading", error, unit);
+        Some(self.found("quantisation", None, self.whole(), found))
     }
 
     fn whole(&self) -> Span {
@@ -357,8 +341,8 @@ impl Looked<'_> {
                     .statics
                     .iter()
                     .rposition(|r| r.span.from <= gap.from);
-                let detail = format!("no sample of the {} for {:.3} s", self.sensor, gap.length());
-                self.found("lost_samples", before.map(|k| k + 1), gap, detail)
+                let found = samples_missing(self.sensor.name(), gap.length());
+                self.found("lost_samples", before.map(|k| k + 1), gap, found)
             })
             .collect()
     }

@@ -1,10 +1,9 @@
 //! What turns miss because the rate jumps between samples.
 
+use ::findings::{Finding, Kind};
+
 use super::integrity::{Integrity, Size};
 use crate::state::State;
-
-/// What helps where samples miss something between them.
-const SLOWER_OR_FASTER: &str = "place the device gently, sample faster, or filter before sampling";
 
 /// Turns shown of a recording that is sampled too slowly for its shocks.
 const SHOWN: usize = 6;
@@ -31,7 +30,6 @@ pub fn undersampled(state: &State) -> Vec<Integrity> {
         let [low, high] = found.share.between;
         Some(Integrity {
             name: "undersampled_motion",
-            remedy: Some(SLOWER_OR_FASTER),
             recording: state.fit.data.sources[found.recording].name.clone(),
             interval: None,
             t0: first.from,
@@ -42,13 +40,15 @@ pub fn undersampled(state: &State) -> Vec<Integrity> {
                 unit: "rad",
                 gap: Some(left.over_the_readings(state)),
             }),
-            detail: format!(
-                "the rate jumps between samples and {:.2} ({low:.2} to {high:.2}) of each jump is missing in the \
-                 angle: {:.2}° rms are left after the turns, most of it expected in turns {}",
-                found.share.value,
-                left.rms().to_degrees(),
-                turns.join(", ")
-            ),
+            finding: Finding::of(Kind::UndersampledMotion)
+                .in_recording(&state.fit.data.sources[found.recording].name)
+                .between(first.from, last.to)
+                .number("share", found.share.value, "share")
+                .number("low", low, "share")
+                .number("high", high, "share")
+                .number("angle", left.rms(), "rad")
+                .detail("turns", turns.join(", "))
+                .affects("turn", left.rms(), "rad"),
         })
     });
     found.collect()

@@ -1,5 +1,6 @@
 //! Late stamps, which the moving accelerometer shows, as a finding.
 
+use ::findings::{Finding, Kind};
 use estimate::calibration::Calibration;
 use recording::intervals::Span;
 use sensor::{AnyEffect, Model, Nature, Sensor};
@@ -56,15 +57,11 @@ pub fn late_apart(state: &State, request: &Request, alpha: f64) -> Vec<Integrity
             interval: None,
             t0: span.from,
             t1: span.to,
-            detail: format!(
-                "stamps of the accelerometer {:.2} ± {:.2} ms {way}, unlike in the other recordings",
-                1e3 * own.delay.abs(),
-                1e3 * own.std
-            ),
-            remedy: Some(
-                "the offset is of that recording alone and is in no calibration: start both sensors by one clock, or take it off \
-                 the accelerometer's stamps",
-            ),
+            finding: Finding::of(Kind::StampsApart)
+                .in_recording(&data.sources[*recording].name)
+                .number("size", own.delay.abs(), "s")
+                .number("error", own.std, "s")
+                .detail("way", way),
             indistinguishable_from: Vec::new(),
             size: Some(Size {
                 value: own.delay.abs(),

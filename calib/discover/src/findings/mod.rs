@@ -5,9 +5,11 @@ pub(super) mod late;
 pub(super) mod latitude;
 pub(super) mod named;
 pub(super) mod room;
+pub(super) mod typed;
 
+use ::findings::{Finding, Front, Remedy};
 use estimate::calibration::{Calibration, EffectParameter};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use self::beside::Beside;
 use crate::fault::integrity::Integrity;
@@ -48,6 +50,14 @@ impl Verdict {
     }
 }
 
+fn remedy_in_words<S: Serializer>(remedy: &Option<Remedy>, to: S) -> Result<S::Ok, S::Error> {
+    remedy.as_ref().map(|r| r.text(Front::Plain)).serialize(to)
+}
+
+fn finding_in_words<S: Serializer>(found: &Option<Finding>, to: S) -> Result<S::Ok, S::Error> {
+    found.as_ref().map(|f| f.text(Front::Plain)).serialize(to)
+}
+
 /// An effect that was missing.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct EffectFinding {
@@ -68,10 +78,14 @@ pub struct EffectFinding {
     /// What tells it from the effects among them.
     pub rivals: Vec<Rivalry>,
     /// What recording would tell them apart.
-    pub told_apart_by: Option<String>,
+    #[serde(serialize_with = "remedy_in_words")]
+    pub told_apart_by: Option<Remedy>,
     /// What the recordings say of a latitude that was given, where a wrong one explains this as well.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub latitude_in_doubt: Option<String>,
+    #[serde(
+        skip_serializing_if = "Option::is_none",
+        serialize_with = "finding_in_words"
+    )]
+    pub latitude_in_doubt: Option<Finding>,
     /// What may be there too and would change its parameters much.
     pub may_be_beside: Vec<Beside>,
     /// Its parameters after the refit.
@@ -147,7 +161,8 @@ pub struct Findings {
     /// Effects of the catalogue that this recording cannot show at ten times their typical size.
     pub not_observable: Vec<String>,
     /// What no recording of this kind shows.
-    pub never_visible: Vec<&'static str>,
+    #[serde(with = "::findings::texts::of_warnings")]
+    pub never_visible: ::findings::Findings,
     /// Gaps on recordings that the fit did not see.
     pub validation: Vec<Validation>,
     /// Random walk densities of the biases in the final model, m/s²/√s and rad/s/√s.

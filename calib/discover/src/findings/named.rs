@@ -67,7 +67,7 @@ pub fn finding(name: &Name, last: &Final<'_>) -> EffectFinding {
         indistinguishable_from: ties,
         shared: name.ties.iter().map(|t| t.shared).collect(),
         rivals: name.ties.iter().filter_map(|t| t.rivalry.clone()).collect(),
-        latitude_in_doubt: doubt.map(|doubt| doubt.finding().text(::findings::Front::CommandLine)),
+        latitude_in_doubt: doubt.map(|doubt| doubt.finding()),
         may_be_beside: beside.collect(),
         parameters,
         channel,

@@ -1,5 +1,6 @@
 //! A rotation about a horizontal direction of the room: the earth's near the equator, or a field's.
 
+use ::findings::{Finding, Kind, OptionName, Remedy};
 use effects::{is_earth_rotation, room_field};
 use sensor::{AnyEffect, Sensor};
 
@@ -7,9 +8,13 @@ use super::EffectFinding;
 use crate::remainder::unexplained::Unexplained;
 use crate::search::Search;
 
-/// What it is, in words.
-const WORDS: &str = "gyroscope: fixed to a horizontal direction of the room, as the earth's rotation is near the equator (--latitude puts \
-                     that into the model)";
+/// The finding of it.
+fn of_a_room() -> Finding {
+    Finding::of(Kind::RoomDirection)
+        .of_sensor(Sensor::Gyroscope)
+        .detail("as", "as the earth's rotation is near the equator")
+        .remedy(Remedy::set(OptionName::Latitude))
+}
 
 /// Describes a rotation that may be either in place of naming it: the model has it, and what is named beside it stays. Whether there
 /// was one comes with what remains.
@@ -32,7 +37,7 @@ pub fn described(
         // What is left beside it says the same.
         Some(rest) if rest.fitted_by == field => rest,
         Some(rest) => Unexplained {
-            shape: format!("{}; {WORDS}", rest.shape),
+            finding: rest.finding.because(of_a_room()),
             ..rest
         },
         None => Unexplained {
@@ -42,7 +47,7 @@ pub fn described(
             p_value: found.adjusted_p_value,
             statistic: found.statistic,
             dof: found.dof,
-            shape: WORDS.into(),
+            finding: of_a_room(),
             recording: None,
             period: None,
             fitted_by: field,

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use ::findings::{Finding, Findings, Kind};
 use estimate::calibration::refuse_newer;
 use estimate::methods::joint::BiasNoise;
 use noise::{NOISE_SCHEMA, NoiseSummary, NoiseTerm, SensorNoise, TermValue};
@@ -18,7 +19,7 @@ pub struct GivenNoise {
     /// Of accelerometer (m/s²/√s) and gyroscope (rad/s/√s).
     pub noise: BiasNoise,
     /// Where a density is only bounded.
-    pub notes: Vec<String>,
+    pub notes: Findings,
 }
 
 /// The random walk densities in a file that `allan` has written: of each sensor the root mean square over its axes.
@@ -31,64 +32,49 @@ pub struct GivenNoise {
 pub fn noise_in(path: &Path) -> Result<GivenNoise, Error> {
     let text = recording::read_text(path)?;
     refuse_newer(path, &text, NOISE_SCHEMA)?;
-    let summary = parse(&text).map_err(|what| at(path, &what))?;
+    let in_file = |found: Finding| found.in_file(shown_path(path));
+    let summary = parse(&text).map_err(|found| Error::input(in_file(*found)))?;
     let mut given = GivenNoise {
         noise: BiasNoise::default(),
-        notes: Vec::new(),
+        notes: Findings::new(),
     };
     let sensors = [
         (Sensor::Accelerometer, summary.accelerometer),
         (Sensor::Gyroscope, summary.gyroscope),
     ];
     for (place, (sensor, noise)) in sensors.into_iter().enumerate() {
-        let name = sensor.name();
-        let noise = noise.ok_or_else(|| {
-            let what = format!(" no {name}: densities of both sensors are needed");
-            at(path, &what)
-        })?;
-        let density = density(&noise).ok_or_else(|| {
-            let what = format!(
-                " the random walk of the {name} is not bounded: record longer at rest (an hour or more), or \
-                 leave --noise out and have it estimated"
-            );
-            at(path, &what)
-        })?;
+        let of = |kind| in_file(Finding::of(kind)).of_sensor(sensor);
+        let noise = noise.ok_or_else(|| Error::input(of(Kind::NoiseOfOneSensor)))?;
+        let density = density(&noise).ok_or_else(|| Error::input(of(Kind::WalkUnbounded)))?;
         if density.value > LARGEST {
-            let what = format!(
-                " a random walk of {:.3e} per root second for the {name}: no inertial sensor wanders by more than \
-                 {LARGEST}",
-                density.value
-            );
-            return Err(at(path, &what));
+            let found = of(Kind::WalkImpossible)
+                .number("density", density.value, "1")
+                .number("largest", LARGEST, "1");
+            return Err(Error::input(found));
         }
         given.noise.walk[place] = density.value;
         given.noise.flicker[place] = instability(&noise);
         if density.bounded {
-            given.notes.push(format!(
-                "{}: the random walk of the {name} is only bounded there; its bound is used, which may hide a \
-                 small effect",
-                shown_path(path)
-            ));
+            given.notes.push(of(Kind::WalkOnlyBounded));
         }
     }
     Ok(given)
 }
 
-fn at(path: &Path, what: &str) -> Error {
-    Error::input(format!("{}:{what}", shown_path(path)))
-}
-
-fn parse(text: &str) -> Result<NoiseSummary, String> {
+fn parse(text: &str) -> Result<NoiseSummary, Box<Finding>> {
     let summary: NoiseSummary = serde_json::from_str(text).map_err(|e| {
-        let place = format!("{}:{}", e.line(), e.column());
-        format!("{place}: no noise file as `allan -o` writes it: {e}")
+        Finding::of(Kind::NotANoiseFile)
+            .at_line(e.line() as u64)
+            .at_column(e.column() as u64)
+            .detail("reason", e.to_string())
     })?;
     if summary.schema == NOISE_SCHEMA {
         Ok(summary)
     } else {
-        Err(format!(
-            " schema \"{}\" found, \"{NOISE_SCHEMA}\" expected",
-            summary.schema
+        Err(Box::new(
+            Finding::of(Kind::OtherSchema)
+                .detail("found", summary.schema)
+                .detail("expected", NOISE_SCHEMA),
         ))
     }
 }

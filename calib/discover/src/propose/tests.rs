@@ -157,7 +157,7 @@ fn asked_of(spec: &Spec, channel: Channel) -> Option<Formula> {
         size: 1.0,
         rms: None,
         p_value: 1.0,
-        shape: String::new(),
+        finding: ::findings::Finding::of(::findings::Kind::MoreScatter),
         recording: None,
         period: None,
         fitted_by: None,

@@ -2,6 +2,7 @@
 
 use estimate::methods::joint::BiasNoise;
 use faer::Mat;
+use findings::{Finding, Kind};
 use sensor::Sensor;
 
 use super::biases::biases;
@@ -31,7 +32,7 @@ pub(super) struct Trial {
     pub statistic: f64,
     /// The degrees of freedom.
     pub dof: f64,
-    pub words: String,
+    pub finding: Finding,
     /// The shape, of a trial that has one.
     pub of: Option<(Shape, Sensor)>,
     pub channel: Option<Channel>,
@@ -114,7 +115,7 @@ fn of_scatter(scatter: &Scatter) -> Trial {
         log_p: scatter.log_p,
         statistic: scatter.statistic,
         dof: 1.0,
-        words: scatter.words(),
+        finding: scatter.finding(),
         of: None,
         channel: Some(channel_at_rest(scatter.sensor)),
         period: None,
@@ -131,7 +132,7 @@ fn of_jumps(state: &State, jumps: &Jumps) -> Trial {
         log_p: jumps.log_p,
         statistic: jumps.statistic,
         dof: jumps.dof(),
-        words: jumps.words(),
+        finding: jumps.finding(),
         of: None,
         channel: Some(channel_at_rest(jumps.sensor)),
         period: None,
@@ -155,16 +156,17 @@ fn of_shape(state: &State, family: &Family, ranked: &Ranked) -> Trial {
     let period = value.filter(|_| shape == Some(Shape::Periodic));
     let recording = way.place.filter(|_| shape == Some(Shape::OneRecording));
     let recording = recording.map(|k| state.fit.data.sources[k].name.as_str());
-    let of = sensor.name();
-    let words = match (period, recording, value) {
-        (Some(period), ..) => format!("{of}: periodic with {period:.1} s"),
-        (_, Some(name), Some(t)) => {
-            format!("{of}: the bias steps {t:.0} s into {name}")
-        }
-        (_, Some(name), None) => {
-            format!("{of}: the bias drifts in {name}")
-        }
-        _ => format!("{of}: {}", family.claim.name()),
+    let finding = match shape {
+        Some(shape) => Finding::of(shape.kind()).of_sensor(sensor),
+        None => Finding::of(Kind::MoreScatter),
+    };
+    let finding = match (period, recording, value) {
+        (Some(period), ..) => finding.number("period", period, "s"),
+        (_, Some(name), Some(t)) => finding
+            .detail("where", name)
+            .detail("moves", format!("steps {t:.0} s into the recording")),
+        (_, Some(name), None) => finding.detail("where", name).detail("moves", "drifts"),
+        _ => finding,
     };
     let columns = family.columns_of(ranked.hypothesis);
     let change = Mat::from_fn(columns.ncols(), 1, |i, _| ranked.score.change[i]);
@@ -172,7 +174,7 @@ fn of_shape(state: &State, family: &Family, ranked: &Ranked) -> Trial {
         log_p: ranked.log_p + family.log_places,
         statistic: ranked.statistic,
         dof: ranked.dof,
-        words,
+        finding,
         of: shape.map(|shape| (shape, sensor)),
         channel: None,
         period,

@@ -2,6 +2,7 @@
 
 use estimate::methods::joint::{BiasNoise, Column};
 use faer::Mat;
+use findings::{Finding, Kind};
 use sensor::Sensor;
 
 use super::biases::{AtLevel, OfSensor};
@@ -37,14 +38,12 @@ pub(super) struct Jumps {
 }
 
 impl Jumps {
-    /// What jumps, in words.
-    pub fn words(&self) -> String {
-        let axis = ["x", "y", "z"][self.axis];
-        format!(
-            "{}: the bias of axis {axis} jumps to and fro between two levels, {} times",
-            self.sensor.name(),
-            self.count
-        )
+    /// The finding.
+    pub fn finding(&self) -> Finding {
+        Finding::of(Kind::BiasTwoLevels)
+            .of_sensor(self.sensor)
+            .detail("axis", ["x", "y", "z"][self.axis])
+            .count("count", self.count)
     }
 
     /// Degrees of freedom: how far it jumps, and when.

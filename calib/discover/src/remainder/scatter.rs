@@ -2,6 +2,7 @@
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
+use findings::{Finding, Kind};
 use sensor::Sensor;
 
 use super::biases::{AtLevel, Biases, OfSensor};
@@ -41,18 +42,16 @@ impl Scatter {
         self.memory <= MEMORIES[0]
     }
 
-    /// What wanders, in words. Jumps to and fro have the covariance of a wandering.
-    pub fn words(&self) -> String {
-        let axis = ["x", "y", "z"][self.axis];
-        let how = if self.is_forgotten() {
-            "differs from rest to rest, as one does that goes with the placement or jumps between rests".into()
-        } else {
-            format!(
-                "wanders or jumps, with a memory of about {:.0} s",
-                self.memory
-            )
+    /// The finding. Jumps to and fro have the covariance of a wandering.
+    pub fn finding(&self) -> Finding {
+        let kind = match self.is_forgotten() {
+            true => Kind::BiasScatters,
+            false => Kind::BiasWanders,
         };
-        format!("{}: the bias of axis {axis} {how}", self.sensor.name())
+        Finding::of(kind)
+            .of_sensor(self.sensor)
+            .detail("axis", ["x", "y", "z"][self.axis])
+            .number("memory", self.memory, "s")
     }
 }
 

@@ -2,6 +2,7 @@
 
 use effects::{relaxation, room_field};
 use estimate::methods::joint::Instant;
+use findings::Kind;
 use nalgebra::Vector3;
 use sensor::{AnyEffect, Sensor};
 
@@ -53,16 +54,16 @@ impl Shape {
         effect.map(AnyEffect::name)
     }
 
-    /// In words.
-    pub fn words(self) -> &'static str {
+    /// The kind of finding.
+    pub fn kind(self) -> Kind {
         match self {
-            Self::FineOrientation => "a fine pattern over orientation",
-            Self::SlowTime => "a slow change over time",
-            Self::Periodic => "periodic in time",
-            Self::Heading => "fixed to a horizontal direction of the room",
-            Self::LastTurn => "a relaxation after each turn, by the direction of the turn",
-            Self::RateProducts => "products of the rates of two axes",
-            Self::OneRecording => "the bias moves in one recording",
+            Self::FineOrientation => Kind::FineOrientation,
+            Self::SlowTime => Kind::SlowChange,
+            Self::Periodic => Kind::PeriodicInTime,
+            Self::Heading => Kind::RoomDirection,
+            Self::LastTurn => Kind::RelaxationAfterTurn,
+            Self::RateProducts => Kind::RateProducts,
+            Self::OneRecording => Kind::BiasMoves,
         }
     }
 }

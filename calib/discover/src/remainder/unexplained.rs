@@ -1,9 +1,10 @@
 //! What is left when everything of the catalogue has had its chance.
 
 use estimate::methods::joint::{BiasNoise, Chunk, Disturbance, Mean, SensorNoise, orthonormal};
+use findings::{Finding, Kind};
 use nalgebra::Vector3;
 use sensor::{Quantity, Sensor};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use super::biases::biases;
 use super::described::{Described, Shaped, Trial, channel_at_rest};
@@ -32,8 +33,9 @@ pub struct Unexplained {
     pub statistic: f64,
     /// The degrees of freedom.
     pub dof: f64,
-    /// In words.
-    pub shape: String,
+    /// The finding; documents have its text as `shape`.
+    #[serde(rename = "shape", serialize_with = "in_words")]
+    pub finding: Finding,
     /// Period, where it has one, s.
     pub period: Option<f64>,
     /// The only recording that shows it, of several.
@@ -49,6 +51,17 @@ pub struct Unexplained {
     /// The sensor and the axis whose bias wanders, where that is what remains.
     #[serde(skip)]
     pub wandering: Option<(Sensor, usize)>,
+}
+
+fn in_words<S: Serializer>(finding: &Finding, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(&finding.what())
+}
+
+impl Unexplained {
+    /// The remainder in words.
+    pub fn shape(&self) -> String {
+        self.finding.what()
+    }
 }
 
 /// Looks for a significant rest (family-wise chance `alpha`), and whether one shape explains the whole better than
@@ -145,7 +158,7 @@ pub fn rest_beside(state: &State, described: &Described, alpha: f64) -> Option<U
         p_value: log_p.exp(),
         statistic: worst.statistic,
         dof: worst.dof,
-        shape: worst.words.clone(),
+        finding: worst.finding.clone(),
         period: worst.period,
         recording: worst.recording.clone(),
         fitted_by: worst.of.and_then(|(shape, sensor)| shape.effect(sensor)),
@@ -176,7 +189,7 @@ fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
         log_p: log_tail(chi2, dof),
         statistic: chi2,
         dof,
-        words: "more scatter than the noise".into(),
+        finding: Finding::of(Kind::MoreScatter),
         of: None,
         channel,
         period: None,
@@ -202,7 +215,7 @@ fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
             log_p: log_tail(chi2, dof),
             statistic: chi2,
             dof,
-            words: format!("readings of the {} drift within rests", sensor.name()),
+            finding: Finding::of(Kind::DriftAtRest).of_sensor(sensor),
             of: None,
             channel: Some(channel_at_rest(sensor)),
             period: None,

@@ -17,6 +17,7 @@ use std::rc::Rc;
 pub use either::Either;
 use estimate::methods::joint::{Data, Known};
 use faer::Mat;
+use findings::{Finding, Kind};
 use outlying_turns::outlying_turns;
 pub(crate) use ranking::{Ranking, VERTICAL};
 use recording::Error;
@@ -105,7 +106,7 @@ pub struct Search {
     /// Effects that the recordings would not show, had the device them.
     pub not_observable: Vec<String>,
     /// That the search ended before its end, as it would have taken too long, in words.
-    pub spent: Option<String>,
+    pub spent: Option<Finding>,
     /// Models that were fitted on the way.
     fitted: Vec<State>,
 }
@@ -259,12 +260,9 @@ impl Finder<'_> {
         }
         let reviewed = self.review(&base, last, held)?;
         let spent = (spent || reviewed.is_spent).then(|| {
-            format!(
-                "the search for what is missing ended after {} fits, as more would take too long with {} static intervals: there \
-                 may be more to find. Look at a part of the recording with fewer of them",
-                self.fits.get(),
-                base.fit.data.rests.len()
-            )
+            Finding::of(Kind::SearchCutShort)
+                .count("fits", self.fits.get())
+                .count("count", base.fit.data.rests.len())
         });
         Ok(Search {
             spent,

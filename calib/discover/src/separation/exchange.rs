@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use findings::{Finding, Kind};
 use nalgebra::Vector3;
 use plan::{ForceMatrix, Noise, Speed, Timing, best, sequence, tilts, ways};
 use rand::{RngExt, SeedableRng};
@@ -90,13 +91,13 @@ pub fn separate(
     conditions: &Conditions,
 ) -> Result<Aim, Error> {
     if rivalries.is_empty() {
-        return Err(Error::not_enough("no effects that are tied"));
+        return Err(Error::not_enough(Finding::of(Kind::NothingTied)));
     }
     let counts = count.map_or(COUNTS.to_vec(), |count| vec![count]);
     let mut best: Option<Judged> = None;
     for (k, count) in counts.iter().enumerate() {
         let start = judge(starts(*count, conditions), rivalries, conditions)
-            .ok_or_else(|| Error::not_enough("no placements to begin with"))?;
+            .ok_or_else(|| Error::not_enough(Finding::of(Kind::NoPlacements)))?;
         // What is far from settled by any start wants more placements, not better ones.
         let found = if start.reached() >= NEARLY * SETTLED || k + 1 == counts.len() {
             exchanged(start, *count, rivalries, conditions)?
@@ -119,7 +120,7 @@ pub fn separate(
         ..
     }) = best
     else {
-        return Err(Error::not_enough("no number of placements to try"));
+        return Err(Error::not_enough(Finding::of(Kind::NoPlacements)));
     };
     let warmed = Design {
         warmed: true,

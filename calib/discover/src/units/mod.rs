@@ -17,6 +17,7 @@ mod unit;
 
 use std::borrow::Borrow;
 
+use ::findings::{Finding, Kind};
 use estimate::calibrate::own_effects;
 use recording::{Error, Recording};
 use sensor::AnyEffect;
@@ -52,9 +53,7 @@ pub fn discover_units<R: Borrow<Recording>>(
     request: &Request,
 ) -> Result<UnitFindings, Error> {
     if recordings.len() < 2 {
-        return Err(Error::not_enough(
-            "one unit: what units of a type share shows with two or more of them",
-        ));
+        return Err(Error::not_enough(Finding::of(Kind::OneUnitOnly)));
     }
     own_effects::grant_steps(&request.catalogue, recordings.iter().map(R::borrow));
     let each: Vec<[&Recording; 1]> = recordings.iter().map(|r| [r.borrow()]).collect();

@@ -134,7 +134,7 @@ fn alone(recording: &Recording, findings: &Findings) -> UnitAlone {
         effects: findings.effects.iter().map(|e| e.name.clone()).collect(),
         integrity,
         faults: findings.integrity.clone(),
-        unexplained: findings.unexplained.as_ref().map(|u| u.shape.clone()),
+        unexplained: findings.unexplained.as_ref().map(|u| u.shape()),
         left_out: left_out(findings),
         warnings: findings.calibration.warnings.texts(Front::CommandLine),
         failed_gates: findings.calibration.failed_gates.texts(Front::CommandLine),
@@ -145,8 +145,8 @@ fn alone(recording: &Recording, findings: &Findings) -> UnitAlone {
 /// sensor may do.
 fn left_out(findings: &Findings) -> Option<String> {
     let doubts = findings.effects.iter();
-    let mut doubts = doubts.filter_map(|effect| effect.latitude_in_doubt.clone());
+    let mut doubts = doubts.filter_map(|effect| effect.latitude_in_doubt.as_ref());
     let gates = &findings.calibration.failed_gates;
-    let gate = gates.first().map(|gate| gate.text(Front::CommandLine));
-    gate.or_else(|| doubts.next())
+    let first = gates.first().or_else(|| doubts.next());
+    first.map(|found| found.text(Front::CommandLine))
 }

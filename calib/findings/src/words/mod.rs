@@ -14,6 +14,7 @@ pub use tables::{entries, entry};
 
 use crate::finding::{Finding, Place};
 use crate::kind::Kind;
+use crate::remedy::Remedy;
 
 /// The table of all kinds for the manual: name, level, text with its names in braces, ways out.
 pub fn manual_table() -> String {
@@ -35,6 +36,13 @@ pub fn manual_table() -> String {
         ));
     }
     table
+}
+
+impl Remedy {
+    /// The remedy in words, an imperative.
+    pub fn text(&self, front: Front) -> String {
+        remedies::words(self, front)
+    }
 }
 
 impl Place {
@@ -74,6 +82,23 @@ impl Finding {
             text.push_str(&cause.text(front));
         }
         text
+    }
+
+    /// What was found, without its place and without what to do.
+    pub fn what(&self) -> String {
+        let finding = Self {
+            place: Place {
+                sensor: self.place.sensor,
+                ..Place::default()
+            },
+            ..self.clone()
+        };
+        let own = template::filled(entry(self.kind).text, &finding);
+        let causes = self.because.iter().map(Self::what);
+        std::iter::once(own)
+            .chain(causes)
+            .collect::<Vec<_>>()
+            .join("; ")
     }
 
     /// The reason in a few words, without its place; of an error its whole text.

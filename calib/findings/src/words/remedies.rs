@@ -184,6 +184,15 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         Remedy::NameUnit { example } => {
             return format!("write the unit into the column's name, as `{example}`");
         }
+        Remedy::Without { option } => {
+            let [plain, flag, field, keyword] = names(*option);
+            return match front {
+                Front::Plain => format!("leave {plain} out"),
+                Front::CommandLine => format!("leave {flag} out"),
+                Front::Rust => format!("leave `{field}` out"),
+                Front::Python => format!("leave `{keyword}` out"),
+            };
+        }
         Remedy::AddPlacements { placements } => {
             return format!("add placements: {}", placements.join(", "));
         }
@@ -200,6 +209,27 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         Remedy::TurnSlower => "turn more slowly",
         Remedy::TurnBetween => "turn the device between the placements",
         Remedy::SampleFaster => "record at a higher rate",
+        Remedy::FilterFirst => "filter before sampling",
+        Remedy::MeasureNoise => "measure the noise of a long rest",
+        Remedy::TemperatureCycles => {
+            "record while the temperature rises and falls at least twice, slowly and fast"
+        }
+        Remedy::WarmAndCool => "warm the device, then let it cool while you turn it",
+        Remedy::LongFromSwitchOn => {
+            "record twice as long: begin with five minutes at rest right after switching on, and return to the first \
+             placement several times"
+        }
+        Remedy::SpeedsThatDiffer => {
+            "turn at very different speeds, from slow (20 °/s) to as fast as the range allows, both ways about every axis"
+        }
+        Remedy::TiltsBetweenFaces => {
+            "add placements between the faces: tilts of 20 to 70 degrees on every axis"
+        }
+        Remedy::OtherSides => "reach the same placements from different sides, in mixed order",
+        Remedy::LongRests => {
+            "rest longer (30 s) in at least twelve orientations, and give the latitude"
+        }
+        Remedy::OtherOrder => "record a second time with the placements in another order",
         Remedy::LargerRange => "record with a larger range of the sensor",
         Remedy::SensorStamps => "record with the sensor's own stamps",
         Remedy::OneClock => "record all sensors by one clock",
@@ -221,6 +251,9 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         (Front::CommandLine, Remedy::Discover) => " (`stillpoint discover`)",
         (Front::CommandLine, Remedy::Plan) => " (`stillpoint plan`)",
         (Front::CommandLine, Remedy::UpdateBias) => " (`stillpoint bias`)",
+        (Front::CommandLine, Remedy::MeasureNoise) => {
+            " (`stillpoint allan RECORDING -o noise.json`)"
+        }
         (Front::CommandLine, Remedy::Validate) => " (`stillpoint evaluate`)",
         (Front::CommandLine, Remedy::LookInto) => " (`stillpoint info`)",
         (Front::CommandLine, Remedy::LeaveOut) => " (--leave-out)",

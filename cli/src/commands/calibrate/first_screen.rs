@@ -4,13 +4,11 @@ mod compact;
 mod steps;
 
 use ::findings::{Front, Grade, Kind, gravest_first};
-use calib::calibrate::{Outcome, STANDARD_GRAVITY};
-use calib::recording::averages::root_mean_square;
+use calib::calibrate::STANDARD_GRAVITY;
 use calib::{Calibration, Recording};
 
 use super::arguments::Args;
 use super::judgement;
-use super::tables::units;
 use super::{limits, reading_error};
 use crate::commands::shared::first_screen::{Screen, lines_of_failure, wrote};
 use crate::commands::shared::names::Names;
@@ -30,40 +28,6 @@ pub struct Shown<'a> {
     pub session: Option<&'a Session<'a>>,
     /// Residuals in words: at rest and after a turn.
     pub residual: String,
-}
-
-/// The residuals of a fit, raw and calibrated.
-pub fn residual(outcome: &Outcome) -> String {
-    let calibration = &outcome.calibration;
-    let mut parts = Vec::new();
-    if let Some(triad) = &calibration.accelerometer {
-        let rests = outcome.choices.iter().flat_map(|c| &c.segmentation.statics);
-        let raw =
-            rests.filter_map(|rest| Some(rest.accelerometer?.mean.norm() - calibration.gravity));
-        let raw = root_mean_square(&raw.collect::<Vec<_>>());
-        // Readings that are no m/s² have no misfit of their own.
-        let raw = Some(raw).filter(|_| units(outcome)[0] == "m/s²");
-        let pair = [raw.map(|v| 1e3 * v), Some(1e3 * triad.residual_rms)];
-        parts.extend(show::arrow(pair, " mm/s² at rest"));
-    }
-    let turns = match (&outcome.joint, &outcome.gyroscope) {
-        (Some(fit), _) if !fit.chords.is_empty() => Some((
-            root_mean_square(&fit.chords_before),
-            root_mean_square(&fit.chords),
-        )),
-        (None, Some(fit)) => Some((fit.rms_before(), fit.rms())),
-        _ => None,
-    };
-    if let Some((before, after)) = turns {
-        let raw = Some(before.to_degrees()).filter(|_| units(outcome)[1] == "rad/s");
-        parts.extend(show::arrow(
-            [raw, Some(after.to_degrees())],
-            "° after a turn",
-        ));
-    }
-    let parts = parts.join(", ");
-    let word = if parts.contains('→') { "raw " } else { "" };
-    format!("{word}{parts}")
 }
 
 /// What is on it.
@@ -98,8 +62,8 @@ pub fn screen(shown: &Shown<'_>) -> Screen {
     figures.extend(of_readings(calibration));
     figures.extend(parameters::weakest(calibration).map(|weakest| {
         let [_, value, note] = weakest.words();
-        let name = note.split(", 95 %").next().unwrap_or(note);
-        ["weakest parameter".into(), format!("{name} {value} (95 %)")]
+        let name = note.split(',').next().unwrap_or(note);
+        ["weakest parameter".into(), format!("{name} {value}")]
     }));
     Screen {
         verdict: vec![names.short(&judgement.sentence)],

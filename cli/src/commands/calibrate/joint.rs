@@ -17,14 +17,12 @@ pub const TURN_TIME: f64 = 3.0;
 /// Levels of noise, and what the errors of the parameters make of readings and headings.
 pub fn text(fit: &JointFit) -> String {
     let mut text = String::new();
-    let turns: Vec<f64> = fit.chords.iter().map(|c| c * c).collect();
-    if !turns.is_empty() {
-        let rms = (turns.iter().sum::<f64>() / turns.len() as f64).sqrt();
+    if !fit.chords.is_empty() {
+        let missed = show::figures(fit.direction_rms().to_degrees(), 3);
         let _ = writeln!(
             text,
-            "{} turns, gravity predicted to {:.3}° rms",
-            turns.len(),
-            rms.to_degrees()
+            "{} turns, gravity predicted to {missed}° rms",
+            fit.chords.len()
         );
     }
     for misfit in fit.misfits() {

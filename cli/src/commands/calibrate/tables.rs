@@ -45,9 +45,9 @@ pub fn text(outcome: &Outcome) -> String {
         );
         let _ = writeln!(
             text,
-            "{} static intervals, residual {:.2} mm/s² rms{}, condition {:.1}, rank {}",
+            "{} static intervals, residual {} mm/s² rms{}, condition {:.1}, rank {}",
             triad.static_intervals.unwrap_or(0),
-            1e3 * triad.residual_rms,
+            show::figures(1e3 * triad.residual_rms, 3),
             over_noise(triad),
             triad.condition,
             triad.rank

@@ -1,6 +1,7 @@
 //! What to record next, and what would show what did not show here.
 
-use calib::discover::Findings;
+use ::findings::{Front, Remedy};
+use calib::discover::{Findings, Integrity};
 
 /// What a recording must have for effects to show whose names contain one of the first.
 const TO_SHOW: [(&[&str], &str); 7] = [
@@ -63,6 +64,14 @@ pub fn to_show(not_observable: &[String], whole: bool) -> Vec<String> {
     all.into_iter().map(line).collect()
 }
 
+/// What to do against a fault, where that is more than to record the interval again.
+pub fn remedy_of(fault: &Integrity) -> Option<String> {
+    let again = [Remedy::RecordAgain, Remedy::LeaveOut];
+    let remedies = &fault.finding.remedies;
+    let more = remedies.iter().any(|remedy| !again.contains(remedy));
+    more.then(|| fault.finding.advice(Front::CommandLine))?
+}
+
 /// What to record next, the most telling first.
 pub fn next_recordings(findings: &Findings) -> Vec<String> {
     let mut next: Vec<String> = Vec::new();
@@ -80,14 +89,15 @@ pub fn next_recordings(findings: &Findings) -> Vec<String> {
                 }
             };
             add(format!(
-                "To tell {} from {}: {recording}.{plan}",
+                "To tell {} from {}: {}.{plan}",
                 effect.name,
-                effect.indistinguishable_from.join(" and ")
+                effect.indistinguishable_from.join(" and "),
+                recording.text(Front::CommandLine)
             ));
         }
     }
     for fault in &findings.integrity {
-        if let Some(remedy) = fault.remedy {
+        if let Some(remedy) = remedy_of(fault) {
             add(format!("Against {}: {remedy}.", fault.name));
         }
     }

@@ -5,9 +5,10 @@ use calib::Recording;
 use calib::discover::{Channel, EffectFinding, Findings, Integrity, Verdict};
 use calib::gravity::GravitySource;
 
+use super::advice::remedy_of;
 use super::args::Args;
 use super::size;
-use super::words::{gaps, or, unit_of};
+use super::words::{gaps, unit_of};
 use crate::call;
 use crate::commands::calibrate::limits;
 use crate::commands::shared::first_screen::{Screen, Step, lines_of_failure, wrote};
@@ -29,9 +30,6 @@ pub fn screen(
     let names = Names::of(recordings);
     let calibration = &findings.calibration;
     let reasons = limits::reasons(calibration);
-    let bad = reasons
-        .first()
-        .map(|reason| format!("Not to be used as it is: {}.", show::gist(reason)));
     let mut all: Vec<String> = Vec::new();
     let mut said = Vec::new();
     let read = remarks.iter().cloned().map(|remark| (false, remark));
@@ -39,7 +37,7 @@ pub fn screen(
     // What would be gained by the place is among the next steps.
     let fitted = fitted.map(|finding| {
         (
-            finding.kind == Kind::GravityAssumed,
+            finding.kind == Kind::GravityAssumed || finding.kind.is_of_a_search(),
             finding.text(Front::CommandLine),
         )
     });
@@ -59,7 +57,7 @@ pub fn screen(
     written.extend(args.pictures.paths().iter().map(|path| show::path(path)));
     let tables = [named(findings), names.short(&open(findings))];
     Screen {
-        verdict: bad.into_iter().chain([brief(findings)]).collect(),
+        verdict: vec![brief(findings)],
         tables: tables
             .into_iter()
             .filter(|table| !table.is_empty())
@@ -73,44 +71,33 @@ pub fn screen(
     }
 }
 
-/// The verdict in at most thirty words.
+/// Words of a verdict, at most.
+const WORDS: usize = 30;
+
+/// The verdict in at most thirty words: how good the calibration is and why, the names, then what else was found.
 pub fn brief(findings: &Findings) -> String {
+    let verdict = findings.calibration.verdict();
+    let mut sentences = vec![verdict.sentence()];
     if findings.verdict == Verdict::Nothing {
-        return "Nothing is missing that could show here: the base models explain the recording to within its noise.".into();
+        sentences.push("Nothing is missing that could show here.".into());
     }
-    let mut sentences = Vec::new();
-    if !findings.effects.is_empty() {
-        let names = findings.effects.iter().map(|effect| {
-            let ties = effect.indistinguishable_from.get(..1).unwrap_or_default();
-            or(&effect.name, ties)
-        });
-        sentences.push(format!(
-            "The base models lack {}.",
-            listed(&names.collect::<Vec<_>>())
-        ));
+    let gravest = verdict.reasons.first().map(String::as_str);
+    let mut found = gravest_first(&findings.calibration.warnings);
+    found.retain(|own| own.kind.is_of_a_search() && Some(own.kind.name()) != gravest);
+    found.sort_by_key(|own| own.kind != Kind::EffectNamed);
+    sentences.extend(found.iter().map(|own| show::capital(&own.reason()) + "."));
+    if findings.proposed.is_some() {
+        sentences.push("A formula is proposed for what remains.".into());
     }
-    if !findings.integrity.is_empty() {
-        let mut kinds: Vec<String> = Vec::new();
-        for fault in &findings.integrity {
-            let kind = fault.name.replace('_', " ");
-            if !kinds.contains(&kind) {
-                kinds.push(kind);
-            }
+    let mut said = String::new();
+    for sentence in sentences {
+        let longer = format!("{said} {sentence}");
+        let is_new = !said.contains(&sentence);
+        if is_new && (said.is_empty() || longer.split_whitespace().count() <= WORDS) {
+            said = longer;
         }
-        sentences.push(format!(
-            "The recording itself is at fault: {}.",
-            listed(&kinds)
-        ));
     }
-    match (&findings.unexplained, &findings.proposed) {
-        (Some(_), Some(_)) => sentences.push("A formula is proposed for what remains.".into()),
-        (Some(_), None) if findings.effects.is_empty() => {
-            sentences.push("Something is missing that no effect of the catalogue explains.".into());
-        }
-        (Some(_), None) => sentences.push("Something remains unexplained.".into()),
-        (None, _) => {}
-    }
-    sentences.join(" ")
+    said.trim().to_owned()
 }
 
 /// `a, b and c`; of many the first.
@@ -221,7 +208,7 @@ fn open(findings: &Findings) -> String {
         });
         let whose = rest.recording.iter();
         let whose: String = whose.map(|name| format!("in {name} alone: ")).collect();
-        lines.push(format!("unexplained: {whose}{}{size}", rest.shape));
+        lines.push(format!("unexplained: {whose}{}{size}", rest.shape()));
     }
     lines.extend(faults(&findings.integrity));
     match findings.not_observable.len() {
@@ -287,6 +274,12 @@ fn next(args: &Args, findings: &Findings) -> Vec<Step> {
     let inputs = args.recordings.command_line() + &args.read.command_line();
     let place = args.place.command_line();
     let mut steps = Vec::new();
+    if given.is_none() {
+        steps.push(Step::new(
+            "keep the findings",
+            call::again("", Some(&document)),
+        ));
+    }
     let tied = |effect: &&EffectFinding| effect.told_apart_by.is_some();
     if findings.effects.iter().any(|effect| tied(&effect)) {
         steps.push(Step::new(
@@ -315,7 +308,7 @@ fn next(args: &Args, findings: &Findings) -> Vec<Step> {
     let remedy = findings
         .integrity
         .iter()
-        .find_map(|fault| Some((fault.name, fault.remedy?)));
+        .find_map(|fault| Some((fault.name, remedy_of(fault)?)));
     if let Some((fault, remedy)) = remedy {
         steps.push(Step::words(format!(
             "Against {}: {remedy}.",

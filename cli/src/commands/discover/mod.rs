@@ -66,7 +66,11 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     args.replace.end_if_all_exist()?;
     if let Some(path) = &args.noise {
         let given = noise_in(path)?;
-        given.notes.iter().for_each(|note| show::warn(note));
+        given
+            .notes
+            .texts(Front::CommandLine)
+            .iter()
+            .for_each(|note| show::warn(note));
         request.noise = Some(given.noise);
     }
     let recordings = args.recordings.read(&args.read)?;

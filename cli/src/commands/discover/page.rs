@@ -1,13 +1,15 @@
 //! The report of a discovery.
 
+use ::findings::Grade;
 use calib::Recording;
-use calib::discover::{Discovery, Findings, Request, Verdict};
+use calib::discover::{Discovery, Findings, Request};
 use calib::methods::cut;
 use sensor::Sensor;
 
 use super::super::calibrate::tables::{PARAMETERS, parameters};
 use super::advice::next_recordings;
 use super::alternatives;
+use super::first_screen::brief;
 use super::tables::{self, Rows};
 use super::verdict::{remains, verdict};
 use super::words::proposed;
@@ -56,12 +58,12 @@ pub fn page_after(
     let session = Session::of(pairs, Some(calibration), calibration.gravity)?;
     let coverage = pages::covered(&session);
     let mut report = Report::new("What is missing")
-        .verdict(level(findings), verdict(findings))
+        .verdict(level(findings), brief(findings))
         .figures(figures(findings, coverage.as_ref()))
         .next(&next(findings))
         .warnings(&pages::notes(calibration))
         .provenance(provenance::rows(calibration));
-    report = first(report).section("The gap");
+    report = first(report).section("The gap").text(verdict(findings));
     let plot = |wanted: &str| plots.iter().find(|(name, _)| name == wanted);
     if let Some((_, gap)) = plot("gap").or(plot("remainder")) {
         report = report.plot(gap);
@@ -116,14 +118,12 @@ pub fn page_after(
     pages::exports(report, calibration)
 }
 
-/// What is named is in the calibration; what is unexplained or at fault in the recording is not.
+/// The level of the verdict.
 fn level(findings: &Findings) -> Level {
-    if !findings.calibration.failed_gates.is_empty() {
-        return Level::Bad;
-    }
-    match findings.verdict {
-        Verdict::Nothing => Level::Good,
-        _ => Level::Care,
+    match findings.calibration.verdict().level {
+        Grade::Good => Level::Good,
+        Grade::Care => Level::Care,
+        Grade::Bad => Level::Bad,
     }
 }
 

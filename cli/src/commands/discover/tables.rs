@@ -226,7 +226,7 @@ pub fn faults(findings: &Findings) -> Rows<4> {
                 false => interval,
             },
             format!("{:.2} to {:.2}", fault.t0, fault.t1),
-            fault.detail.clone(),
+            fault.finding.what(),
         ]
     });
     (header, rows.collect())
@@ -288,7 +288,7 @@ pub fn not_seen(findings: &Findings) -> Vec<String> {
     if !findings.never_visible.is_empty() {
         all.push("Never visible in recordings made by hand:".into());
         let words = findings.never_visible.iter();
-        all.extend(words.map(|what| format!("• {what}")));
+        all.extend(words.map(|found| format!("• {}", found.what())));
     }
     all
 }
@@ -308,9 +308,7 @@ pub fn not_observable(findings: &Findings, whole: bool) -> Vec<String> {
 /// What no recording of this kind shows, without the reasons.
 pub fn never_visible(findings: &Findings) -> Option<String> {
     let all = findings.never_visible.iter();
-    let short: Vec<&str> = all
-        .map(|what| what.split_once(':').map_or(*what, |(what, _)| what))
-        .collect();
+    let short: Vec<String> = all.map(|found| found.reason()).collect();
     (!short.is_empty()).then(|| {
         format!(
             "Never visible in recordings made by hand: {}.",

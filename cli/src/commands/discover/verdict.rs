@@ -239,7 +239,7 @@ pub fn remains(rest: &Unexplained) -> String {
     };
     let chi2 = format!("chi² {:.0} of {degrees}", rest.statistic);
     let p = show::probability(rest.p_value);
-    format!("{} ({gap}{chi2}, {p})", rest.shape)
+    format!("{} ({gap}{chi2}, {p})", rest.shape())
 }
 
 #[cfg(test)]

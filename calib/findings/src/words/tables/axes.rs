@@ -29,7 +29,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         kind: Kind::ScaleOff,
         level: Level::Care,
         severity: 3.0,
-        reason: "the {sensor} reads {share} {more} on all axes",
+        reason: "the {sensor} reads gravity {share} {more} than it is, on all axes",
         text: "the {sensor} reads gravity as {reads}, {share} {more} than {gravity}, on all axes alike[. {so}]",
         advice: "",
         remedies: Vec::new,

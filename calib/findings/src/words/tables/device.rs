@@ -13,8 +13,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.04,
         reason: "the recording speaks against the latitude",
         text: "at a latitude of {given}° the vertical rate of the earth is {expected}. The recording shows {shown} ± {error}, as at a latitude of {seen}°. {what} may be wrong",
-        advice: "",
-        remedies: || vec![Remedy::set(OptionName::Latitude)],
+        advice: "check its sign and its value",
+        remedies: || vec![Remedy::without(OptionName::Latitude)],
     },
     Entry {
         kind: Kind::BiasRemovedBefore,
@@ -140,7 +140,12 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "the {sensor} is not calibrated",
         text: "the {sensor} is not calibrated: {why}[ ({kept})]",
         advice: "",
-        remedies: || vec![Remedy::set_to(OptionName::Sensor, "accelerometer")],
+        remedies: || {
+            vec![
+                Remedy::RecordAgain,
+                Remedy::set_to(OptionName::Sensor, "accelerometer"),
+            ]
+        },
     },
     Entry {
         kind: Kind::TimeConstantSupposed,

@@ -3,6 +3,7 @@
 mod axes;
 mod clocks;
 mod device;
+mod discovery;
 mod errors;
 mod fit;
 mod format;
@@ -35,13 +36,22 @@ pub fn entries() -> impl Iterator<Item = &'static Entry> {
         intervals::ENTRIES,
         magnetic::ENTRIES,
         part_way::ENTRIES,
+        discovery::ENTRIES,
         errors::files::ENTRIES,
+        errors::search::ENTRIES,
         errors::recordings::ENTRIES,
         errors::requests::ENTRIES,
         other::ENTRIES,
     ]
     .into_iter()
     .flatten()
+}
+
+impl Kind {
+    /// Whether a search for what is missing finds it, and no calibration does.
+    pub fn is_of_a_search(self) -> bool {
+        discovery::ENTRIES.iter().any(|entry| entry.kind == self)
+    }
 }
 
 /// The entry of a kind.

@@ -51,7 +51,7 @@ pub fn text(calibration: &Calibration) -> String {
     }
     let rows: Vec<[String; 5]> = all.iter().flat_map(rows).collect();
     let header = [
-        String::new(),
+        "± 1 σ".into(),
         "scale, ppm".into(),
         "misalignment,".into(),
         "mrad".into(),

@@ -37,19 +37,20 @@ pub fn next(
             .iter()
             .flat_map(|finding| finding.remedies.first())
     };
-    if remedies().any(|remedy| *remedy == Remedy::Discover) {
+    let search = || {
         let place = args.place.command_line();
-        steps.push(Step::new(
-            "name what is missing",
+        Step::new(
+            "look for a missing effect",
             format!("stillpoint discover {inputs}{place} -o findings.json"),
-        ));
-    }
+        )
+    };
     for finding in &judgement.findings {
         let step = match (
             finding.remedies.first(),
             finding.place.t0.zip(finding.place.t1),
         ) {
-            (None | Some(Remedy::Discover | Remedy::Plan), _) => None,
+            (None | Some(Remedy::Plan), _) => None,
+            (Some(Remedy::Discover), _) => Some(search()),
             (Some(Remedy::LeaveOut), Some((t0, t1))) => {
                 let which = number(calibration, finding.place.recording.as_deref());
                 let option = format!("--leave-out {which}{:.1}", 0.5 * (t0 + t1));

@@ -3,3 +3,4 @@
 pub(super) mod files;
 pub(super) mod recordings;
 pub(super) mod requests;
+pub(super) mod search;

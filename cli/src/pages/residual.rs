@@ -1,0 +1,84 @@
+//! The residuals of a fit, raw and calibrated: one definition for the terminal, the page and the documents.
+
+use calib::calibrate::Outcome;
+use calib::recording::averages::root_mean_square;
+
+use crate::report::Figure;
+use crate::show;
+
+/// Root mean squares before and after the calibration.
+///
+/// The calibrated ones are `residual_rms` of the calibration's sensors; readings in counts or g have no raw one.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Residual {
+    /// Norm of specific force less gravity at static intervals, mm/s².
+    pub at_rest: [Option<f64>; 2],
+    /// Angle by which gravity is missed after a turn, °.
+    pub after_turn: [Option<f64>; 2],
+    /// Static intervals and turns.
+    pub count: [usize; 2],
+}
+
+impl Residual {
+    /// Of a fit whose readings have these units.
+    pub fn of(outcome: &Outcome, units: [&str; 2]) -> Self {
+        let calibration = &outcome.calibration;
+        let mut own = Self::default();
+        if let Some(triad) = &calibration.accelerometer {
+            let rests = outcome.choices.iter().flat_map(|c| &c.segmentation.statics);
+            let norm = |mean: nalgebra::Vector3<f64>| mean.norm() - calibration.gravity;
+            let raw = rests.filter_map(|rest| Some(norm(rest.accelerometer?.mean)));
+            let raw: Vec<f64> = raw.collect();
+            own.count[0] = triad.static_intervals.unwrap_or(raw.len());
+            let raw = (units[0] == "m/s²").then(|| 1e3 * root_mean_square(&raw));
+            own.at_rest = [raw, Some(1e3 * triad.residual_rms)];
+        }
+        let turns = match (&outcome.joint, &outcome.gyroscope) {
+            (Some(fit), _) if !fit.chords.is_empty() => {
+                Some((root_mean_square(&fit.chords_before), fit.chords.len()))
+            }
+            (None, Some(fit)) => Some((fit.rms_before(), fit.chords.len())),
+            _ => None,
+        };
+        if let (Some(triad), Some((raw, count))) = (&calibration.gyroscope, turns) {
+            let raw = (units[1] == "rad/s").then(|| raw.to_degrees());
+            own.after_turn = [raw, Some(triad.residual_rms)];
+            own.count[1] = count;
+        }
+        own
+    }
+
+    /// `raw 243 → 0.354 mm/s² at rest, 3.11 → 0.0141° after a turn`; empty where there is none.
+    pub fn in_words(&self) -> String {
+        let parts = [
+            show::arrow(self.at_rest, " mm/s² at rest"),
+            show::arrow(self.after_turn, "° after a turn"),
+        ];
+        let parts: Vec<String> = parts.into_iter().flatten().collect();
+        let parts = parts.join(", ");
+        let word = if parts.contains('→') { "raw " } else { "" };
+        format!("{word}{parts}")
+    }
+
+    /// The figure at the head of a page.
+    pub fn figure(&self) -> Figure {
+        let [rests, turns] = self.count;
+        let through = show::arrow(self.after_turn, "°");
+        let (value, note) = match show::arrow(self.at_rest, " mm/s²") {
+            Some(value) => {
+                let through =
+                    through.map(|text| format!("; direction through {turns} turns {text}"));
+                let note = format!(
+                    "norm of {rests} static intervals{}",
+                    through.unwrap_or_default()
+                );
+                (value, note)
+            }
+            None => (
+                through.unwrap_or("none".into()),
+                format!("direction through {turns} turns"),
+            ),
+        };
+        Figure::new("Residual, raw → calibrated", value, note)
+    }
+}
