@@ -416,6 +416,8 @@ kinds! {
     NoPlacements = "no_placements",
     /// One unit was given where several are needed.
     OneUnitOnly = "one_unit_only",
+    /// An effect looks at more than one reading tells.
+    WholeRecordingNeeded = "whole_recording_needed",
     /// The noise file lacks a sensor.
     NoiseOfOneSensor = "noise_of_one_sensor",
     /// The noise file does not bound a random walk.

@@ -20,7 +20,7 @@ mod _native {
     #[pymodule_export]
     use super::recording::Recording;
     #[pymodule_export]
-    use super::results::{Calibration, Findings};
+    use super::results::{Calibration, Corrector, Findings};
     #[pymodule_export]
     use super::work::{
         allan, calibrate, discover, effect_names, evaluate, run_command, simulate, version,

@@ -78,6 +78,12 @@ impl Calibration {
         done.map_err(|error| exception(py, &error))
     }
 
+    /// Corrects samples one by one, effects included.
+    fn corrector(&self, py: Python<'_>) -> PyResult<Corrector> {
+        let own = stillpoint::Corrector::of(&self.0);
+        own.map(Corrector).map_err(|error| exception(py, &error))
+    }
+
     /// The corrected recording.
     fn apply(&self, py: Python<'_>, recording: &Recording) -> PyResult<Recording> {
         let (own, raw) = (self.0.clone(), recording.0.clone());
@@ -89,6 +95,25 @@ impl Calibration {
 
     fn figures(&self, py: Python<'_>) -> PyResult<Figures> {
         figures::calibration(py, &self.0)
+    }
+}
+
+/// Corrects samples one by one.
+#[pyclass(module = "stillpoint._native")]
+#[derive(Clone, Debug)]
+pub struct Corrector(pub stillpoint::Corrector);
+
+#[pymethods]
+impl Corrector {
+    /// Specific force and angular rate behind one sample.
+    fn correct(
+        &mut self,
+        t: f64,
+        accel: [f64; 3],
+        gyro: [f64; 3],
+        temperature: Option<f64>,
+    ) -> ([f64; 3], [f64; 3]) {
+        self.0.correct(t, accel, gyro, temperature)
     }
 }
 

@@ -25,7 +25,8 @@ from ._errors import (
 )
 from ._native import version as _version
 from ._recording import Recording
-from ._results import Calibration, Findings, Noise, Parameter
+from ._results import Calibration, Corrector, Findings, Noise, Parameter
+from ._tools import batch, export, plan, report
 from ._work import allan, apply, calibrate, discover, effects, evaluate, simulate
 
 __version__ = _version()
@@ -33,6 +34,7 @@ __version__ = _version()
 __all__ = [
     "Calibration",
     "Cancelled",
+    "Corrector",
     "Findings",
     "InputError",
     "Noise",
@@ -45,9 +47,13 @@ __all__ = [
     "UsageError",
     "allan",
     "apply",
+    "batch",
     "calibrate",
     "discover",
     "effects",
     "evaluate",
+    "export",
+    "plan",
+    "report",
     "simulate",
 ]

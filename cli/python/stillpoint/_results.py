@@ -116,6 +116,30 @@ class Calibration:
         """Reasons not to use it as it stands."""
         return self._native.failed_gates
 
+    def matrix(self, sensor: str) -> "npt.NDArray[np.float64]":
+        """``T`` of ``accelerometer``, ``gyroscope`` or ``magnetometer``, (3, 3), no unit."""
+        return self._array(sensor, "T")
+
+    def bias(self, sensor: str) -> "npt.NDArray[np.float64]":
+        """``b`` of ``accelerometer`` (m/s²), ``gyroscope`` (rad/s) or ``magnetometer``, (3,)."""
+        return self._array(sensor, "bias")
+
+    def _array(self, sensor: str, key: str) -> "npt.NDArray[np.float64]":
+        import numpy
+
+        own = self.to_dict().get(sensor)
+        if not own or key not in own:
+            raise KeyError(f"sensor: {sensor} is not calibrated")
+        return numpy.array(own[key])
+
+    def corrector(self) -> "Corrector":
+        """Corrects samples one by one, as they come from a device, effects included.
+
+        Raises:
+            NotEnoughInformation: an effect looks at more than one sample.
+        """
+        return Corrector._of(self._native.corrector())
+
     def apply(
         self,
         recording: Optional[Recording] = None,
@@ -158,6 +182,34 @@ class Calibration:
     def _repr_html_(self) -> str:
         notes = self.failed_gates + self.warnings
         return _html.page("Calibration", self.parameters, notes, self._native.figures())
+
+
+class Corrector:
+    """Corrects samples one by one; see :meth:`Calibration.corrector`."""
+
+    __slots__ = ("_native",)
+
+    def __init__(self) -> None:
+        raise TypeError("use Calibration.corrector")
+
+    @classmethod
+    def _of(cls, native: _native.Corrector) -> "Corrector":
+        own = object.__new__(cls)
+        own._native = native
+        return own
+
+    def correct(
+        self,
+        t: float,
+        accel: Sequence[float],
+        gyro: Sequence[float],
+        temperature: Optional[float] = None,
+    ) -> tuple[list[float], list[float]]:
+        """Specific force (m/s²) and angular rate (rad/s) behind the raw readings at ``t`` (s).
+
+        A temperature (°C) holds until the next one is given.
+        """
+        return self._native.correct(t, list(accel), list(gyro), temperature)
 
 
 class Findings:

@@ -132,7 +132,7 @@ fn every_figure_that_appears_twice_is_the_same() {
     // A batch.
     said(folder, &["batch", "devices", "-o", "batch"]);
     said(folder, &["batch", "merge", "batch", "-o", "all", "--csv"]);
-    let csv = find_csv(&folder.join("all"));
+    let csv = std::fs::read_to_string(folder.join("all.csv")).unwrap();
     let mut lines = csv.lines();
     let header: Vec<&str> = lines.next().unwrap().split(',').collect();
     let row: Vec<&str> = lines.next().unwrap().split(',').collect();
@@ -178,11 +178,4 @@ fn rates(info: &Value) -> Vec<f64> {
     }
     assert!(!found.is_empty(), "{info}");
     found
-}
-
-fn find_csv(folder: &Path) -> String {
-    let files = std::fs::read_dir(folder).unwrap().flatten();
-    let mut tables = files.map(|entry| entry.path());
-    let table = tables.find(|path| path.extension().is_some_and(|e| e == "csv"));
-    std::fs::read_to_string(table.unwrap()).unwrap()
 }

@@ -9,6 +9,7 @@
 //! an error that names both ([`require`]).
 
 mod attitude;
+mod corrector;
 mod needs;
 mod rests;
 mod sensing;
@@ -25,6 +26,7 @@ use recording::{Error, Recording};
 use sensor::attitude::Attitude;
 use sensor::{Kinematics, Quantity, Sensor, Since};
 
+pub use corrector::{Corrector, Sample};
 pub use needs::{require, silent_at_static_intervals, without_instant};
 pub use sensing::{Models, Sensing};
 pub use supposed::{supposed, unneeded};

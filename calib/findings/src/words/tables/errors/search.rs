@@ -39,6 +39,12 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         Vec::new,
     ),
     Entry::error(
+        Kind::WholeRecordingNeeded,
+        "the effect {effect} looks at the {quantity}, which one reading does not tell",
+        "correct the whole recording",
+        Vec::new,
+    ),
+    Entry::error(
         Kind::NoiseOfOneSensor,
         "no {sensor}: densities of both sensors are needed",
         "",
