@@ -48,6 +48,10 @@ impl Calibration {
         }
     }
 
+    pub(crate) fn inner(&self) -> &calib::Calibration {
+        &self.inner
+    }
+
     /// Reads a calibration file; effects of one's own are found in `catalogue`.
     ///
     /// # Errors

@@ -25,12 +25,12 @@ def session():
 def test_samples_one_by_one_are_those_of_the_whole_recording(session):
     recording, calibration = session
     whole = calibration.apply(recording)
-    t, accel, gyro = recording.t, recording.accel, recording.gyro
+    (t, accel), (_, gyro) = recording.accel, recording.gyro
     corrector = calibration.corrector()
     for k in (0, 1, 700):
         force, rate = corrector.correct(t[k], accel[k], gyro[k])
-        assert np.allclose(force, whole.accel[k], atol=1e-12)
-        assert np.allclose(rate, whole.gyro[k], atol=1e-12)
+        assert np.allclose(force, whole.accel[1][k], atol=1e-12)
+        assert np.allclose(rate, whole.gyro[1][k], atol=1e-12)
 
 
 def test_matrix_and_bias_are_arrays(session):

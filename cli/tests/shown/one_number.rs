@@ -26,9 +26,13 @@ fn page_text(html: &str) -> String {
     while let Some((before, tag)) = left.split_once('<') {
         text.push_str(before);
         text.push(' ');
-        let end = ["script", "style"].iter().find(|name| tag.starts_with(**name));
+        let end = ["script", "style"]
+            .iter()
+            .find(|name| tag.starts_with(**name));
         left = match end {
-            Some(name) => tag.split_once(&format!("</{name}>")).map_or("", |(_, after)| after),
+            Some(name) => tag
+                .split_once(&format!("</{name}>"))
+                .map_or("", |(_, after)| after),
             None => tag.split_once('>').map_or("", |(_, after)| after),
         };
     }
@@ -82,10 +86,18 @@ fn every_figure_that_appears_twice_is_the_same() {
     session(folder);
     let first = said(
         folder,
-        &["calibrate", "a.csv", "-o", "cal.json", "--report", "page.html"],
+        &[
+            "calibrate",
+            "a.csv",
+            "-o",
+            "cal.json",
+            "--report",
+            "page.html",
+        ],
     );
     let all = said(folder, &["calibrate", "a.csv", "-v"]);
-    let json: Value = serde_json::from_str(&said(folder, &["calibrate", "a.csv", "--json"])).unwrap();
+    let json: Value =
+        serde_json::from_str(&said(folder, &["calibrate", "a.csv", "--json"])).unwrap();
     let file = std::fs::read_to_string(folder.join("cal.json")).unwrap();
     let file: Value = serde_json::from_str(&file).unwrap();
     let page = page_text(&std::fs::read_to_string(folder.join("page.html")).unwrap());
@@ -95,14 +107,19 @@ fn every_figure_that_appears_twice_is_the_same() {
     let residual = residual.lines().next().unwrap();
     let at_rest = number_after(residual, "→");
     let after_turn = number_after(residual.split_once("at rest").unwrap().1, "→");
-    let [force, rate] = ["accelerometer", "gyroscope"].map(|s| file[s]["residual_rms"].as_f64().unwrap());
+    let [force, rate] =
+        ["accelerometer", "gyroscope"].map(|s| file[s]["residual_rms"].as_f64().unwrap());
     same(at_rest, 1e3 * force, 3);
     same(after_turn, rate, 3);
     same(at_rest, number_after(&all, "static intervals, residual"), 3);
     same(after_turn, number_after(&all, "gravity predicted to"), 3);
     let (_, head) = page.split_once("Residual, raw → calibrated").unwrap();
     same(at_rest, number_after(head, "→"), 3);
-    same(after_turn, number_after(head.split_once("direction through").unwrap().1, "→"), 3);
+    same(
+        after_turn,
+        number_after(head.split_once("direction through").unwrap().1, "→"),
+        3,
+    );
 
     // The documents are one.
     for key in ["accelerometer", "gyroscope", "verdict", "findings"] {
@@ -147,16 +164,26 @@ fn file_error(file: &Value, name: &str) -> f64 {
     let sensor = &file[words[0]];
     let axis = |letter: &str| "xyz".find(letter).unwrap();
     match words[1..] {
-        [letter, "scale"] => 1e6 * sensor["T_std"][axis(letter)][axis(letter)].as_f64().unwrap(),
+        [letter, "scale"] => {
+            1e6 * sensor["T_std"][axis(letter)][axis(letter)]
+                .as_f64()
+                .unwrap()
+        }
         ["misalignment", angle] => {
             let (column, other) = (axis(&angle[..1]), axis(&angle[1..]));
-            1e3 * sensor["T_std"][3 - column - other][column].as_f64().unwrap()
+            1e3 * sensor["T_std"][3 - column - other][column]
+                .as_f64()
+                .unwrap()
         }
         [letter, "bias"] if words[0] == "accelerometer" => {
             1e3 * sensor["bias_std"][axis(letter)].as_f64().unwrap()
         }
         [letter, "bias"] => {
-            3600.0 * sensor["bias_std"][axis(letter)].as_f64().unwrap().to_degrees()
+            3600.0
+                * sensor["bias_std"][axis(letter)]
+                    .as_f64()
+                    .unwrap()
+                    .to_degrees()
         }
         _ => panic!("{name}"),
     }

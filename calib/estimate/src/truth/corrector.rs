@@ -63,16 +63,13 @@ impl Corrector {
         let mut known = unneeded();
         known.time = sample.t - start;
         known.temperature = self.temperature.unwrap_or(known.temperature);
-        let near = |sensor, raw: Option<Vector3<f64>>| {
-            Some(self.models.get(sensor)?.unit.to_si(&raw?))
-        };
+        let near =
+            |sensor, raw: Option<Vector3<f64>>| Some(self.models.get(sensor)?.unit.to_si(&raw?));
         let force = near(Sensor::Accelerometer, sample.accelerometer);
         let rate = near(Sensor::Gyroscope, sample.gyroscope);
         self.models.correct(&mut known, force, rate);
         Sample {
-            accelerometer: force
-                .map(|_| known.specific_force)
-                .or(sample.accelerometer),
+            accelerometer: force.map(|_| known.specific_force).or(sample.accelerometer),
             gyroscope: rate.map(|_| known.angular_rate).or(sample.gyroscope),
             ..*sample
         }
@@ -83,10 +80,7 @@ impl Corrector {
 fn is_of_an_instant(quantity: Quantity) -> bool {
     matches!(
         quantity,
-        Quantity::SpecificForce
-            | Quantity::AngularRate
-            | Quantity::Time
-            | Quantity::Temperature
+        Quantity::SpecificForce | Quantity::AngularRate | Quantity::Time | Quantity::Temperature
     )
 }
 
