@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod circles;
+mod sentences;
 
 use std::path::{Path, PathBuf};
 
@@ -76,4 +77,20 @@ fn no_files_of_a_crate_name_each_other_in_a_circle() {
         .flat_map(|root| circles::circles(root))
         .collect();
     assert!(found.is_empty(), "{found:#?}");
+}
+
+#[test]
+fn no_library_but_the_tables_of_findings_holds_a_sentence_a_flag_or_a_command() {
+    let mut folders: Vec<PathBuf> = Vec::new();
+    for part in ["calib", "models"] {
+        let mut roots = Vec::new();
+        crates(&root().join(part), &mut roots);
+        folders.extend(roots.iter().map(|root| root.parent().unwrap().to_owned()));
+    }
+    folders.retain(|folder| !folder.ends_with("findings/src"));
+    folders.sort();
+    folders.dedup();
+    assert!(folders.len() > 15, "{folders:#?}");
+    let found = sentences::sentences(&folders);
+    assert!(found.is_empty(), "{} sentences: {found:#?}", found.len());
 }
