@@ -369,6 +369,153 @@ kinds! {
     Unreadable = "unreadable",
     /// A file cannot be written.
     Unwritable = "unwritable",
+    // Errors of files: limits on how much is read.
+    /// The system stopped the reading of a file.
+    ReadingStopped = "reading_stopped",
+    /// A reader gave up at damage that it does not understand.
+    ReaderGaveUp = "reader_gave_up",
+    /// A piece of a file announces more bytes than any recording has.
+    PieceTooLong = "piece_too_long",
+    /// A folder or a file has more entries than any recording.
+    EntriesTooMany = "entries_too_many",
+    /// Something unpacks to more bytes than are read.
+    UnpacksTooLarge = "unpacks_too_large",
+    /// Something unpacks to more times its size than any recording.
+    UnpacksTooMuch = "unpacks_too_much",
+    /// A content that is held as a whole is too large.
+    ContentTooLarge = "content_too_large",
+    /// A stream has more samples than are read.
+    SamplesTooMany = "samples_too_many",
+    /// A table has more rows than are read.
+    TableTooLong = "table_too_long",
+    /// A table announces more cells than its file can hold.
+    CellsTooMany = "cells_too_many",
+    // Errors of files: damage that every format can have.
+    /// A part of a file is damaged.
+    PartDamaged = "part_damaged",
+    /// A part of a file ends too early.
+    PartCut = "part_cut",
+    /// A packed part of a file cannot be unpacked.
+    PartUnpacksNot = "part_unpacks_not",
+    /// A part of a file has another length than is stated.
+    LengthContradicted = "length_contradicted",
+    /// A part of a file unpacks to another length than is stated.
+    UnpackedLength = "unpacked_length",
+    /// The check sum of a part of a file is wrong.
+    CheckSumWrong = "check_sum_wrong",
+    /// A part of a file ends within a record.
+    EndsWithinRecord = "ends_within_record",
+    /// Values within values are deeper than any recording's.
+    NestedTooDeep = "nested_too_deep",
+    /// The parser of a format refuses a file.
+    FormatUnreadable = "format_unreadable",
+    /// The writer of a format refuses a recording.
+    FormatUnwritable = "format_unwritable",
+    /// Columns of one table differ in length.
+    ColumnsUnequal = "columns_unequal",
+    /// A file is compressed in a way that is not read.
+    CompressionUnknown = "compression_unknown",
+    // Errors of files: zip archives.
+    /// The directory of a zip archive is damaged.
+    ZipDirectoryDamaged = "zip_directory_damaged",
+    /// A zip archive ends without its directory.
+    ZipDirectoryMissing = "zip_directory_missing",
+    /// An entry of a zip archive is encrypted.
+    ZipEncrypted = "zip_encrypted",
+    /// An entry of a zip archive reaches beyond its end.
+    ZipEntryBeyond = "zip_entry_beyond",
+    /// Entries of a zip archive overlap.
+    ZipEntriesOverlap = "zip_entries_overlap",
+    /// A zip archive has no entry at the place that its directory names.
+    ZipEntryMissing = "zip_entry_missing",
+    /// An entry of a zip archive is packed in a way that is not read.
+    ZipMethodUnknown = "zip_method_unknown",
+    /// An entry of a zip archive is cut short.
+    ZipEntryCut = "zip_entry_cut",
+    /// An entry is not of the archive that is asked for it.
+    EntryElsewhere = "entry_elsewhere",
+    // Errors of files: logs of flight controllers and robots, and MATLAB files.
+    /// A blackbox of Betaflight is not decoded.
+    BlackboxNotDecoded = "blackbox_not_decoded",
+    /// A log has a message of a kind that the format does not have.
+    MessageKindUnknown = "message_kind_unknown",
+    /// A message of ROS 2 is big-endian.
+    MessageBigEndian = "message_big_endian",
+    /// A message of ROS 2 is compressed by itself.
+    MessageCompressed = "message_compressed",
+    /// A message of ROS 2 is in an encoding that is not read.
+    EncapsulationUnknown = "encapsulation_unknown",
+    /// A database states pages of an impossible size.
+    PageSizeWrong = "page_size_wrong",
+    /// A page of a database is missing.
+    PageMissing = "page_missing",
+    /// A page of a database is damaged.
+    PageDamaged = "page_damaged",
+    /// The pages of a database form a circle.
+    PagesInCircle = "pages_in_circle",
+    /// A database is no bag of ROS 2.
+    NoBagTables = "no_bag_tables",
+    /// A MATLAB file was written by a big-endian machine.
+    MatlabBigEndian = "matlab_big_endian",
+    /// A MATLAB file has something else where a matrix is expected.
+    ElementUnexpected = "element_unexpected",
+    /// A timetable stands before the variable that it belongs to.
+    TimetableTooEarly = "timetable_too_early",
+    /// The row times of a timetable are of an unknown kind.
+    RowTimesUnknown = "row_times_unknown",
+    /// A variable named after a sensor is an object that is not read.
+    ObjectNotRead = "object_not_read",
+    /// The only accelerometer of Sensor Logger is without gravity.
+    LoggerWithoutGravity = "logger_without_gravity",
+    // Errors of files: files of tables.
+    /// This build does not read the format.
+    NotInBuild = "not_in_build",
+    /// This build does not write the format.
+    NotWrittenByBuild = "not_written_by_build",
+    /// A text is no JSON from a place on.
+    JsonDamaged = "json_damaged",
+    /// A JSON file has no list of records or of numbers.
+    JsonWithoutTable = "json_without_table",
+    /// Records of a JSON file hold lists.
+    ListsInRecords = "lists_in_records",
+    /// A value of a JSON file is too long.
+    ValueTooLong = "value_too_long",
+    /// A name is longer than any column's.
+    NameTooLong = "name_too_long",
+    /// The records of a JSON file have too many names.
+    NamesTooMany = "names_too_many",
+    /// Some records of a JSON file have names and others have none.
+    NamesMixed = "names_mixed",
+    /// A table is no longer in the file.
+    TableGone = "table_gone",
+    /// A file has more rows than it announces.
+    RowsBeyondClaim = "rows_beyond_claim",
+    /// The columns of a file are longer than the file.
+    ColumnsBeyondFile = "columns_beyond_file",
+    /// Columns are compressed in a way that this build does not unpack.
+    ColumnCompressed = "column_compressed",
+    /// The cells of a column are lists.
+    CellsAreLists = "cells_are_lists",
+    /// The numbers of a column are of a type that is not read.
+    NumberTypeUnread = "number_type_unread",
+    /// A page holds texts as differences.
+    TextsAsDifferences = "texts_as_differences",
+    /// An HDF5 file has no dataset of numbers.
+    NoDataset = "no_dataset",
+    /// A dataset has a shape that is not read.
+    DatasetShape = "dataset_shape",
+    /// A dataset gives another number of numbers than it states.
+    DatasetLength = "dataset_length",
+    /// A workbook has no sheet of cells.
+    NoSheet = "no_sheet",
+    /// A workbook announces more words than it has bytes.
+    WordsTooMany = "words_too_many",
+    /// A cell of a workbook stands where no cell can be.
+    CellImpossible = "cell_impossible",
+    /// A cell of a workbook is there twice.
+    CellTwice = "cell_twice",
+    /// A cell of a workbook is a date among numbers.
+    CellIsDate = "cell_is_date",
     // Errors: text, columns, time and intervals of a recording (crate recording).
     // Errors: requests, models, calibrations and fits (crates sensor, effects, simulate, noise, estimate, discover, plan).
     /// The work was cancelled.

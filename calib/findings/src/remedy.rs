@@ -170,6 +170,32 @@ pub enum Remedy {
     },
     /// Report a bug.
     Report,
+    // Of files.
+    /// Unpack the file by another program, and name what comes out.
+    UnpackFirst,
+    /// Name the file instead of what holds it.
+    NameFile,
+    /// Copy the file again.
+    CopyAgain,
+    /// Convert the file to CSV by another program.
+    ConvertToCsv {
+        /// A command or an expression that does it.
+        by: String,
+    },
+    /// Save a sheet as CSV.
+    SaveAsCsv,
+    /// Save a MATLAB file in the format before 7.3.
+    SaveAsV7,
+    /// Export the file in another format.
+    ExportAs {
+        /// The format.
+        format: String,
+    },
+    /// Build the program with a feature.
+    Build {
+        /// The feature.
+        feature: String,
+    },
 }
 
 impl Remedy {

@@ -189,6 +189,15 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         }
         Remedy::AddTurns { turns } => return format!("add turns: {}", turns.join(", ")),
         Remedy::OtherMethod { method } => return format!("use the method {method}"),
+        Remedy::ConvertToCsv { by } => return format!("convert it to CSV, as by `{by}`"),
+        Remedy::ExportAs { format } => return format!("export it as {format}"),
+        Remedy::Build { feature } => {
+            let flag = match front {
+                Front::CommandLine => format!(" (`--features {feature}`)"),
+                _ => String::new(),
+            };
+            return format!("build with the feature `{feature}`{flag}");
+        }
         Remedy::Discover => "search for the missing effect",
         Remedy::Plan => "plan the next recording",
         Remedy::RecordAgain => "record it again",
@@ -216,6 +225,11 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         Remedy::ExportAgain => "export the file again",
         Remedy::OwnCalibration => "use the calibration of this device",
         Remedy::Report => "report it as a bug of ours",
+        Remedy::UnpackFirst => "unpack it yourself if you trust it, and name the file",
+        Remedy::NameFile => "name the file itself",
+        Remedy::CopyAgain => "copy the file again, for it may be incomplete",
+        Remedy::SaveAsCsv => "save the sheet as CSV and name that file",
+        Remedy::SaveAsV7 => "save it in MATLAB with `save -v7`",
     };
     let command = match (front, remedy) {
         (Front::CommandLine, Remedy::Discover) => " (`stillpoint discover`)",

@@ -1,9 +1,15 @@
 //! Words of files that are not read or not written.
 
+pub(in crate::words::tables) mod archives;
+pub(in crate::words::tables) mod damage;
+pub(in crate::words::tables) mod limits;
+pub(in crate::words::tables) mod logs;
+pub(in crate::words::tables) mod tables;
+
 use crate::kind::Kind;
 use crate::words::entry::Entry;
 
-pub(in super::super) const ENTRIES: &[Entry] = &[
+pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     Entry::error(Kind::Unreadable, "{reason}", "", Vec::new),
     Entry::error(
         Kind::Unwritable,
