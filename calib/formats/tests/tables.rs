@@ -140,7 +140,13 @@ mod parquet {
         };
         let format = Tabular::by_name("parquet").unwrap();
         let error = Container::tables_in_memory(format, file.into(), limits).unwrap_err();
-        assert!(error.to_string().contains("--max-rows"), "{error}");
+        assert!(
+            error
+                .finding()
+                .text(findings::Front::CommandLine)
+                .contains("--max-rows"),
+            "{error}"
+        );
     }
 }
 
