@@ -80,17 +80,13 @@ fn a_build_without_them_says_what_to_do() {
     told(
         "parquet",
         b"PAR1",
-        &["a Parquet file", "--features parquet", "CSV"],
+        &["a Parquet file", "feature `parquet`", "CSV"],
     );
-    told(
-        "hdf5",
-        &vectors(),
-        &["HDF5", "save -v7", "--features hdf5", "CSV"],
-    );
+    told("hdf5", &vectors(), &["HDF5", "save -v7", "feature `hdf5`"]);
     let book = workbook(&[("Raw", false, sheet(&[]))]);
-    told("xlsx", &book, &["Excel", "--features xlsx", "CSV"]);
+    told("xlsx", &book, &["Excel", "feature `xlsx`", "CSV"]);
     let error = write_parquet(&columns()).unwrap_err().to_string();
-    assert!(error.contains("--features parquet"), "{error}");
+    assert!(error.contains("feature `parquet`"), "{error}");
 }
 
 #[test]
