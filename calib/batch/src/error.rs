@@ -18,14 +18,14 @@ pub enum Error {
     Input(Box<Finding>),
     /// A file or folder that cannot be read.
     Io {
-        /// Which.
+        /// The file or folder.
         path: PathBuf,
         /// The system's reason.
         source: std::io::Error,
     },
     /// A file or folder that cannot be written.
     Output {
-        /// Which.
+        /// The file or folder.
         path: PathBuf,
         /// The system's reason.
         source: std::io::Error,

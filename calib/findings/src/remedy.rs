@@ -264,7 +264,7 @@ impl Remedy {
         }
     }
 
-    /// What to do about a system that refuses to write.
+    /// The way out where a system refuses to write.
     pub fn for_writing(refusal: std::io::ErrorKind) -> Self {
         use std::io::ErrorKind as E;
         match refusal {

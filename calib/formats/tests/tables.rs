@@ -82,7 +82,11 @@ fn a_build_without_them_says_what_to_do() {
         b"PAR1",
         &["a Parquet file", "feature `parquet`", "CSV"],
     );
-    told("hdf5", &vectors(), &["HDF5", "save -v7", "feature `hdf5`"]);
+    told(
+        "hdf5",
+        &vectors(),
+        &["HDF5", "save -v7", "feature `hdf5`", "CSV"],
+    );
     let book = workbook(&[("Raw", false, sheet(&[]))]);
     told("xlsx", &book, &["Excel", "feature `xlsx`", "CSV"]);
     let error = write_parquet(&columns()).unwrap_err().to_string();

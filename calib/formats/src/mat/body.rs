@@ -9,7 +9,7 @@ use super::element::{COMPRESSED, MATRIX};
 use crate::error::{contradicted, cut};
 use crate::{Error, Limits};
 
-/// What the packed content of an element is called.
+/// The packed content of an element in a sentence.
 const VARIABLE: &str = "compressed variable";
 /// Bytes of a tag.
 const TAG: u64 = 8;

@@ -36,8 +36,8 @@ pub struct Tabular {
     pub called: &'static str,
     /// True for the first bytes of such a file.
     begins: fn(&[u8]) -> bool,
-    /// What to do where it is not read.
-    instead: fn() -> Remedy,
+    /// Ways out where it is not read.
+    instead: fn() -> Vec<Remedy>,
     reader: Option<&'static dyn Reader>,
 }
 
@@ -58,7 +58,7 @@ pub static TABULAR: &[Tabular] = &[
         about: "JSON: a record per line or in an array, or lists that are columns; names within each other are joined by points",
         called: "a JSON file",
         begins: json::begins,
-        instead: || Remedy::SaveAsCsv,
+        instead: || vec![Remedy::SaveAsCsv],
         reader: Some(&json::Json),
     },
     Tabular {
@@ -66,8 +66,10 @@ pub static TABULAR: &[Tabular] = &[
         about: "a Parquet file with the columns of a CSV (feature `parquet` of the build)",
         called: "a Parquet file",
         begins: |head| head.starts_with(b"PAR1"),
-        instead: || Remedy::ConvertToCsv {
-            by: "pandas.read_parquet(FILE).to_csv(OUT)".into(),
+        instead: || {
+            vec![Remedy::ConvertToCsv {
+                by: "pandas.read_parquet(FILE).to_csv(OUT)".into(),
+            }]
         },
         reader: reader!("parquet", parquet::Parquet),
     },
@@ -78,7 +80,14 @@ pub static TABULAR: &[Tabular] = &[
         begins: |head| {
             head.starts_with(b"\x89HDF\r\n\x1a\n") || head.starts_with(b"MATLAB 7.3 MAT-file")
         },
-        instead: || Remedy::SaveAsV7,
+        instead: || {
+            vec![
+                Remedy::SaveAsV7,
+                Remedy::ExportAs {
+                    format: "CSV".into(),
+                },
+            ]
+        },
         reader: reader!("hdf5", hdf5::Hdf5),
     },
     // A zip archive is a workbook by what is in it.
@@ -87,7 +96,7 @@ pub static TABULAR: &[Tabular] = &[
         about: "an Excel workbook, a table per sheet (feature `xlsx` of the build)",
         called: "an Excel workbook",
         begins: |_| false,
-        instead: || Remedy::SaveAsCsv,
+        instead: || vec![Remedy::SaveAsCsv],
         reader: reader!("xlsx", xlsx::Xlsx),
     },
 ];
@@ -118,7 +127,7 @@ impl Tabular {
             let build = Remedy::Build {
                 feature: self.name.into(),
             };
-            Error::refused(found.only_remedies([(self.instead)(), build]))
+            Error::refused(found.only_remedies((self.instead)().into_iter().chain([build])))
         })
     }
 
