@@ -163,19 +163,14 @@ impl From<Error> for Failure {
 impl From<::output::Error> for Failure {
     fn from(error: ::output::Error) -> Self {
         use ::output::Reason as R;
-        let path = shown_path(&error.path);
-        let why = error.reason;
-        let failure = match why {
-            R::Exists => Self::exists(format!(
-                "{path}: {why}; add --force to replace it or --skip-existing to keep it"
-            )),
-            R::Appeared => Self::exists(format!("{path}: {why}; add --force to replace it")),
-            R::Input(_) | R::Twice => Self::new(USAGE, format!("{path}: {why}")),
-            _ => Self::new(OUTPUT, format!("{path}: {why}")),
-        };
-        Self {
-            file: Some(path),
-            ..failure
+        let found = error.reason.finding().in_file(shown_path(&error.path));
+        match error.reason {
+            R::Exists | R::Appeared => Self {
+                kind: "output_exists",
+                ..Self::of(OUTPUT, found)
+            },
+            R::Input(_) | R::Twice => Self::of(USAGE, found),
+            _ => Self::of(OUTPUT, found),
         }
     }
 }
@@ -183,31 +178,13 @@ impl From<::output::Error> for Failure {
 impl From<live::Error> for Failure {
     fn from(error: live::Error) -> Self {
         use live::Error as E;
-        let advice = match &error {
-            E::NoSource(_) => "name one of them",
-            E::Lost { .. } => {
-                "check that remote access is on (⋮, Allow remote access), that the phone's screen is on and that \
-                 it is in the same network"
-            }
-            E::File { .. } => "make room, or name a folder on another disk with --out",
-            E::Restless { .. } => "leave the experiment open and measure without clearing its data",
-            E::NotPhyphox { .. } => "name the address that the app shows",
-            E::NoSensor { .. } => {
-                "add a simple experiment with Accelerometer and Gyroscope in phyphox (+), open it and allow \
-                 remote access (⋮)"
-            }
-            _ => "",
-        };
-        let code = match &error {
+        let code = match error {
             E::NoSource(_) => USAGE,
             E::File { .. } => OUTPUT,
+            E::Unreadable(error) => return error.into(),
             _ => INPUT,
         };
-        match (error, advice) {
-            (E::Unreadable(error), _) => error.into(),
-            (error, "") => Self::new(code, error.to_string()),
-            (error, advice) => Self::new(code, format!("{error}; {advice}")),
-        }
+        Self::of(code, error.finding())
     }
 }
 
@@ -220,7 +197,7 @@ impl From<exchange::Error> for Failure {
             E::LeftHanded { .. } | E::Flipped { .. } => GATE,
             _ => INPUT,
         };
-        Self::new(code, error.to_string())
+        Self::of(code, error.finding())
     }
 }
 

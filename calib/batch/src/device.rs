@@ -1,7 +1,8 @@
 //! One device: its recordings to a calibration and a record.
 
-use ::findings::Front;
+use ::findings::{Front, Kind};
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 
 use calib::calibrate::{Method, Request, calibrate};
 use calib::calibration::effect_named;
@@ -10,6 +11,7 @@ use calib::gravity::Gravity;
 use calib::limits::{Limits, built_in, judge, not_kept, parameter};
 use calib::prior::Prior;
 use calib::recording::ReadOptions;
+use calib::recording::shown::shown;
 use calib::{Calibration, Error, Recording};
 
 use crate::hash;
@@ -47,10 +49,10 @@ impl Options {
     ///
     /// # Errors
     /// An input that cannot be read.
-    pub(crate) fn key(&self, device: &Device) -> std::io::Result<String> {
+    pub(crate) fn key(&self, device: &Device) -> Result<String, crate::Error> {
         let inputs = hash::of_inputs(&device.inputs)?;
         // Lot, station and time stand in the record.
-        let own = serde_json::to_string(device)?;
+        let own = serde_json::to_string(device).unwrap_or_default();
         Ok(hash::of_text(&format!("{inputs}\n{own}\n{}", self.text)))
     }
 
@@ -60,7 +62,7 @@ impl Options {
         match self.calibrated(device) {
             Ok((calibration, findings)) => recorded(record, &calibration, findings.as_ref()),
             Err(error) => Computed {
-                record: refused(record, status_of(&error), error.to_string()),
+                record: refused(record, status_of(&error), error.text(Front::CommandLine)),
                 calibration: None,
             },
         }
@@ -139,15 +141,16 @@ fn with_own(request: &Request, own: &DeviceOptions) -> Result<Request, Error> {
         Some("stepwise") => Method::Stepwise,
         Some("joint") => Method::Joint,
         Some(other) => {
-            return Err(Error::usage(format!(
-                "method `{other}`: auto, stepwise or joint expected"
-            )));
+            let found = ::findings::Finding::of(Kind::DeviceMethod);
+            return Err(Error::usage(found.detail("method", shown(other))));
         }
     };
     if let Some(names) = &own.effects {
         let effect = |name: &String| {
-            effect_named(name)
-                .ok_or_else(|| Error::usage(format!("effect `{name}`: not in the catalogue")))
+            effect_named(name).ok_or_else(|| {
+                let found = ::findings::Finding::of(Kind::DeviceEffect);
+                Error::usage(found.detail("effect", shown(name)))
+            })
         };
         request.effects = names.iter().map(effect).collect::<Result<_, _>>()?;
     }
@@ -163,25 +166,23 @@ fn with_own(request: &Request, own: &DeviceOptions) -> Result<Request, Error> {
 fn read_with_own(read: &ReadOptions, own: &DeviceOptions) -> Result<ReadOptions, Error> {
     let mut read = read.clone();
     read.rate = own.rate.or(read.rate);
-    if let Some(unit) = &own.accel_unit {
-        read.accel_unit = Some(
-            unit.parse()
-                .map_err(|_| Error::usage(format!("accel_unit `{unit}`: no unit")))?,
-        );
+    if let Some(text) = &own.accel_unit {
+        read.accel_unit = Some(unit("accel_unit", text)?);
     }
-    if let Some(unit) = &own.gyro_unit {
-        read.gyro_unit = Some(
-            unit.parse()
-                .map_err(|_| Error::usage(format!("gyro_unit `{unit}`: no unit")))?,
-        );
+    if let Some(text) = &own.gyro_unit {
+        read.gyro_unit = Some(unit("gyro_unit", text)?);
     }
-    if let Some(unit) = &own.mag_unit {
-        read.mag_unit = Some(
-            unit.parse()
-                .map_err(|_| Error::usage(format!("mag_unit `{unit}`: no unit")))?,
-        );
+    if let Some(text) = &own.mag_unit {
+        read.mag_unit = Some(unit("mag_unit", text)?);
     }
     Ok(read)
+}
+
+fn unit<U: FromStr>(column: &str, text: &str) -> Result<U, Error> {
+    text.parse().map_err(|_| {
+        let found = ::findings::Finding::of(Kind::DeviceUnit).detail("column", column);
+        Error::usage(found.detail("unit", shown(text)))
+    })
 }
 
 /// A record with nothing in it yet.
@@ -259,7 +260,10 @@ fn recorded(record: Record, calibration: &Calibration, findings: Option<&Finding
     });
     let text = serde_json::to_string_pretty(calibration).map(|text| text + "\n");
     let Ok(text) = text else {
-        let reason = "the calibration holds what JSON cannot".to_owned();
+        let reason = ::findings::Finding::of(Kind::FormatUnwritable)
+            .detail("format", "calibration")
+            .detail("reason", "JSON");
+        let reason = reason.text(Front::CommandLine);
         return Computed {
             record: refused(record, Status::Bug, reason),
             calibration: None,

@@ -1,35 +1,40 @@
 //! What can be wrong with a batch as a whole; what is wrong with a device is in its record.
 
-use std::path::PathBuf;
+use std::fmt;
+use std::path::{Path, PathBuf};
 
-/// A batch that cannot be run or merged.
-#[derive(Debug, thiserror::Error)]
+use calib::recording::shown::shown_path;
+use findings::{Finding, Kind, Remedy};
+
+use crate::fault::Fault;
+
+/// A batch that cannot be run or merged. The words are those of [`Error::finding`].
+#[derive(Debug)]
 #[non_exhaustive]
 pub enum Error {
-    /// A manifest that says what is none; the message begins with `file:line`.
-    #[error("{0}")]
-    Manifest(String),
+    /// A manifest that says what is none, with its file and line.
+    Manifest(Box<Finding>),
+    /// An input that cannot be taken.
+    Input(Box<Finding>),
     /// A file or folder that cannot be read.
-    #[error("{path}: {source}", path = path.display())]
     Io {
-        /// Which.
+        /// The file or folder.
         path: PathBuf,
         /// The system's reason.
         source: std::io::Error,
     },
     /// A file or folder that cannot be written.
-    #[error("{path}: cannot be written: {source}", path = path.display())]
     Output {
-        /// Which.
+        /// The file or folder.
         path: PathBuf,
         /// The system's reason.
         source: std::io::Error,
     },
     /// Parts that do not make a whole.
-    #[error("{} of the parts cannot be merged", .0.len())]
-    Parts(Vec<crate::fault::Fault>),
+    Parts(Vec<Fault>),
+    /// A part of the work that is misspelt.
+    Shard(String),
     /// Too few devices for what was asked.
-    #[error("{found} devices with {parameters} parameters in common; at least {needed} needed")]
     TooFew {
         /// Devices that have them.
         found: usize,
@@ -38,6 +43,63 @@ pub enum Error {
         /// Devices that would do.
         needed: usize,
     },
+}
+
+impl Error {
+    /// The finding that ended the run.
+    pub fn finding(&self) -> Finding {
+        match self {
+            Self::Manifest(found) | Self::Input(found) => (**found).clone(),
+            Self::Io { path, source } => of_system(Kind::Unreadable, path, source),
+            Self::Output { path, source } => {
+                let remedy = Remedy::for_writing(source.kind());
+                of_system(Kind::Unwritable, path, source).remedy(remedy)
+            }
+            Self::Parts(faults) if faults.is_empty() => Finding::of(Kind::NoParts),
+            Self::Parts(faults) => faults
+                .iter()
+                .map(Fault::finding)
+                .fold(Finding::of(Kind::PartsIncomplete), Finding::because),
+            Self::Shard(text) => Finding::of(Kind::ShardWrong).detail("text", text),
+            Self::TooFew {
+                found,
+                parameters,
+                needed,
+            } => Finding::of(Kind::DevicesTooFew)
+                .count("found", *found)
+                .count("parameters", *parameters)
+                .count("needed", *needed),
+        }
+    }
+
+    /// A file that cannot be read.
+    pub(crate) fn at(path: &Path) -> impl FnOnce(std::io::Error) -> Self + '_ {
+        |source| Self::Io {
+            path: path.to_owned(),
+            source,
+        }
+    }
+}
+
+fn of_system(kind: Kind, path: &Path, source: &std::io::Error) -> Finding {
+    Finding::of(kind)
+        .in_file(shown_path(path))
+        .detail("reason", source.to_string())
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.finding().fmt(f)
+    }
+}
+
+impl std::error::Error for Error {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::Io { source, .. } | Self::Output { source, .. } => Some(source),
+            _ => None,
+        }
+    }
 }
 
 impl From<output::Error> for Error {

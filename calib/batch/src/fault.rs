@@ -2,6 +2,10 @@
 
 use std::path::PathBuf;
 
+use calib::recording::shown::shown_path;
+use findings::{Finding, Kind, Remedy};
+
+use crate::part::Identity;
 use crate::shard::Shard;
 
 /// Why a part cannot be merged.
@@ -12,17 +16,17 @@ pub enum Fault {
     Unreadable {
         /// The file.
         path: PathBuf,
-        /// What is wrong.
-        what: String,
+        /// Its damage.
+        found: Box<Finding>,
     },
     /// Of another run: other devices, options, version or number of shards.
     Foreign {
         /// The file.
         path: PathBuf,
-        /// Its hash.
-        found: String,
+        /// Its run.
+        found: Identity,
         /// That of most parts.
-        expected: String,
+        expected: Identity,
     },
     /// No file is of this shard.
     Missing {
@@ -34,4 +38,33 @@ pub enum Fault {
         /// Its place in the manifest.
         index: usize,
     },
+}
+
+impl Fault {
+    /// The finding, with the part's file as its place.
+    pub fn finding(&self) -> Finding {
+        match self {
+            Self::Unreadable { path, found } => (**found).clone().in_file(shown_path(path)),
+            Self::Foreign {
+                path,
+                found,
+                expected,
+            } => Finding::of(Kind::PartForeign)
+                .in_file(shown_path(path))
+                .detail("found", &found.manifest)
+                .count("devices", found.devices)
+                .count("shards", found.shards)
+                .detail("program", &found.program)
+                .detail("expected", &expected.manifest)
+                .count("expected_devices", expected.devices)
+                .count("expected_shards", expected.shards)
+                .detail("expected_program", &expected.program),
+            Self::Missing { shard } => {
+                let part = format!("{}/{}", shard.k, shard.n);
+                let missing = Finding::of(Kind::PartMissing).detail("part", &part);
+                missing.remedy(Remedy::RunShard { shard: Some(part) })
+            }
+            Self::Lacks { index } => Finding::of(Kind::DeviceInNoPart).count("index", index + 1),
+        }
+    }
 }

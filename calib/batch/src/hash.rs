@@ -1,10 +1,14 @@
 //! Hashes of texts and of inputs.
 
 use std::fs::File;
-use std::io::{Error, ErrorKind, Read};
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
+use calib::recording::shown::shown_path;
+use findings::{Finding, Kind};
 use sha2::{Digest, Sha256};
+
+use crate::error::Error;
 
 /// Depth of folders below an input.
 const DEEPEST: usize = 4;
@@ -27,39 +31,43 @@ pub fn of_inputs(paths: &[PathBuf]) -> Result<String, Error> {
 }
 
 fn add(hash: &mut Sha256, path: &Path, deeper: usize) -> Result<(), Error> {
-    let found = std::fs::metadata(path)?;
+    let found = std::fs::metadata(path).map_err(Error::at(path))?;
     hash.update(path.file_name().unwrap_or_default().as_encoded_bytes());
     if found.is_dir() {
         if deeper == 0 {
-            return Err(Error::other("folders within folders within folders"));
+            return Err(refused(
+                path,
+                Finding::of(Kind::FoldersTooDeep).count("limit", DEEPEST),
+            ));
         }
-        for member in members(path)? {
+        for member in members(path).map_err(Error::at(path))? {
             add(hash, &member, deeper - 1)?;
         }
         return Ok(());
     }
     if !found.is_file() {
-        return Err(Error::new(
-            ErrorKind::InvalidInput,
-            "neither a file nor a folder",
-        ));
+        return Err(refused(path, Finding::of(Kind::NoFileOrFolder)));
     }
     hash.update(found.len().to_le_bytes());
-    let mut file = File::open(path)?;
+    let mut file = File::open(path).map_err(Error::at(path))?;
     let mut block = vec![0; 1 << 16];
     loop {
-        match file.read(&mut block)? {
+        match file.read(&mut block).map_err(Error::at(path))? {
             0 => return Ok(()),
             n => hash.update(&block[..n]),
         }
     }
 }
 
+fn refused(path: &Path, found: Finding) -> Error {
+    Error::Input(Box::new(found.in_file(shown_path(path))))
+}
+
 /// What is in a folder, by name; hidden files are not.
 ///
 /// # Errors
 /// What cannot be read.
-pub fn members(folder: &Path) -> Result<Vec<PathBuf>, Error> {
+pub fn members(folder: &Path) -> std::io::Result<Vec<PathBuf>> {
     let mut members = Vec::new();
     for entry in std::fs::read_dir(folder)? {
         let entry = entry?;

@@ -30,7 +30,7 @@ pub use error::Error;
 pub use fault::Fault;
 pub use manifest::{Device, DeviceOptions, Manifest};
 pub use merge::{Merged, merge, part_files, to_csv};
-pub use part::{PartHeader, part_name, part_text, timings_name};
+pub use part::{Identity, PartHeader, part_name, part_text, timings_name};
 pub use population::{Session, fit_prior, prior_of};
 pub use record::{Finding, Misfit, Parameter, Record, Status, Timing};
 pub use run::{Plan, Progress, run};

@@ -26,12 +26,10 @@ pub fn merge(paths: &[PathBuf]) -> Result<Merged, Error> {
     let mut parts: Vec<(PathBuf, Part)> = Vec::new();
     for path in part_files(paths)? {
         let text = std::fs::read_to_string(&path);
-        match text
-            .map_err(|e| e.to_string())
-            .and_then(|text| read_part(&text))
-        {
+        let unreadable = |error: std::io::Error| Box::new(Error::at(&path)(error).finding());
+        match text.map_err(unreadable).and_then(|text| read_part(&text)) {
             Ok(part) => parts.push((path, part)),
-            Err(what) => faults.push(Fault::Unreadable { path, what }),
+            Err(found) => faults.push(Fault::Unreadable { path, found }),
         }
     }
     let Some(expected) = commonest(&parts) else {
@@ -41,10 +39,10 @@ pub fn merge(paths: &[PathBuf]) -> Result<Merged, Error> {
     let mut merged: Vec<Option<Record>> = vec![None; expected.devices];
     let mut seen: Vec<Option<String>> = vec![None; n];
     for (path, part) in parts {
-        let own = identity(&part.header);
+        let own = part.header.identity();
         let shard = part.header.shard;
         let place = seen.get_mut(shard.k.wrapping_sub(1));
-        let place = place.filter(|_| own == identity(&expected));
+        let place = place.filter(|_| own == expected.identity());
         let beyond = |r: &Record| r.index >= expected.devices || !shard.has(r.index);
         match place.filter(|_| !part.records.iter().any(beyond)) {
             // Run twice.
@@ -59,7 +57,7 @@ pub fn merge(paths: &[PathBuf]) -> Result<Merged, Error> {
             _ => faults.push(Fault::Foreign {
                 path,
                 found: own,
-                expected: identity(&expected),
+                expected: expected.identity(),
             }),
         }
     }
@@ -82,22 +80,10 @@ pub fn merge(paths: &[PathBuf]) -> Result<Merged, Error> {
     })
 }
 
-/// What parts of one run have in common.
-fn identity(header: &PartHeader) -> String {
-    let sha = header
-        .manifest_sha256
-        .get(..12)
-        .unwrap_or(&header.manifest_sha256);
-    format!(
-        "{sha} of {} devices in {} shards by {}",
-        header.devices, header.shard.n, header.created_by
-    )
-}
-
 /// The header that most parts agree with, the first of equals.
 fn commonest(parts: &[(PathBuf, Part)]) -> Option<PartHeader> {
     let count = |header: &PartHeader| {
-        let same = |part: &&(PathBuf, Part)| identity(&part.1.header) == identity(header);
+        let same = |part: &&(PathBuf, Part)| part.1.header.identity() == header.identity();
         parts.iter().filter(same).count()
     };
     let mut best: Option<(usize, &PartHeader)> = None;
@@ -121,10 +107,7 @@ pub fn part_files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Error> {
             files.push(path.clone());
             continue;
         }
-        let members = crate::hash::members(path).map_err(|source| Error::Io {
-            path: path.clone(),
-            source,
-        })?;
+        let members = crate::hash::members(path).map_err(Error::at(path))?;
         files.extend(members.into_iter().filter(|path| is_part(path)));
     }
     Ok(files)

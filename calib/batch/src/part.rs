@@ -1,5 +1,6 @@
 //! The part file of a shard: a header, a record per line, and an end that tells a whole file from half of one.
 
+use findings::{Finding, Kind};
 use serde::{Deserialize, Serialize};
 
 use crate::hash;
@@ -83,26 +84,57 @@ pub(crate) struct Part {
     pub sha256: String,
 }
 
-/// What is in a part; or why it is none, in words.
-pub(crate) fn read_part(text: &str) -> Result<Part, String> {
+/// The run that a part is of.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Identity {
+    /// Beginning of the hash of its devices and options.
+    pub manifest: String,
+    /// Devices of the whole run.
+    pub devices: usize,
+    /// Shards of the whole run.
+    pub shards: usize,
+    /// Program and version.
+    pub program: String,
+}
+
+impl PartHeader {
+    /// The run that it is of.
+    pub(crate) fn identity(&self) -> Identity {
+        let whole = &self.manifest_sha256;
+        Identity {
+            manifest: whole.get(..12).unwrap_or(whole).to_owned(),
+            devices: self.devices,
+            shards: self.shard.n,
+            program: self.created_by.clone(),
+        }
+    }
+}
+
+/// A part, whole or not at all.
+///
+/// # Errors
+/// No part, one without an end, a changed one.
+pub(crate) fn read_part(text: &str) -> Result<Part, Box<Finding>> {
+    let incomplete = || Box::new(Finding::of(Kind::PartIncomplete));
     let header: PartHeader = text
         .lines()
         .next()
         .and_then(|line| serde_json::from_str(line).ok())
         .filter(|header: &PartHeader| header.schema == SCHEMA)
-        .ok_or("no part of a batch")?;
-    let whole = text
-        .strip_suffix('\n')
-        .ok_or("incomplete: it ends within a line")?;
-    let (before, end) = whole.rsplit_once('\n').ok_or("incomplete: it has no end")?;
-    let end: PartEnd = serde_json::from_str(end).map_err(|_| "incomplete: it has no end")?;
+        .ok_or_else(|| Finding::of(Kind::NoBatchPart))?;
+    let whole = text.strip_suffix('\n').ok_or_else(incomplete)?;
+    let (before, end) = whole.rsplit_once('\n').ok_or_else(incomplete)?;
+    let end: PartEnd = serde_json::from_str(end).map_err(|_| incomplete())?;
     let body = &text[..before.len() + 1];
     if hash::of_text(body) != end.sha256 {
-        return Err("damaged: its hash is another".into());
+        return Err(Finding::of(Kind::PartChanged).into());
     }
     let records = before.lines().skip(1).map(serde_json::from_str);
     let records: Result<Vec<Record>, _> = records.collect();
-    let records = records.map_err(|e| format!("of another version: {e}"))?;
+    let records = records.map_err(|error: serde_json::Error| {
+        let found = Finding::of(Kind::PartOfOtherVersion);
+        found.detail("reason", error.to_string())
+    })?;
     Ok(Part {
         header,
         records,

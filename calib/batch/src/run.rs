@@ -12,6 +12,8 @@ use std::time::{Duration, Instant};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::device::{Computed, Options, empty, refused};
+use findings::{Finding, Front, Kind};
+
 use crate::error::Error;
 use crate::manifest::{Device, Manifest};
 use crate::record::{Record, Status, Timing};
@@ -156,12 +158,7 @@ fn one(
             within_budget(plan, compute, pool, threads, (index, device, key))
         }
         Err(error) => {
-            let inputs: Vec<_> = device
-                .inputs
-                .iter()
-                .map(|p| p.display().to_string())
-                .collect();
-            let reason = format!("{}: {error}", inputs.join(", "));
+            let reason = error.finding().text(Front::CommandLine);
             Computed {
                 record: refused(empty(device, index, String::new()), Status::Input, reason),
                 calibration: None,
@@ -180,13 +177,20 @@ fn within_budget(
     threads: usize,
     (index, device, key): (usize, &Device, String),
 ) -> Computed {
-    let without = |status: Status, reason: String| Computed {
-        record: refused(empty(device, index, key.clone()), status, reason),
+    let without = |status: Status, found: Finding| Computed {
+        record: refused(
+            empty(device, index, key.clone()),
+            status,
+            found.text(Front::CommandLine),
+        ),
         calibration: None,
     };
     let workers = match pool.take().map_or_else(|| new_pool(threads), Ok) {
         Ok(workers) => workers,
-        Err(error) => return without(Status::Output, format!("no thread can be started: {error}")),
+        Err(error) => {
+            let found = Finding::of(Kind::NoThread).detail("reason", error.to_string());
+            return without(Status::Output, found);
+        }
     };
     let (send, receive) = sync_channel(1);
     let (work, own, own_key) = (Arc::clone(compute), device.clone(), key.clone());
@@ -201,11 +205,18 @@ fn within_budget(
         }
         Ok(Err(words)) => {
             *pool = Some(workers);
-            without(Status::Bug, format!("a bug of ours: {words}"))
+            without(
+                Status::Bug,
+                Finding::of(Kind::BugOfOurs).detail("reason", words),
+            )
         }
         Err(RecvTimeoutError::Timeout | RecvTimeoutError::Disconnected) => {
-            let reason = format!("not done after {} s", plan.budget.as_secs_f64());
-            without(Status::Budget, reason)
+            let found = Finding::of(Kind::OverBudget);
+            let seconds = plan.budget.as_secs_f64();
+            without(
+                Status::Budget,
+                found.detail("seconds", format!("{seconds} s")),
+            )
         }
     }
 }
@@ -218,7 +229,7 @@ fn new_pool(threads: usize) -> Result<ThreadPool, rayon::ThreadPoolBuildError> {
 fn words_of(panic: &(dyn std::any::Any + Send)) -> String {
     let words = panic.downcast_ref::<String>().map(String::as_str);
     let words = words.or_else(|| panic.downcast_ref::<&str>().copied());
-    words.unwrap_or("a panic without words").to_owned()
+    words.unwrap_or("a panic").to_owned()
 }
 
 #[cfg(test)]

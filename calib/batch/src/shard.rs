@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::error::Error;
+
 /// The `k`-th of `n` parts of the work, `k` from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Shard {
@@ -26,15 +28,15 @@ impl Shard {
 }
 
 impl std::str::FromStr for Shard {
-    type Err = String;
+    type Err = Error;
 
-    fn from_str(text: &str) -> Result<Self, String> {
+    fn from_str(text: &str) -> Result<Self, Error> {
         let parts = text
             .split_once('/')
             .and_then(|(k, n)| Some((k.parse().ok()?, n.parse().ok()?)));
         match parts {
             Some((k, n)) if (1..=n).contains(&k) => Ok(Self { k, n }),
-            _ => Err(format!("`{text}`: K/N with K from 1 to N expected, as 3/8")),
+            _ => Err(Error::Shard(text.to_owned())),
         }
     }
 }

@@ -1,15 +1,17 @@
 //! Why nothing is written or read.
 
+use std::fmt;
 use std::path::PathBuf;
 
-/// What a target cannot hold, or a file that is not what it should be.
-#[derive(Debug, thiserror::Error)]
+use calib::recording::shown::shown_path;
+use findings::{Finding, Kind, OptionName, Remedy};
+
+/// A calibration that a target cannot hold, or a file that is another than it should be. The words are those of
+/// [`Error::finding`].
+#[derive(Debug)]
 #[non_exhaustive]
 pub enum Error {
     /// A sensor is missing.
-    #[error(
-        "the calibration has no {what}, and {target} wants one; calibrate a recording of both sensors"
-    )]
     Lacks {
         /// The target.
         target: &'static str,
@@ -17,22 +19,17 @@ pub enum Error {
         what: &'static str,
     },
     /// The calibration is of readings in another unit.
-    #[error(
-        "the calibration is of readings of the {sensor} in {unit}, and {target} corrects readings in {si}; calibrate a \
-         recording in {si}, as {target} logs it"
-    )]
     Unit {
         /// The target.
         target: &'static str,
         /// The sensor.
         sensor: &'static str,
-        /// What was found.
+        /// The calibration's unit.
         unit: String,
-        /// What is expected.
+        /// The target's unit.
         si: &'static str,
     },
-    /// A number lies beyond what the target takes.
-    #[error("{name} would be {value}, and {target} takes {least} to {most}; {next}")]
+    /// A number lies beyond those that the target takes.
     Range {
         /// The target.
         target: &'static str,
@@ -44,14 +41,8 @@ pub enum Error {
         least: f64,
         /// The largest.
         most: f64,
-        /// What to do.
-        next: &'static str,
     },
     /// The axes are left-handed.
-    #[error(
-        "{target} wants right-handed axes, and the {sensor}'s are left-handed (det T < 0); read one axis with the other sign \
-         (`calibrate --flip`)"
-    )]
     LeftHanded {
         /// The target.
         target: &'static str,
@@ -59,10 +50,6 @@ pub enum Error {
         sensor: &'static str,
     },
     /// Axes of one sensor point against the other's, which the target cannot hold.
-    #[error(
-        "{target} keeps no sign of an axis, and the {sensor}'s scale factor of {axis} is {value}; read it with the other sign, \
-         as in `calibrate --flip {flip}`"
-    )]
     Flipped {
         /// The target.
         target: &'static str,
@@ -75,21 +62,88 @@ pub enum Error {
         /// All axes of the sensor that are flipped, as the option takes them.
         flip: String,
     },
-    /// An option that this target cannot follow.
-    #[error("{0}")]
-    Settings(String),
+    /// Settings that this target cannot follow.
+    Settings(Box<Finding>),
     /// A text to be imported is something else.
-    #[error("{place}{what}")]
-    Input {
-        /// Line and column, or entry.
-        place: String,
-        /// What was found and what was expected.
-        what: String,
-    },
+    Input(Box<Finding>),
     /// Numbers that cannot be written.
-    #[error("{0}")]
-    Format(String),
+    Format(Box<Finding>),
     /// A file of several that does not exist.
-    #[error("{0}: missing")]
     Missing(PathBuf),
 }
+
+impl Error {
+    pub(crate) fn settings(found: Finding) -> Self {
+        Self::Settings(Box::new(found))
+    }
+
+    pub(crate) fn input(found: Finding) -> Self {
+        Self::Input(Box::new(found))
+    }
+
+    pub(crate) fn format(found: Finding) -> Self {
+        Self::Format(Box::new(found))
+    }
+
+    /// A writer of another project refuses the calibration.
+    pub(crate) fn unwritten(reason: &dyn fmt::Display) -> Self {
+        let found = Finding::of(Kind::FormatUnwritable).detail("format", "calibration");
+        Self::format(found.detail("reason", reason.to_string()))
+    }
+
+    /// The finding that ended the work.
+    pub fn finding(&self) -> Finding {
+        match self {
+            Self::Lacks { target, what } => Finding::of(Kind::SensorLacking)
+                .detail("target", *target)
+                .detail("what", *what),
+            Self::Unit {
+                target,
+                sensor,
+                unit,
+                si,
+            } => Finding::of(Kind::ExportUnit)
+                .detail("target", *target)
+                .detail("of", *sensor)
+                .detail("unit", unit)
+                .detail("si", *si),
+            Self::Range {
+                target,
+                name,
+                value,
+                least,
+                most,
+            } => Finding::of(Kind::ParameterOutside)
+                .detail("target", *target)
+                .detail("name", name)
+                .detail("value", value.to_string())
+                .detail("least", least.to_string())
+                .detail("most", most.to_string()),
+            Self::LeftHanded { target, sensor } => Finding::of(Kind::ExportLeftHanded)
+                .detail("target", *target)
+                .detail("of", *sensor),
+            Self::Flipped {
+                target,
+                sensor,
+                axis,
+                value,
+                flip,
+            } => Finding::of(Kind::SignNotKept)
+                .detail("target", *target)
+                .detail("of", *sensor)
+                .detail("axis", *axis)
+                .detail("value", value.to_string())
+                .remedy(Remedy::set_to(OptionName::Flip, flip)),
+            Self::Settings(found) | Self::Input(found) | Self::Format(found) => (**found).clone(),
+            Self::Missing(path) => Finding::of(Kind::FileMissing).in_file(shown_path(path)),
+        }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.finding().fmt(f)
+    }
+}
+
+impl std::error::Error for Error {}

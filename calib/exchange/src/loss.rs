@@ -3,6 +3,7 @@
 use std::fmt;
 
 use calib::effects::force_sensitivity;
+use findings::{Finding, Kind};
 use nalgebra::{Matrix3, Vector3};
 use sensor::{Base, Kinematics, Model, Sensor};
 use serde::Serialize;
@@ -39,12 +40,20 @@ pub struct Loss {
 
 impl fmt::Display for Loss {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.what)?;
-        match (self.size, self.unit) {
-            (Some(size), "m/s^2") => write!(f, ": up to {:.3} mm/s² at {}", 1e3 * size, self.at),
-            (Some(size), unit) => write!(f, ": up to {size:.3e} {unit} at {}", self.at),
-            (None, _) => Ok(()),
-        }
+        self.finding().fmt(f)
+    }
+}
+
+impl Loss {
+    /// The loss as a remark.
+    pub fn finding(&self) -> Finding {
+        let lost = Finding::of(Kind::LostInExport).detail("what", &self.what);
+        let size = match (self.size, self.unit) {
+            (Some(size), "m/s^2") => format!("{:.3} mm/s²", 1e3 * size),
+            (Some(size), unit) => format!("{size:.3e} {unit}"),
+            (None, _) => return lost,
+        };
+        lost.detail("size", size).detail("at", self.at)
     }
 }
 

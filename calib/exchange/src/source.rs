@@ -3,6 +3,7 @@
 use calib::Calibration;
 use calib::calibration::{Readings, TriadUnits, system_name};
 use calib::effects::force_sensitivity;
+use findings::{Finding, Kind};
 use nalgebra::{Matrix3, Vector3};
 use sensor::{Base, Sensor};
 
@@ -135,9 +136,9 @@ impl<'a> Source<'a> {
         Sensor::ALL.into_iter().filter_map(corrected).collect()
     }
 
-    /// What to say where a system other than the target had corrected the readings before: `target` itself replaces what it
+    /// A remark where a system other than the target had corrected the readings before: `target` itself replaces what it
     /// had applied.
-    pub(crate) fn on_top_of(&self, target: &str) -> Option<String> {
+    pub(crate) fn on_top_of(&self, target: &str) -> Option<Finding> {
         let before: Vec<(Sensor, &str)> = self.corrected_before();
         let others: Vec<_> = before.into_iter().filter(|(_, by)| *by != target).collect();
         let (_, by) = *others.first()?;
@@ -146,12 +147,8 @@ impl<'a> Source<'a> {
             .filter(|(_, other)| *other == by)
             .map(|(s, _)| s.name())
             .collect();
-        Some(format!(
-            "{} had corrected the readings of the {} before: these parameters are on top of that. Use them on readings that are \
-             corrected in the same way, not on those of the sensor, and calibrate again when that correction changes",
-            system_name(by),
-            sensors.join(" and the ")
-        ))
+        let found = Finding::of(Kind::OnTopOf).detail("system", system_name(by));
+        Some(found.detail("sensors", sensors.join(" and the ")))
     }
 
     /// Where it comes from, in lines of comment that begin with `mark`: printable ASCII without what could end a comment of

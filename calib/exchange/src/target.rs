@@ -1,6 +1,7 @@
 //! A tool that calibrations are written for.
 
 use calib::noise::NoiseSummary;
+use findings::Finding;
 use nalgebra::Vector3;
 use sensor::Base;
 
@@ -36,7 +37,7 @@ pub struct Written {
     /// Contents.
     pub files: Vec<Vec<u8>>,
     /// What the user has to know or do.
-    pub notes: Vec<String>,
+    pub notes: Vec<Finding>,
 }
 
 impl Written {
@@ -51,7 +52,7 @@ impl Written {
 
 /// A tool that calibrations are written for.
 pub trait Target: Sync + std::fmt::Debug {
-    /// What `--to` calls it.
+    /// Its name.
     fn name(&self) -> &'static str;
 
     /// In one line: tool, file, rule.
@@ -80,7 +81,7 @@ pub struct Export {
     /// What is lost, the sizes for this device.
     pub lost: Vec<Loss>,
     /// What the user has to know or do.
-    pub notes: Vec<String>,
+    pub notes: Vec<Finding>,
 }
 
 /// Writes a calibration for a target.
@@ -111,7 +112,7 @@ pub fn export(
         source
             .calibration
             .edited()
-            .map(|edited| edited.in_words().to_owned()),
+            .map(|edited| Finding::from(edited.in_words())),
     );
     Ok(Export {
         files,

@@ -4,6 +4,7 @@
 use calib::calibration::Input;
 use calib::recording::AppliedBefore;
 use calib::{Calibration, Recording};
+use findings::{Finding, Front};
 use nalgebra::Vector3;
 use sensor::Sensor;
 use stillpoint_exchange::{Export, Settings, Source, TARGETS, by_name, export, import};
@@ -41,6 +42,11 @@ fn calibration(by: &str, undone: bool) -> Calibration {
     calibration
 }
 
+/// A remark as the command line says it.
+fn said(note: &Finding) -> String {
+    note.text(Front::CommandLine)
+}
+
 fn exported(
     calibration: &Calibration,
     target: &str,
@@ -55,7 +61,7 @@ fn exported(
         &Source::new(calibration),
         &settings,
     )
-    .map_err(|e| e.to_string())
+    .map_err(|e| e.finding().text(Front::CommandLine))
 }
 
 fn parameter(export: &Export, name: &str) -> f64 {
@@ -102,10 +108,10 @@ fn a_flight_controller_that_had_corrected_is_put_together_with_its_parameters_or
         ),
     ] {
         let corrected = calibration(system, false);
-        let said = exported(&corrected, system, None).unwrap_err();
+        let refused = exported(&corrected, system, None).unwrap_err();
         assert!(
-            said.contains("--logged-with") && said.contains("would replace"),
-            "{said}"
+            refused.contains("--logged-with") && refused.contains("would replace"),
+            "{refused}"
         );
         let made = exported(&corrected, system, Some(in_force)).unwrap();
         // d (s (raw − o) − b) = s d (raw − (o + b / s)) with o = 0.5, s = 1.01, d = 1.01, b = 0.1.
@@ -120,7 +126,7 @@ fn a_flight_controller_that_had_corrected_is_put_together_with_its_parameters_or
         assert!(
             made.notes
                 .iter()
-                .all(|note| !note.contains("had corrected")),
+                .all(|note| !said(note).contains("had corrected")),
             "{:?}",
             made.notes
         );
@@ -128,20 +134,27 @@ fn a_flight_controller_that_had_corrected_is_put_together_with_its_parameters_or
         assert!(text.contains("put together with the parameters that were in force"));
         // The reader took them off: they must not go in twice.
         let restored = calibration(system, true);
-        let said = exported(&restored, system, Some(in_force)).unwrap_err();
-        assert!(said.contains("leave --logged-with out"), "{said}");
+        let refused = exported(&restored, system, Some(in_force)).unwrap_err();
+        assert!(
+            refused.contains("leave out the parameters that were in force (--logged-with)"),
+            "{refused}"
+        );
         let made = exported(&restored, system, None).unwrap();
         assert!((parameter(&made, names[0]) - 0.1).abs() < 1e-6);
         assert!(
             made.notes
                 .iter()
-                .all(|note| !note.contains("--logged-with")),
+                .all(|note| !said(note).contains("--logged-with")),
             "{:?}",
             made.notes
         );
         // Nothing is stated: it is for the user to know.
         let made = exported(&calibration("", false), system, None).unwrap();
-        assert!(made.notes.iter().any(|note| note.contains("--logged-with")));
+        assert!(
+            made.notes
+                .iter()
+                .any(|note| said(note).contains("--logged-with"))
+        );
     }
 }
 
@@ -149,11 +162,11 @@ fn a_flight_controller_that_had_corrected_is_put_together_with_its_parameters_or
 fn parameters_that_are_not_those_of_the_sensor_are_refused() {
     let corrected = calibration("px4", false);
     for (in_force, says) in [
-        ("", "no CAL_ACC0_XOFF in it"),
-        (ARDUPILOT, "no CAL_ACC0_XOFF in it"),
+        ("", "no CAL_ACC0_XOFF among"),
+        (ARDUPILOT, "no CAL_ACC0_XOFF among"),
         (
             PX4.replace("ACC0_ZOFF", "ACC1_ZOFF").as_str(),
-            "no CAL_ACC0_ZOFF in it",
+            "no CAL_ACC0_ZOFF among",
         ),
         (
             PX4.replace("SENS_BOARD_ROT\t0", "SENS_BOARD_ROT\t6")
@@ -199,9 +212,9 @@ fn every_other_target_says_what_the_calibration_is_on_top_of() {
         let corrected = calibration(by, false);
         for target in TARGETS.iter().filter(|target| target.name() != by) {
             let made = exported(&corrected, target.name(), None).unwrap();
-            let says = |note: &String| note.contains(name) && note.contains("on top of");
+            let says = |note: &str| note.contains(name) && note.contains("on top of");
             assert_eq!(
-                made.notes.iter().filter(|note| says(note)).count(),
+                made.notes.iter().filter(|note| says(&said(note))).count(),
                 1,
                 "{}: {:?}",
                 target.name(),
@@ -220,7 +233,9 @@ fn every_other_target_says_what_the_calibration_is_on_top_of() {
         for target in TARGETS {
             let made = exported(&stated, target.name(), None).unwrap();
             assert!(
-                made.notes.iter().all(|note| !note.contains("on top of")),
+                made.notes
+                    .iter()
+                    .all(|note| !said(note).contains("on top of")),
                 "{}: {:?}",
                 target.name(),
                 made.notes
@@ -234,19 +249,17 @@ fn every_target_says_that_the_calibration_was_edited() {
     let mut edited = calibration("", false);
     edited.accelerometer.as_mut().unwrap().bias[0] = 0.2;
     for target in TARGETS {
-        let said = |calibration| {
-            exported(calibration, target.name(), None)
-                .unwrap()
-                .notes
-                .join("\n")
+        let all_of = |calibration| {
+            let made = exported(calibration, target.name(), None).unwrap();
+            made.notes.iter().map(said).collect::<Vec<_>>().join("\n")
         };
         assert!(
-            said(&edited).contains("was edited since"),
+            all_of(&edited).contains("was edited since"),
             "{}",
             target.name()
         );
         assert!(
-            !said(&calibration("", false)).contains("was edited"),
+            !all_of(&calibration("", false)).contains("was edited"),
             "{}",
             target.name()
         );

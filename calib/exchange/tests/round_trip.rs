@@ -763,7 +763,7 @@ fn what_a_target_cannot_hold_is_refused_by_name() {
             result(&device(), name, &fifth)
                 .unwrap_err()
                 .to_string()
-                .contains("--instance 5")
+                .contains("sensor 5")
         );
     }
     let broken = Settings {
@@ -782,7 +782,8 @@ fn what_a_target_cannot_hold_is_refused_by_name() {
 fn what_cannot_be_imported_is_refused_with_its_place() {
     let said = |text: &str| import::kalibr(text).unwrap_err().to_string();
     assert!(said("").contains("empty"));
-    assert!(said("a: [1, 2").contains("line"), "{}", said("a: [1, 2"));
+    let open = import::kalibr("a: [1, 2").unwrap_err().finding();
+    assert_eq!(open.place.line, Some(1), "{open}");
     assert!(said("rostopic: /imu0\n").contains("no accelerometers and no gyroscopes"));
     assert!(said("accelerometers: {}\n").contains("accelerometers.M: missing"));
     let yaml = text(&device(), "kalibr");

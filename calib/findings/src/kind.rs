@@ -445,6 +445,343 @@ kinds! {
     Unreadable = "unreadable",
     /// A file cannot be written.
     Unwritable = "unwritable",
+    // Errors of files: limits on how much is read.
+    /// The system stopped the reading of a file.
+    ReadingStopped = "reading_stopped",
+    /// A reader gave up at damage that it does not understand.
+    ReaderGaveUp = "reader_gave_up",
+    /// A piece of a file announces more bytes than any recording has.
+    PieceTooLong = "piece_too_long",
+    /// A folder or a file has more entries than any recording.
+    EntriesTooMany = "entries_too_many",
+    /// Something unpacks to more bytes than are read.
+    UnpacksTooLarge = "unpacks_too_large",
+    /// Something unpacks to more times its size than any recording.
+    UnpacksTooMuch = "unpacks_too_much",
+    /// A content that is held as a whole is too large.
+    ContentTooLarge = "content_too_large",
+    /// A stream has more samples than are read.
+    SamplesTooMany = "samples_too_many",
+    /// A table has more rows than are read.
+    TableTooLong = "table_too_long",
+    /// A table announces more cells than its file can hold.
+    CellsTooMany = "cells_too_many",
+    // Errors of files: damage that every format can have.
+    /// A part of a file is damaged.
+    PartDamaged = "part_damaged",
+    /// A part of a file ends too early.
+    PartCut = "part_cut",
+    /// A packed part of a file cannot be unpacked.
+    PartUnpacksNot = "part_unpacks_not",
+    /// A part of a file has another length than is stated.
+    LengthContradicted = "length_contradicted",
+    /// A part of a file unpacks to another length than is stated.
+    UnpackedLength = "unpacked_length",
+    /// The check sum of a part of a file is wrong.
+    CheckSumWrong = "check_sum_wrong",
+    /// A part of a file ends within a record.
+    EndsWithinRecord = "ends_within_record",
+    /// Values within values are deeper than any recording's.
+    NestedTooDeep = "nested_too_deep",
+    /// The parser of a format refuses a file.
+    FormatUnreadable = "format_unreadable",
+    /// The writer of a format refuses a recording.
+    FormatUnwritable = "format_unwritable",
+    /// Columns of one table differ in length.
+    ColumnsUnequal = "columns_unequal",
+    /// A file is compressed in a way that is not read.
+    CompressionUnknown = "compression_unknown",
+    // Errors of files: zip archives.
+    /// The directory of a zip archive is damaged.
+    ZipDirectoryDamaged = "zip_directory_damaged",
+    /// A zip archive ends without its directory.
+    ZipDirectoryMissing = "zip_directory_missing",
+    /// An entry of a zip archive is encrypted.
+    ZipEncrypted = "zip_encrypted",
+    /// An entry of a zip archive reaches beyond its end.
+    ZipEntryBeyond = "zip_entry_beyond",
+    /// Entries of a zip archive overlap.
+    ZipEntriesOverlap = "zip_entries_overlap",
+    /// A zip archive has no entry at the place that its directory names.
+    ZipEntryMissing = "zip_entry_missing",
+    /// An entry of a zip archive is packed in a way that is not read.
+    ZipMethodUnknown = "zip_method_unknown",
+    /// An entry of a zip archive is cut short.
+    ZipEntryCut = "zip_entry_cut",
+    /// An entry is not of the archive that is asked for it.
+    EntryElsewhere = "entry_elsewhere",
+    // Errors of files: logs of flight controllers and robots, and MATLAB files.
+    /// A blackbox of Betaflight is not decoded.
+    BlackboxNotDecoded = "blackbox_not_decoded",
+    /// A log has a message of a kind that the format does not have.
+    MessageKindUnknown = "message_kind_unknown",
+    /// A message of ROS 2 is big-endian.
+    MessageBigEndian = "message_big_endian",
+    /// A message of ROS 2 is compressed by itself.
+    MessageCompressed = "message_compressed",
+    /// A message of ROS 2 is in an encoding that is not read.
+    EncapsulationUnknown = "encapsulation_unknown",
+    /// A database states pages of an impossible size.
+    PageSizeWrong = "page_size_wrong",
+    /// A page of a database is missing.
+    PageMissing = "page_missing",
+    /// A page of a database is damaged.
+    PageDamaged = "page_damaged",
+    /// The pages of a database form a circle.
+    PagesInCircle = "pages_in_circle",
+    /// A database is no bag of ROS 2.
+    NoBagTables = "no_bag_tables",
+    /// A MATLAB file was written by a big-endian machine.
+    MatlabBigEndian = "matlab_big_endian",
+    /// A MATLAB file has something else where a matrix is expected.
+    ElementUnexpected = "element_unexpected",
+    /// A timetable stands before the variable that it belongs to.
+    TimetableTooEarly = "timetable_too_early",
+    /// The row times of a timetable are of an unknown kind.
+    RowTimesUnknown = "row_times_unknown",
+    /// A variable named after a sensor is an object that is not read.
+    ObjectNotRead = "object_not_read",
+    /// The only accelerometer of Sensor Logger is without gravity.
+    LoggerWithoutGravity = "logger_without_gravity",
+    // Errors of files: files of tables.
+    /// This build does not read the format.
+    NotInBuild = "not_in_build",
+    /// This build does not write the format.
+    NotWrittenByBuild = "not_written_by_build",
+    /// A text is no JSON from a place on.
+    JsonDamaged = "json_damaged",
+    /// A JSON file has no list of records or of numbers.
+    JsonWithoutTable = "json_without_table",
+    /// Records of a JSON file hold lists.
+    ListsInRecords = "lists_in_records",
+    /// A value of a JSON file is too long.
+    ValueTooLong = "value_too_long",
+    /// A name is longer than any column's.
+    NameTooLong = "name_too_long",
+    /// The records of a JSON file have too many names.
+    NamesTooMany = "names_too_many",
+    /// Some records of a JSON file have names and others have none.
+    NamesMixed = "names_mixed",
+    /// A table is no longer in the file.
+    TableGone = "table_gone",
+    /// A file has more rows than it announces.
+    RowsBeyondClaim = "rows_beyond_claim",
+    /// The columns of a file are longer than the file.
+    ColumnsBeyondFile = "columns_beyond_file",
+    /// Columns are compressed in a way that this build does not unpack.
+    ColumnCompressed = "column_compressed",
+    /// The cells of a column are lists.
+    CellsAreLists = "cells_are_lists",
+    /// The numbers of a column are of a type that is not read.
+    NumberTypeUnread = "number_type_unread",
+    /// A page holds texts as differences.
+    TextsAsDifferences = "texts_as_differences",
+    /// An HDF5 file has no dataset of numbers.
+    NoDataset = "no_dataset",
+    /// A dataset has a shape that is not read.
+    DatasetShape = "dataset_shape",
+    /// A dataset gives another number of numbers than it states.
+    DatasetLength = "dataset_length",
+    /// A workbook has no sheet of cells.
+    NoSheet = "no_sheet",
+    /// A workbook announces more words than it has bytes.
+    WordsTooMany = "words_too_many",
+    /// A cell of a workbook stands where no cell can be.
+    CellImpossible = "cell_impossible",
+    /// A cell of a workbook is there twice.
+    CellTwice = "cell_twice",
+    /// A cell of a workbook is a date among numbers.
+    CellIsDate = "cell_is_date",
+    // Errors of files: files that are written.
+    /// An output is an input or a file of one.
+    OutputIsInput = "output_is_input",
+    /// A name is given for two outputs.
+    OutputTwice = "output_twice",
+    /// An output is there already.
+    OutputExists = "output_exists",
+    /// An output was written by something else meanwhile.
+    OutputAppeared = "output_appeared",
+    /// An output is a pipe, a device or a folder.
+    OutputNoFile = "output_no_file",
+    /// An output is write-protected.
+    OutputProtected = "output_protected",
+    /// The name of an output is that of a folder.
+    OutputIsFolder = "output_is_folder",
+    /// The name of an output has no last part.
+    OutputNameless = "output_nameless",
+    /// An output is a link to nothing.
+    OutputDangling = "output_dangling",
+    /// A link stands where a folder is expected.
+    OutputLinked = "output_linked",
+    /// Another run writes an output.
+    OutputHeld = "output_held",
+    /// A folder cannot be made.
+    FolderRefused = "folder_refused",
+    // Errors of files: calibrations that another tool cannot hold.
+    /// A target wants a sensor that is not calibrated.
+    SensorLacking = "sensor_lacking",
+    /// A target corrects readings in another unit.
+    ExportUnit = "export_unit",
+    /// A parameter lies beyond those that a target takes.
+    ParameterOutside = "parameter_outside",
+    /// A target wants right-handed axes.
+    ExportLeftHanded = "export_left_handed",
+    /// A target keeps no sign of an axis.
+    SignNotKept = "sign_not_kept",
+    /// Parameters in force would be replaced, and are not given.
+    CorrectedInForce = "corrected_in_force",
+    /// Some recordings of a calibration were corrected before, and others were not.
+    CorrectedPartly = "corrected_partly",
+    /// Parameters in force were taken off already.
+    CorrectionTakenOff = "correction_taken_off",
+    /// A parameter in force turns the readings.
+    ReadingsTurned = "readings_turned",
+    /// A parameter is not among those in force.
+    ParameterMissing = "parameter_missing",
+    /// A line of the parameters in force is none.
+    ParameterLine = "parameter_line",
+    /// A target has no parameters for the sensor.
+    InstanceBeyond = "instance_beyond",
+    /// A matrix of a calibration has no inverse.
+    MatrixSingular = "matrix_singular",
+    /// A scale factor is zero.
+    ScaleZero = "scale_zero",
+    /// A scale factor does not fit the integers of a target.
+    ScaleBeyondIntegers = "scale_beyond_integers",
+    /// A calibration is too large for an archive.
+    ArchiveTooLarge = "archive_too_large",
+    /// A file of several is missing.
+    FileMissing = "file_missing",
+    // Errors of files: calibrations of other tools that are not read.
+    /// A file is too large for a calibration.
+    ImportTooLarge = "import_too_large",
+    /// A text is no YAML from a place on.
+    NoYaml = "no_yaml",
+    /// A calibration of another tool is empty.
+    ImportEmpty = "import_empty",
+    /// A file of Kalibr states no sensors.
+    NoSensorsStated = "no_sensors_stated",
+    /// A file of Kalibr has no keys and values.
+    NoEntries = "no_entries",
+    /// A model of Kalibr is not known.
+    ModelUnknown = "model_unknown",
+    /// A matrix that should be a rotation is none.
+    NoRotation = "no_rotation",
+    /// An entry is no matrix of three rows.
+    MatrixExpected = "matrix_expected",
+    /// An entry is no vector.
+    VectorExpected = "vector_expected",
+    /// A file of Kalibr lacks an entry of its model.
+    EntryMissing = "entry_missing",
+    /// A matrix of another tool has no inverse.
+    EntrySingular = "entry_singular",
+    /// A text of imu_tk has a word that is no number.
+    NumberExpected = "number_expected",
+    /// A text of imu_tk has too few numbers or too many.
+    NumbersCount = "numbers_count",
+    // Errors of files: sources of a guided session.
+    /// A source is neither an address nor a file.
+    SourceUnknown = "source_unknown",
+    /// A phone does not answer.
+    PhoneLost = "phone_lost",
+    /// The measurement of a phone begins again and again.
+    PhoneRestless = "phone_restless",
+    /// A source sends a line without an end.
+    LineTooLong = "line_too_long",
+    /// A source sends more text than a session has.
+    TextTooLong = "text_too_long",
+    /// A phone sends more samples than a session has.
+    SessionTooLong = "session_too_long",
+    /// An address answers that is not phyphox.
+    NotPhyphox = "not_phyphox",
+    /// The experiment on a phone lacks a sensor.
+    PhoneWithoutSensor = "phone_without_sensor",
+    /// A file of a session cannot be read or written.
+    SessionFile = "session_file",
+    /// A request to a phone has failed.
+    RequestFailed = "request_failed",
+    /// The answer of a phone has no samples.
+    AnswerWithoutSamples = "answer_without_samples",
+    /// A phone states a time that no session lasts.
+    TimeImpossible = "time_impossible",
+    /// A phone states a reading that no sensor has.
+    ReadingImpossible = "reading_impossible",
+    /// The exported file of a phone lacks a sensor.
+    ExportLacksSamples = "export_lacks_samples",
+    /// The exported file of a phone is of another session.
+    ExportOfOther = "export_of_other",
+    // Errors of files: batches of devices.
+    /// A manifest cannot be understood from a line on.
+    ManifestDamaged = "manifest_damaged",
+    /// A cell of a manifest holds something else.
+    CellUnexpected = "cell_unexpected",
+    /// A manifest has a column that is not known.
+    ColumnUnknown = "column_unknown",
+    /// A device of a manifest has no inputs.
+    InputsMissing = "inputs_missing",
+    /// Two devices have one name.
+    DeviceTwice = "device_twice",
+    /// No device is in a folder or manifest.
+    NoDevice = "no_device",
+    /// A manifest names a method that is not known.
+    DeviceMethod = "device_method",
+    /// A manifest names an effect that is not known.
+    DeviceEffect = "device_effect",
+    /// A manifest names a unit that is not known.
+    DeviceUnit = "device_unit",
+    /// Folders of a device are too deep.
+    FoldersTooDeep = "folders_too_deep",
+    /// An input is neither a file nor a folder.
+    NoFileOrFolder = "no_file_or_folder",
+    /// A file is no part of a batch.
+    NoBatchPart = "no_batch_part",
+    /// A part of a batch has no end.
+    PartIncomplete = "part_incomplete",
+    /// A part of a batch has another hash.
+    PartChanged = "part_changed",
+    /// A part of a batch is of another version.
+    PartOfOtherVersion = "part_of_other_version",
+    /// A part is of another run.
+    PartForeign = "part_foreign",
+    /// A part of a batch is missing.
+    PartMissing = "part_missing",
+    /// A device is in no part of a batch.
+    DeviceInNoPart = "device_in_no_part",
+    /// The parts of a batch make no whole.
+    PartsIncomplete = "parts_incomplete",
+    /// There are no parts of a batch.
+    NoParts = "no_parts",
+    /// Too few devices have the parameters in common.
+    DevicesTooFew = "devices_too_few",
+    /// A part of the work is misspelt.
+    ShardWrong = "shard_wrong",
+    /// No thread can be started.
+    NoThread = "no_thread",
+    /// The program has a bug.
+    BugOfOurs = "bug_of_ours",
+    /// A device took longer than it may.
+    OverBudget = "over_budget",
+    // Remarks on calibrations for other tools.
+    /// The frame of Kalibr is turned against that of the calibration.
+    FrameTurned = "frame_turned",
+    /// A file of Kalibr names no topic.
+    TopicToAdd = "topic_to_add",
+    /// Noise densities that Kalibr wants are not known.
+    DensitiesUnknown = "densities_unknown",
+    /// A flight controller measures the gyroscope's offsets at every start.
+    OffsetsMeasuredAgain = "offsets_measured_again",
+    /// A node takes the gyroscope's bias from its first samples.
+    BiasFromStart = "bias_from_start",
+    /// A recording may be of readings that a flight controller has corrected.
+    MaybeCorrected = "maybe_corrected",
+    /// PX4 uses parameters of a sensor by its id.
+    SensorsByIds = "sensors_by_ids",
+    /// Parameters are on top of an earlier correction.
+    OnTopOf = "on_top_of",
+    /// The functions of a module leave a part out.
+    NotApplied = "not_applied",
+    /// A target does not hold a part of a calibration.
+    LostInExport = "lost_in_export",
     // Errors: text, columns, time and intervals of a recording (crate recording).
     // Errors: requests, models, calibrations and fits (crates sensor, effects, simulate, noise, estimate, discover, plan).
     /// The work was cancelled.

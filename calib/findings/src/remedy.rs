@@ -32,6 +32,8 @@ pub enum OptionName {
     Instance,
     /// Latitude.
     Latitude,
+    /// Parameters that were in force while a recording was logged.
+    LoggedWith,
     /// Intervals that are left out.
     LeaveOut,
     /// Unit of the magnetometer's readings.
@@ -195,6 +197,61 @@ pub enum Remedy {
     },
     /// Report a bug.
     Report,
+    // Of files.
+    /// Unpack the file by another program, and name what comes out.
+    UnpackFirst,
+    /// Name the file instead of what holds it.
+    NameFile,
+    /// Copy the file again.
+    CopyAgain,
+    /// Convert the file to CSV by another program.
+    ConvertToCsv {
+        /// A command or an expression that does it.
+        by: String,
+    },
+    /// Save a sheet as CSV.
+    SaveAsCsv,
+    /// Save a MATLAB file in the format before 7.3.
+    SaveAsV7,
+    /// Export the file in another format.
+    ExportAs {
+        /// The format.
+        format: String,
+    },
+    /// Build the program with a feature.
+    Build {
+        /// The feature.
+        feature: String,
+    },
+    /// Leave an option out.
+    Omit {
+        /// Option.
+        option: OptionName,
+    },
+    /// Choose another name for the output.
+    OtherName,
+    /// Replace the output that is there.
+    Replace,
+    /// Keep the output that is there.
+    KeepExisting,
+    /// Make room on the disk.
+    MakeRoom,
+    /// Raise the limit on the size of files.
+    RaiseFileLimit,
+    /// Make the folder first.
+    MakeFolder,
+    /// Choose a folder that can be written to.
+    OtherFolder,
+    /// Try again, or on another file system.
+    TryAgain,
+    /// Run a part of a batch again.
+    RunShard {
+        /// The part, as `3/8`; none where it is known from the file.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        shard: Option<String>,
+    },
+    /// Analyse the noise of a long rest.
+    AnalyseNoise,
 }
 
 impl Remedy {
@@ -234,6 +291,19 @@ impl Remedy {
     pub fn if_wrong(options: impl IntoIterator<Item = OptionName>) -> Self {
         Self::IfWrong {
             any_of: without_values(options),
+        }
+    }
+
+    /// The way out where a system refuses to write.
+    pub fn for_writing(refusal: std::io::ErrorKind) -> Self {
+        use std::io::ErrorKind as E;
+        match refusal {
+            E::StorageFull | E::QuotaExceeded => Self::MakeRoom,
+            E::FileTooLarge => Self::RaiseFileLimit,
+            E::NotFound => Self::MakeFolder,
+            E::PermissionDenied | E::ReadOnlyFilesystem => Self::OtherFolder,
+            // Network file systems fail now and then, and some cannot rename over a file.
+            _ => Self::TryAgain,
         }
     }
 

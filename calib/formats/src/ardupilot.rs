@@ -25,7 +25,7 @@ impl Format for ArduPilot {
     }
 
     fn about(&self) -> &'static str {
-        "an ArduPilot dataflash log (.BIN) with IMU, or ACC and GYR; --instance chooses the sensor"
+        "an ArduPilot dataflash log (.BIN) with IMU, or ACC and GYR"
     }
 
     fn recognises(&self, head: &[u8]) -> bool {

@@ -2,6 +2,8 @@
 
 use std::io::Read;
 
+use findings::{Finding, Kind};
+
 use crate::format::Format;
 use crate::{Content, Error, Limits, Wanted};
 
@@ -17,7 +19,7 @@ impl Format for Blackbox {
     }
 
     fn about(&self) -> &'static str {
-        "a Betaflight blackbox as it is on the flight controller: decode it with blackbox_decode first"
+        "a Betaflight blackbox as it is on the flight controller, before blackbox_decode"
     }
 
     fn recognises(&self, head: &[u8]) -> bool {
@@ -26,9 +28,7 @@ impl Format for Blackbox {
     }
 
     fn read(&self, _: &mut dyn Read, _: &Wanted, _: Limits) -> Result<Content, Error> {
-        Err(Error::refused(
-            "a Betaflight blackbox, which is not decoded here; `blackbox_decode --unit-acceleration g --unit-rotation deg/s FILE` makes CSV of it, and that is read (Blackbox Explorer exports CSV too)",
-        ))
+        Err(Error::refused(Finding::of(Kind::BlackboxNotDecoded)))
     }
 }
 

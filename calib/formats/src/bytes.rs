@@ -2,6 +2,9 @@
 
 use std::io::{self, BufRead, Read};
 
+use findings::{Finding, Kind};
+
+use crate::error::counted;
 use crate::{Error, Limits};
 
 /// A stream of bytes that is read forward.
@@ -46,9 +49,7 @@ impl<'a> Bytes<'a> {
         if length > self.limit {
             return Err(Error::at(
                 self.at,
-                format!(
-                    "{length} bytes are announced here, more than any recording has in one piece"
-                ),
+                counted(Finding::of(Kind::PieceTooLong), "bytes", length),
             ));
         }
         let length = length as usize;
@@ -122,9 +123,7 @@ impl BufRead for Part<'_, '_> {
     fn fill_buf(&mut self) -> io::Result<&[u8]> {
         let most = self.left.min(CHUNK as u64) as usize;
         let bytes = &mut *self.bytes;
-        bytes
-            .fill(usize::from(most > 0))
-            .map_err(io::Error::other)?;
+        bytes.fill(usize::from(most > 0)).map_err(io::Error::from)?;
         let end = bytes.buffer.len().min(bytes.from + most);
         Ok(&bytes.buffer[bytes.from..end])
     }

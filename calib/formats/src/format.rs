@@ -7,7 +7,7 @@ use crate::{Content, Error, Limits, Wanted};
 
 /// A format of binary or structured files.
 pub trait Format: fmt::Debug + Sync {
-    /// The name for `--format`.
+    /// The name to ask for it.
     fn name(&self) -> &'static str;
 
     /// What it is, in a line.

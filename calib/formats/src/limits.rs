@@ -1,6 +1,9 @@
 //! How much is read before a file is refused.
 
+use findings::{Finding, Kind, Remedy};
+
 use crate::Error;
+use crate::error::counted;
 
 /// Limits on what a file may ask for. Whatever it claims, memory grows only with what was read.
 #[derive(Clone, Copy, Debug)]
@@ -30,12 +33,10 @@ impl Default for Limits {
 const ALWAYS: u64 = 1 << 20;
 
 impl Limits {
-    /// What is said of more than [`Limits::entries`].
+    /// An archive or a folder of more than [`Limits::entries`].
     pub(crate) fn too_many_entries(&self) -> Error {
-        Error::refused(format!(
-            "more than {} entries, as no recording has; name the file itself",
-            self.entries
-        ))
+        let found = Finding::of(Kind::EntriesTooMany).count("limit", self.entries);
+        Error::refused(found.detail("things", "entries").remedy(Remedy::NameFile))
     }
 
     /// Refuses `large` bytes that `small` compressed ones unpack to.
@@ -44,17 +45,18 @@ impl Limits {
     /// Both figures and the limit.
     pub fn check_unpacked(&self, what: &str, small: u64, large: u64) -> Result<(), Error> {
         if large > self.bytes {
-            return Err(Error::refused(format!(
-                "{what} unpacks to more than {} bytes; unpack it yourself if you trust it, and name the file",
-                self.bytes
-            )));
+            return Err(self.too_large(what));
         }
         if large > ALWAYS && large / self.ratio > small {
-            return Err(Error::refused(format!(
-                "{what} unpacks to more than {} times its size, as no recording does; unpack it yourself if you trust it",
-                self.ratio
-            )));
+            let found = Finding::of(Kind::UnpacksTooMuch).detail("what", what);
+            return Err(Error::refused(counted(found, "ratio", self.ratio)));
         }
         Ok(())
+    }
+
+    /// Something that unpacks to more than [`Limits::bytes`].
+    pub(crate) fn too_large(&self, what: &str) -> Error {
+        let found = Finding::of(Kind::UnpacksTooLarge).detail("what", what);
+        Error::refused(counted(found, "limit", self.bytes))
     }
 }

@@ -10,6 +10,7 @@ use std::io::{BufReader, Read};
 
 use serde::de::{Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 
+use crate::error::no_json;
 use crate::format::Format;
 use crate::stream::Recorder;
 use crate::{Content, Error, Limits, Quantity, Wanted};
@@ -56,11 +57,7 @@ impl Format for SensorLoggerJson {
         }
         if let Err(error) = read {
             if !error.is_eof() || file.counts.is_empty() {
-                return Err(Error::refused(format!(
-                    "line {}, column {}: {error}; is the JSON complete?",
-                    error.line(),
-                    error.column()
-                )));
+                return Err(no_json(&error));
             }
             let cut = Finding::of(Kind::FileCut).detail("within", "an entry");
             file.recorder.content.cut = Some(cut.count("line", error.line()));
@@ -92,7 +89,7 @@ impl<'de> Visitor<'de> for Rows<'_> {
     type Value = ();
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("an array of entries with `sensor`, `time`, `x`, `y` and `z`")
+        f.write_str("an array of entries")
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut rows: A) -> Result<(), A::Error> {
@@ -131,7 +128,7 @@ impl<'de> Visitor<'de> for ScalarVisitor {
     type Value = String;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a number or a string")
+        f.write_str("number or string")
     }
 
     fn visit_str<E>(self, text: &str) -> Result<String, E> {
@@ -173,7 +170,7 @@ impl<'de> Visitor<'de> for RowVisitor {
     type Value = Entry;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("an entry with `sensor`, `time`, `x`, `y` and `z`")
+        f.write_str("an entry")
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Entry, A::Error> {

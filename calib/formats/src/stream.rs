@@ -1,6 +1,9 @@
 //! What a file holds: streams of samples, each on its clock, in SI units.
 use findings::{Finding, Findings, Kind};
 
+use crate::error::counted;
+use crate::shown::shown;
+
 /// What three values are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Quantity {
@@ -207,10 +210,8 @@ impl Recorder {
         let rows = self.rows;
         let stream = self.at(handle);
         if stream.stamps.len() as u64 >= rows {
-            return Err(crate::Error::refused(format!(
-                "more than {rows} samples of {}; --max-rows raises the limit",
-                stream.source
-            )));
+            let found = Finding::of(Kind::SamplesTooMany).detail("stream", shown(&stream.source));
+            return Err(crate::Error::refused(counted(found, "limit", rows)));
         }
         crate::stream::grow(&mut stream.stamps);
         crate::stream::grow(&mut stream.values);

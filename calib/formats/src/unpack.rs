@@ -3,6 +3,9 @@
 use std::borrow::Cow;
 use std::io::Read;
 
+use findings::{Finding, Kind};
+
+use crate::error::counted;
 use crate::shown::shown;
 use crate::{Error, Limits};
 
@@ -37,10 +40,7 @@ impl Chunks {
             .check_unpacked(&what, packed.len() as u64, size)?;
         self.unpacked = self.unpacked.saturating_add(size);
         if self.unpacked > self.limits.bytes {
-            return Err(Error::refused(format!(
-                "the chunks unpack to more than {} bytes",
-                self.limits.bytes
-            )));
+            return Err(self.limits.too_large("the chunks"));
         }
         Ok(unpack(method, packed, size))
     }
@@ -49,7 +49,10 @@ impl Chunks {
 /// The `size` bytes that `packed` holds, compressed by the method called so in bags and MCAP files.
 fn unpack<'a>(method: &str, packed: &'a [u8], size: u64) -> Result<Cow<'a, [u8]>, Error> {
     let mut unpacked = Vec::new();
-    let damaged = |error: String| Error::refused(format!("damaged {method} data: {error}"));
+    let damaged = |error: String| {
+        let found = Finding::of(Kind::PartUnpacksNot).detail("part", format!("{method} chunk"));
+        Error::refused(found.detail("reason", error))
+    };
     let reader: Box<dyn Read> = match method {
         "" | "none" => return Ok(packed.into()),
         "lz4" => Box::new(lz4_flex::frame::FrameDecoder::new(packed)),
@@ -59,10 +62,9 @@ fn unpack<'a>(method: &str, packed: &'a [u8], size: u64) -> Result<Cow<'a, [u8]>
             Box::new(decoder.map_err(|error| damaged(error.to_string()))?)
         }
         other => {
-            return Err(Error::refused(format!(
-                "chunks compressed by `{}` are not read; known are lz4, bz2 and zstd",
-                shown(other)
-            )));
+            let found = Finding::of(Kind::CompressionUnknown).detail("part", "chunk");
+            let found = found.detail("method", shown(other));
+            return Err(Error::refused(found.detail("known", "lz4, bz2, zstd")));
         }
     };
     let read = reader
@@ -70,10 +72,9 @@ fn unpack<'a>(method: &str, packed: &'a [u8], size: u64) -> Result<Cow<'a, [u8]>
         .read_to_end(&mut unpacked);
     read.map_err(|error| damaged(error.to_string()))?;
     if unpacked.len() as u64 != size {
-        return Err(damaged(format!(
-            "{} bytes, {size} expected",
-            unpacked.len()
-        )));
+        let found = Finding::of(Kind::UnpackedLength).detail("part", format!("{method} chunk"));
+        let found = found.count("bytes", unpacked.len());
+        return Err(Error::refused(counted(found, "expected", size)));
     }
     Ok(unpacked.into())
 }

@@ -80,17 +80,17 @@ fn a_build_without_them_says_what_to_do() {
     told(
         "parquet",
         b"PAR1",
-        &["a Parquet file", "--features parquet", "CSV"],
+        &["a Parquet file", "feature `parquet`", "CSV"],
     );
     told(
         "hdf5",
         &vectors(),
-        &["HDF5", "save -v7", "--features hdf5", "CSV"],
+        &["HDF5", "save -v7", "feature `hdf5`", "CSV"],
     );
     let book = workbook(&[("Raw", false, sheet(&[]))]);
-    told("xlsx", &book, &["Excel", "--features xlsx", "CSV"]);
+    told("xlsx", &book, &["Excel", "feature `xlsx`", "CSV"]);
     let error = write_parquet(&columns()).unwrap_err().to_string();
-    assert!(error.contains("--features parquet"), "{error}");
+    assert!(error.contains("feature `parquet`"), "{error}");
 }
 
 #[test]
@@ -140,7 +140,13 @@ mod parquet {
         };
         let format = Tabular::by_name("parquet").unwrap();
         let error = Container::tables_in_memory(format, file.into(), limits).unwrap_err();
-        assert!(error.to_string().contains("--max-rows"), "{error}");
+        assert!(
+            error
+                .finding()
+                .text(findings::Front::CommandLine)
+                .contains("--max-rows"),
+            "{error}"
+        );
     }
 }
 

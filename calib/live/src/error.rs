@@ -1,54 +1,48 @@
 //! What can end a session before it is complete.
 
+use std::fmt;
 use std::path::PathBuf;
 
-/// Why samples do not come or cannot be kept.
-#[derive(Debug, thiserror::Error)]
+use calib::recording::shown::shown_path;
+use findings::{Finding, Kind};
+
+/// Why samples do not come or cannot be kept. The words are those of [`Error::finding`].
+#[derive(Debug)]
 #[non_exhaustive]
 pub enum Error {
     /// The source is no address, path or `-`.
-    #[error(
-        "{0}: neither the address of a phone (http://192.168.0.12:8080) nor a file that exists, nor `-`"
-    )]
     NoSource(String),
     /// Nothing answers, or not for too long.
-    #[error("{address}: no answer{for_how_long} ({cause})", for_how_long = lasting(*seconds))]
     Lost {
         /// The address asked.
         address: String,
         /// For how long, s; 0 where it never answered.
         seconds: f64,
-        /// What the last one met.
+        /// The reason of the last attempt.
         cause: String,
     },
     /// Its measurement begins again and again.
-    #[error("{address}: the measurement began anew {times} times")]
     Restless {
         /// The address asked.
         address: String,
         /// How often.
         times: usize,
     },
-    /// More text comes than a session has, or text without lines.
-    #[error("{name}: {what}")]
+    /// More comes than a session has, or text without lines.
     TooMuch {
         /// The source.
         name: String,
-        /// What there is too much of.
-        what: &'static str,
+        /// The limit that is passed.
+        limit: Limit,
     },
     /// Something answers that does not speak the protocol.
-    #[error("{address}: not phyphox's remote access ({found})")]
     NotPhyphox {
         /// The address asked.
         address: String,
-        /// What was found instead.
-        found: String,
+        /// The beginning of its answer.
+        begin: String,
     },
     /// The experiment that is open on the phone lacks a sensor.
-    #[error(
-        "{address}: the experiment `{experiment}` has no {sensor} with x, y, z and time (found: {found})"
-    )]
     NoSensor {
         /// The address asked.
         address: String,
@@ -60,7 +54,6 @@ pub enum Error {
         found: String,
     },
     /// A file cannot be read or written.
-    #[error("{path}: {cause}", path = path.display())]
     File {
         /// The file.
         path: PathBuf,
@@ -68,8 +61,18 @@ pub enum Error {
         cause: std::io::Error,
     },
     /// Text arrives that is no recording.
-    #[error(transparent)]
-    Unreadable(#[from] calib::Error),
+    Unreadable(calib::Error),
+}
+
+/// Limits of a session.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Limit {
+    /// Bytes of a line.
+    Line(usize),
+    /// Bytes of text.
+    Text(u64),
+    /// Samples of a sensor.
+    Samples(usize),
 }
 
 impl Error {
@@ -81,6 +84,53 @@ impl Error {
         )
     }
 
+    /// The finding that ended the session, with its source or file as the place.
+    pub fn finding(&self) -> Finding {
+        match self {
+            Self::NoSource(name) => Finding::of(Kind::SourceUnknown).in_file(name),
+            Self::Lost {
+                address,
+                seconds,
+                cause,
+            } => {
+                let lost = Finding::of(Kind::PhoneLost).in_file(address);
+                let lost = lost.detail("reason", cause);
+                match *seconds > 0.0 {
+                    true => lost.number("seconds", *seconds, "s"),
+                    false => lost,
+                }
+            }
+            Self::Restless { address, times } => Finding::of(Kind::PhoneRestless)
+                .in_file(address)
+                .count("times", *times),
+            Self::TooMuch { name, limit } => match *limit {
+                Limit::Line(bytes) => Finding::of(Kind::LineTooLong).count("limit", bytes),
+                Limit::Text(bytes) => {
+                    Finding::of(Kind::TextTooLong).number("limit", bytes as f64, "count")
+                }
+                Limit::Samples(count) => Finding::of(Kind::SessionTooLong).count("limit", count),
+            }
+            .in_file(name),
+            Self::NotPhyphox { address, begin } => Finding::of(Kind::NotPhyphox)
+                .in_file(address)
+                .detail("begin", begin),
+            Self::NoSensor {
+                address,
+                experiment,
+                sensor,
+                found,
+            } => Finding::of(Kind::PhoneWithoutSensor)
+                .in_file(address)
+                .detail("experiment", experiment)
+                .detail("missing", *sensor)
+                .detail("found", found),
+            Self::File { path, cause } => Finding::of(Kind::SessionFile)
+                .in_file(shown_path(path))
+                .detail("reason", cause.to_string()),
+            Self::Unreadable(error) => error.finding(),
+        }
+    }
+
     /// Names the file that an operation failed on.
     pub(crate) fn at(path: &std::path::Path) -> impl FnOnce(std::io::Error) -> Self + '_ {
         |cause| Self::File {
@@ -90,19 +140,33 @@ impl Error {
     }
 }
 
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.finding().fmt(f)
+    }
+}
+
+impl std::error::Error for Error {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::File { cause, .. } => Some(cause),
+            Self::Unreadable(error) => Some(error),
+            _ => None,
+        }
+    }
+}
+
+impl From<calib::Error> for Error {
+    fn from(error: calib::Error) -> Self {
+        Self::Unreadable(error)
+    }
+}
+
 impl From<output::Error> for Error {
     fn from(error: output::Error) -> Self {
         Self::File {
             path: error.path.clone(),
             cause: error.into(),
         }
-    }
-}
-
-/// ` for 180 s`.
-fn lasting(seconds: f64) -> String {
-    match seconds {
-        0.0 => String::new(),
-        seconds => format!(" for {seconds:.0} s"),
     }
 }

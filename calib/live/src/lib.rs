@@ -36,7 +36,7 @@ mod source;
 mod view;
 
 pub use direction::Direction;
-pub use error::Error;
+pub use error::{Error, Limit};
 pub use instruction::{Instruction, Verdict};
 pub use lines::Lines;
 pub use motion::Motion;

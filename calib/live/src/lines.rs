@@ -10,7 +10,7 @@ use calib::Recording;
 use calib::recording::{ReadOptions, Stream};
 use output::Growing;
 
-use crate::error::Error;
+use crate::error::{Error, Limit};
 use crate::serial;
 use crate::source::{Batch, Event, Finished, Opening, Source};
 
@@ -212,24 +212,20 @@ struct Keeper {
 impl Keeper {
     /// Writes the whole lines that there are now; nothing new where there are none.
     fn take(&mut self, bytes: &[u8]) -> Result<Option<Kept>, Error> {
-        let too_much = |what| Error::TooMuch {
+        let too_much = |limit| Error::TooMuch {
             name: self.name.clone(),
-            what,
+            limit,
         };
         self.open_line.extend(bytes);
         let Some(end) = self.open_line.iter().rposition(|b| *b == b'\n') else {
             return match self.open_line.len() > LONGEST_LINE {
-                true => Err(too_much(
-                    "a line of more than 1 MB comes; lines of text expected",
-                )),
+                true => Err(too_much(Limit::Line(LONGEST_LINE))),
                 false => Ok(None),
             };
         };
         let whole: Vec<u8> = self.open_line.drain(..=end).collect();
         if self.kept.bytes + whole.len() as u64 > MOST {
-            return Err(too_much(
-                "more than 128 MB of text came; write it to a file and calibrate that",
-            ));
+            return Err(too_much(Limit::Text(MOST)));
         }
         self.file.append(&whole)?;
         self.kept.lines += whole.iter().filter(|b| **b == b'\n').count();

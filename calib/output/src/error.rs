@@ -1,61 +1,56 @@
 //! Why a file is not written.
 
-use std::io;
 use std::path::{Path, PathBuf};
+use std::{fmt, io};
+
+use findings::{Finding, Kind, Remedy};
 
 /// A file that is not written. What had been there is as it was.
-#[derive(Debug, thiserror::Error)]
-#[error("{path}: {reason}", path = path.display())]
+#[derive(Debug)]
 pub struct Error {
     /// The file or folder, as it was named.
     pub path: PathBuf,
-    /// Why, and what to do.
+    /// Why.
     pub reason: Reason,
 }
 
-/// Why a file is not written, and what to do.
-#[derive(Debug, thiserror::Error)]
+/// Why a file is not written.
+#[derive(Debug)]
 #[non_exhaustive]
 pub enum Reason {
     /// It is an input or a member of one.
-    #[error("is the input {input} or a file of it; choose another name", input = shown(.0))]
     Input(PathBuf),
     /// It is claimed already in this process.
-    #[error("given for two outputs; choose another name")]
     Twice,
     /// It is there and not to be replaced.
-    #[error("exists already")]
     Exists,
     /// It was not there when it was claimed.
-    #[error("was written by something else meanwhile and is left as it is")]
     Appeared,
     /// A pipe, a device or a folder.
-    #[error("is no regular file; choose another name")]
     NoFile,
     /// Nobody may write to it.
-    #[error("is write-protected; choose another name, or allow writing to it")]
     Protected,
     /// It ends with a slash.
-    #[error("names a folder; name a file to write")]
     NamesFolder,
     /// It has no last part.
-    #[error("is no file name; name a file to write")]
     Nameless,
     /// A link whose aim is not there.
-    #[error("is a link to nothing ({aim}); remove the link or choose another name", aim = shown(.0))]
     Dangling(PathBuf),
     /// A link where a folder of our own is expected.
-    #[error("is a link where a folder is expected; remove the link")]
     Linked,
     /// Another process has claimed it.
-    #[error("is being written by another run (process {0}); wait for it")]
     Held(String),
     /// A folder cannot be made.
-    #[error("cannot be made: {0}; choose a folder that can be written to")]
     Folder(io::Error),
     /// The system refuses.
-    #[error("cannot be written: {0}; {advice}", advice = advice(.0))]
     System(io::Error),
+}
+
+impl Error {
+    /// The finding, with the file as its place.
+    pub fn finding(&self) -> Finding {
+        self.reason.finding().in_file(shown(&self.path))
+    }
 }
 
 impl Reason {
@@ -63,6 +58,50 @@ impl Reason {
         Error {
             path: path.to_owned(),
             reason: self,
+        }
+    }
+
+    /// The finding without its place.
+    pub fn finding(&self) -> Finding {
+        match self {
+            Self::Input(input) => Finding::of(Kind::OutputIsInput).detail("input", shown(input)),
+            Self::Twice => Finding::of(Kind::OutputTwice),
+            Self::Exists => Finding::of(Kind::OutputExists),
+            Self::Appeared => Finding::of(Kind::OutputAppeared),
+            Self::NoFile => Finding::of(Kind::OutputNoFile),
+            Self::Protected => Finding::of(Kind::OutputProtected),
+            Self::NamesFolder => Finding::of(Kind::OutputIsFolder),
+            Self::Nameless => Finding::of(Kind::OutputNameless),
+            Self::Dangling(aim) => Finding::of(Kind::OutputDangling).detail("aim", shown(aim)),
+            Self::Linked => Finding::of(Kind::OutputLinked),
+            Self::Held(process) => Finding::of(Kind::OutputHeld).detail("process", process),
+            Self::Folder(error) => {
+                Finding::of(Kind::FolderRefused).detail("reason", error.to_string())
+            }
+            Self::System(error) => Finding::of(Kind::Unwritable)
+                .detail("reason", error.to_string())
+                .remedy(Remedy::for_writing(error.kind())),
+        }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.finding().fmt(f)
+    }
+}
+
+impl fmt::Display for Reason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.finding().fmt(f)
+    }
+}
+
+impl std::error::Error for Error {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match &self.reason {
+            Reason::Folder(error) | Reason::System(error) => Some(error),
+            _ => None,
         }
     }
 }
@@ -77,19 +116,6 @@ impl From<Error> for io::Error {
             }
             reason => Self::new(io::ErrorKind::InvalidInput, reason.to_string()),
         }
-    }
-}
-
-/// What can be done about the system's reason.
-fn advice(error: &io::Error) -> &'static str {
-    use io::ErrorKind as E;
-    match error.kind() {
-        E::StorageFull | E::QuotaExceeded => "make room, or write to another disk",
-        E::FileTooLarge => "raise the limit on file sizes (ulimit -f)",
-        E::NotFound => "make the folder first",
-        E::PermissionDenied | E::ReadOnlyFilesystem => "choose a folder that can be written to",
-        // Network file systems fail now and then, and some cannot rename over a file.
-        _ => "try again, or choose a folder on another file system",
     }
 }
 

@@ -87,14 +87,19 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         .iter()
         .for_each(|said| show::warn(&said.text(Front::CommandLine)));
     for note in &export.notes {
-        show::note(&format!("note: {note}"));
+        show::note(&format!("note: {}", note.text(Front::CommandLine)));
     }
     if args.json {
+        let notes = export
+            .notes
+            .iter()
+            .map(|note| note.text(Front::CommandLine));
+        let notes: Vec<String> = notes.collect();
         let document = json!({
             "target": args.to.name(),
             "output": show::path(&args.output),
             "lost": export.lost,
-            "notes": export.notes,
+            "notes": notes,
         });
         return show::print(&show::json(&document)?);
     }

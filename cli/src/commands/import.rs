@@ -88,6 +88,6 @@ fn read(files: &[PathBuf], from: Option<From>) -> Result<Calibration, Failure> {
     };
     found.map_err(|error| {
         let names: Vec<String> = files.iter().map(|f| show::path(f)).collect();
-        Failure::new(INPUT, format!("{}: {error}", names.join(", ")))
+        Failure::of(INPUT, error.finding().in_file(names.join(", ")))
     })
 }

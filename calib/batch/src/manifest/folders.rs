@@ -13,10 +13,7 @@ const OTHER: [&str; 11] = [
 
 /// The devices in a folder, by name.
 pub(super) fn devices(folder: &Path) -> Result<Vec<Device>, Error> {
-    let all = members(folder).map_err(|source| Error::Io {
-        path: folder.to_owned(),
-        source,
-    })?;
+    let all = members(folder).map_err(Error::at(folder))?;
     let recorded = |path: &std::path::PathBuf| {
         let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
         path.is_dir() || !ending.is_some_and(|e| OTHER.contains(&e.as_str()))

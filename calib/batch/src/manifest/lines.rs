@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use calib::recording::shown::{shown, shown_path};
+use findings::{Finding, Kind};
 use serde_json::{Map, Value};
 
 use super::device::{Device, DeviceOptions};
@@ -16,24 +18,27 @@ const LISTS: [&str; 1] = ["effects"];
 
 /// The devices of a manifest file; paths are relative to its folder.
 pub(super) fn devices(path: &Path) -> Result<Vec<Device>, Error> {
-    let text = calib::read_text(path).map_err(|e| Error::Manifest(e.to_string()))?;
+    let text = calib::read_text(path).map_err(|e| Error::Manifest(e.finding().into()))?;
     let folder = path.parent().unwrap_or(Path::new(""));
     let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
-    let name = path.display().to_string();
+    let name = shown_path(path);
+    let at = |line: usize, found: Box<Finding>| {
+        Error::Manifest(found.in_file(&name).at_line(line as u64).into())
+    };
     let lines = match ending.as_deref() {
         Some("toml") => of_toml(&text),
         Some("jsonl" | "ndjson" | "json") => of_json(&text),
         _ => of_csv(&text),
     };
-    let lines = lines.map_err(|(line, what)| Error::Manifest(format!("{name}:{line}: {what}")))?;
+    let lines = lines.map_err(|(line, found)| at(line, found))?;
     let device = |(line, entry): (usize, Map<String, Value>)| {
         let device = device(entry, folder);
-        device.map_err(|what| Error::Manifest(format!("{name}:{line}: {what}")))
+        device.map_err(|found| at(line, found))
     };
     lines.into_iter().map(device).collect()
 }
 
-type Lines = Result<Vec<(usize, Map<String, Value>)>, (usize, String)>;
+type Lines = Result<Vec<(usize, Map<String, Value>)>, (usize, Box<Finding>)>;
 
 fn of_toml(text: &str) -> Lines {
     let line = |span: Option<std::ops::Range<usize>>| {
@@ -45,8 +50,8 @@ fn of_toml(text: &str) -> Lines {
     struct File {
         device: Vec<toml::Spanned<Map<String, Value>>>,
     }
-    let file: File =
-        toml::from_str(text).map_err(|e| (line(e.span()), calib::explain_toml(e.message())))?;
+    let file: File = toml::from_str(text)
+        .map_err(|e| (line(e.span()), damaged(calib::explain_toml(e.message()))))?;
     let entries = file.device.into_iter();
     Ok(entries
         .map(|e| (line(Some(e.span())), e.into_inner()))
@@ -62,7 +67,7 @@ fn of_json(text: &str) -> Lines {
         let entry = serde_json::from_str(line);
         entry
             .map(|e| (k + 1, e))
-            .map_err(|e| (k + 1, e.to_string()))
+            .map_err(|e| (k + 1, damaged(e.to_string())))
     };
     lines.map(entry).collect()
 }
@@ -75,7 +80,7 @@ fn of_csv(text: &str) -> Lines {
         .from_reader(text.as_bytes());
     let fault = |e: csv::Error| {
         let line = e.position().map_or(1, |p| p.line() as usize);
-        (line, e.to_string())
+        (line, damaged(e.to_string()))
     };
     let header = reader.headers().map_err(fault)?.clone();
     let mut entries = Vec::new();
@@ -91,7 +96,7 @@ fn of_csv(text: &str) -> Lines {
             let value = if NUMBERS.contains(&key) {
                 let number: f64 = cell
                     .parse()
-                    .map_err(|_| (line, format!("{key}: `{cell}` found, a number expected")))?;
+                    .map_err(|_| (line, unexpected(key, &format!("`{cell}`"), "a number")))?;
                 Value::from(number)
             } else {
                 Value::from(cell)
@@ -104,7 +109,7 @@ fn of_csv(text: &str) -> Lines {
 }
 
 /// A device from the keys of its line.
-fn device(entry: Map<String, Value>, folder: &Path) -> Result<Device, String> {
+fn device(entry: Map<String, Value>, folder: &Path) -> Result<Device, Box<Finding>> {
     let known = || {
         KEYS.iter()
             .chain(&NUMBERS)
@@ -114,23 +119,22 @@ fn device(entry: Map<String, Value>, folder: &Path) -> Result<Device, String> {
     };
     if let Some(key) = entry.keys().find(|key| !known().any(|k| k == *key)) {
         let near = known().min_by_key(|k| strsim::damerau_levenshtein(key, k));
-        return Err(format!(
-            "unknown column `{key}`; did you mean `{}`? ({} are known)",
-            near.unwrap_or_default(),
-            known().collect::<Vec<_>>().join(", ")
-        ));
+        let found = Finding::of(Kind::ColumnUnknown).detail("column", shown(key));
+        let found = found.detail("nearest", *near.as_ref().unwrap_or(&""));
+        let known: Vec<&str> = known().collect();
+        return Err(found.detail("known", known.join(", ")).into());
     }
     let word = |key: &str| match entry.get(key) {
         None | Some(Value::Null) => Ok(None),
         Some(Value::String(word)) => Ok(Some(word.clone())),
         Some(Value::Number(number)) => Ok(Some(number.to_string())),
-        Some(other) => Err(format!("{key}: {other} found, a word expected")),
+        Some(other) => Err(unexpected(key, &other.to_string(), "a word")),
     };
     let number = |key: &str| match entry.get(key) {
         None | Some(Value::Null) => Ok(None),
         Some(value) => match value.as_f64().filter(|v| v.is_finite()) {
             Some(number) => Ok(Some(number)),
-            None => Err(format!("{key}: {value} found, a number expected")),
+            None => Err(unexpected(key, &value.to_string(), "a number")),
         },
     };
     let list = |key: &str| match entry.get(key) {
@@ -144,13 +148,13 @@ fn device(entry: Map<String, Value>, folder: &Path) -> Result<Device, String> {
             words
                 .collect::<Option<Vec<_>>>()
                 .map(Some)
-                .ok_or(format!("{key}: a list of words expected"))
+                .ok_or_else(|| unexpected(key, "another list", "words"))
         }
-        Some(other) => Err(format!("{key}: {other} found, a list expected")),
+        Some(other) => Err(unexpected(key, &other.to_string(), "a list")),
     };
     let inputs = list("inputs")?.unwrap_or_default();
     let Some(first) = inputs.first().cloned() else {
-        return Err("inputs: none; name the recordings of the device, separated by `;`".into());
+        return Err(Finding::of(Kind::InputsMissing).into());
     };
     let inputs: Vec<PathBuf> = inputs.iter().map(|path| folder.join(path)).collect();
     Ok(Device {
@@ -172,6 +176,21 @@ fn device(entry: Map<String, Value>, folder: &Path) -> Result<Device, String> {
             gyro_unit: word("gyro_unit")?,
         },
     })
+}
+
+/// A line that is none of its format.
+fn damaged(reason: String) -> Box<Finding> {
+    let found = Finding::of(Kind::ManifestDamaged);
+    found.detail("reason", reason).into()
+}
+
+/// A cell that holds something else.
+fn unexpected(column: &str, found: &str, expected: &str) -> Box<Finding> {
+    Finding::of(Kind::CellUnexpected)
+        .detail("column", column)
+        .detail("found", shown(found))
+        .detail("expected", expected)
+        .into()
 }
 
 #[cfg(test)]

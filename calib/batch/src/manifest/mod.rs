@@ -6,6 +6,8 @@ mod lines;
 
 use std::path::PathBuf;
 
+use calib::recording::shown::{shown, shown_path};
+use findings::{Finding, Kind};
 use serde::{Deserialize, Serialize};
 
 pub use self::device::{Device, DeviceOptions};
@@ -36,17 +38,13 @@ impl Manifest {
         let mut names: Vec<&str> = devices.iter().map(|d: &Device| d.id.as_str()).collect();
         names.sort_unstable();
         if let Some(twice) = names.windows(2).find(|pair| pair[0] == pair[1]) {
-            return Err(Error::Manifest(format!(
-                "the device {} is there twice; give each an id of its own in a manifest",
-                twice[0]
-            )));
+            let found = Finding::of(Kind::DeviceTwice).detail("device", shown(twice[0]));
+            return Err(Error::Manifest(found.into()));
         }
         if devices.is_empty() {
-            let names: Vec<_> = paths.iter().map(|p| p.display().to_string()).collect();
-            return Err(Error::Manifest(format!(
-                "{}: no device in it; name a folder with a folder or a file for each, or a manifest",
-                names.join(", ")
-            )));
+            let names: Vec<_> = paths.iter().map(|p| shown_path(p)).collect();
+            let found = Finding::of(Kind::NoDevice).in_file(names.join(", "));
+            return Err(Error::Manifest(found.into()));
         }
         Ok(Self { devices })
     }

@@ -1,6 +1,7 @@
 //! imu_tk's two texts.
 
 use calib::Calibration;
+use findings::{Finding, Findings, Kind};
 use nalgebra::{Matrix3, Vector3};
 use sensor::Base;
 
@@ -26,13 +27,13 @@ const NUMBERS: usize = 21;
 pub fn imu_tk(accelerometer: &str, gyroscope: &str) -> Result<Calibration, Error> {
     let accelerometer = base(accelerometer, "accelerometer")?;
     let gyroscope = base(gyroscope, "gyroscope")?;
-    let warning = "imported from imu_tk: it states no errors".to_owned();
+    let unstated = Finding::of(Kind::ErrorsNotStated).detail("tool", "imu_tk");
     Ok(calibration(
         "imu_tk",
         Some(&accelerometer),
         Some(&gyroscope),
         None,
-        vec![warning].into(),
+        Findings::from_iter([unstated]),
     ))
 }
 
@@ -41,20 +42,16 @@ fn base(text: &str, sensor: &str) -> Result<Base<f64>, Error> {
     for (k, line) in text.lines().enumerate() {
         for word in line.split_whitespace() {
             let value = word.parse().ok().filter(|v: &f64| v.is_finite());
-            all.push(value.ok_or_else(|| Error::Input {
-                place: format!("{sensor}, line {}: ", k + 1),
-                what: "a number expected: 9 of the misalignment matrix, 9 of the scale matrix, 3 of the bias".into(),
+            all.push(value.ok_or_else(|| {
+                let found = Finding::of(Kind::NumberExpected).detail("of", sensor);
+                Error::input(found.count("line", k + 1))
             })?);
         }
     }
     if all.len() != NUMBERS {
-        return Err(Error::Input {
-            place: format!("{sensor}: "),
-            what: format!(
-                "{} numbers found, {NUMBERS} expected: misalignment matrix, scale matrix, bias",
-                all.len()
-            ),
-        });
+        let found = Finding::of(Kind::NumbersCount).detail("of", sensor);
+        let found = found.count("found", all.len());
+        return Err(Error::input(found.count("expected", NUMBERS)));
     }
     let t = Matrix3::from_row_slice(&all[..9]) * Matrix3::from_row_slice(&all[9..18]);
     let base = Base {
@@ -63,9 +60,9 @@ fn base(text: &str, sensor: &str) -> Result<Base<f64>, Error> {
     };
     match t.try_inverse() {
         Some(_) => Ok(base),
-        None => Err(Error::Input {
-            place: format!("{sensor}: "),
-            what: "the product of the two matrices has no inverse".into(),
-        }),
+        None => {
+            let found = Finding::of(Kind::EntrySingular);
+            Err(Error::input(found.detail("entry", sensor)))
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! Kalibr's `imu.yaml`, and that of the crate imu-calib, which adds the biases.
 
 use calib::Calibration;
+use calib::recording::shown::shown;
 use findings::{Finding, Findings, Kind};
 use nalgebra::{Matrix3, Vector3};
 use saphyr::{LoadableYamlNode as _, Yaml};
@@ -36,29 +37,26 @@ const NO_ROTATION: f64 = 1e-3;
 /// ```
 pub fn kalibr(text: &str) -> Result<Calibration, Error> {
     if text.len() > LARGEST {
-        return Err(input("", "a file of over 1 MB is no imu.yaml"));
+        let found = Finding::of(Kind::ImportTooLarge);
+        return Err(Error::input(found.count("limit", LARGEST)));
     }
     let text = text.trim_start_matches('\u{feff}');
     let documents = Yaml::load_from_str(text).map_err(|e| {
-        let at = format!(
-            "line {}, column {}: ",
-            e.marker().line(),
-            e.marker().col() + 1
-        );
-        input(&at, &format!("no YAML: {}", e.info()))
+        let found = Finding::of(Kind::NoYaml)
+            .at_line(e.marker().line() as u64)
+            .at_column(e.marker().col() as u64 + 1);
+        Error::input(found.detail("reason", e.info()))
     })?;
     let root = documents
         .first()
-        .ok_or_else(|| input("", "the file is empty"))?;
+        .ok_or_else(|| Error::input(Finding::of(Kind::ImportEmpty)))?;
     let mut warnings = Findings::new();
     let imu = Imu::first_of(root, &mut warnings)?;
     let model = imu.model()?;
     let accelerometer = imu.accelerometer(model)?;
     let gyroscope = imu.gyroscope(model)?;
     if accelerometer.is_none() && gyroscope.is_none() {
-        let what = "no accelerometers and no gyroscopes in it: it states noise alone and corrects nothing; run Kalibr with \
-                    --imu-models scale-misalignment";
-        return Err(input("", what));
+        return Err(Error::input(Finding::of(Kind::NoSensorsStated)));
     }
     warnings.extend(imu.unread());
     if model == SIZE_EFFECT {
@@ -95,10 +93,7 @@ impl<'a> Imu<'a> {
     /// The first: a result has them under imu0, imu1 …; a configuration has one at the top.
     fn first_of(root: &'a Yaml<'a>, warnings: &mut Findings) -> Result<Self, Error> {
         let Some(entries) = root.as_mapping() else {
-            return Err(input(
-                "",
-                "keys and values expected, as in an imu.yaml of Kalibr",
-            ));
+            return Err(Error::input(Finding::of(Kind::NoEntries)));
         };
         let names = entries.keys().filter_map(Yaml::as_str);
         let is_imu = |name: &&str| {
@@ -128,10 +123,8 @@ impl<'a> Imu<'a> {
             .and_then(|own| known.into_iter().find(|known| *known == own));
         found.ok_or_else(|| {
             let own = model.as_str().unwrap_or_default();
-            input(
-                "model: ",
-                &format!("\"{own}\" found, one of {} expected", known.join(", ")),
-            )
+            let found = Finding::of(Kind::ModelUnknown).detail("found", shown(own));
+            Error::input(found.detail("known", known.join(", ")))
         })
     }
 
@@ -142,7 +135,7 @@ impl<'a> Imu<'a> {
         };
         let m = entry(sensor, "accelerometers", "M", model)?;
         Ok(Some(Base {
-            t: inverse(m, "accelerometers.M: ")?,
+            t: inverse(m, "accelerometers.M")?,
             bias: bias(sensor, "accelerometers")?,
         }))
     }
@@ -160,12 +153,9 @@ impl<'a> Imu<'a> {
             _ => entry(sensor, name, "A", model)?,
         };
         if (c * c.transpose() - Matrix3::identity()).amax() > NO_ROTATION || c.determinant() < 0.0 {
-            return Err(input(
-                "gyroscopes.C_gyro_i: ",
-                "no rotation; its rows are of length 1 and at right angles",
-            ));
+            return Err(of_entry(Kind::NoRotation, "gyroscopes.C_gyro_i"));
         }
-        let t = inverse(m * c, "gyroscopes.M: ")?;
+        let t = inverse(m * c, "gyroscopes.M")?;
         let base = Base {
             t,
             bias: bias(sensor, name)?,
@@ -214,15 +204,13 @@ impl<'a> Imu<'a> {
 
 /// A matrix of a sensor. What Kalibr's model `calibrated` leaves out is the identity.
 fn entry(sensor: &Yaml<'_>, name: &str, key: &str, model: &str) -> Result<Matrix3<f64>, Error> {
-    let place = format!("{name}.{key}: ");
+    let place = format!("{name}.{key}");
     match sensor.as_mapping_get(key) {
-        Some(found) => {
-            matrix_of(found).ok_or_else(|| input(&place, "three rows of three numbers expected"))
-        }
+        Some(found) => matrix_of(found).ok_or_else(|| of_entry(Kind::MatrixExpected, place)),
         None if model == CALIBRATED => Ok(Matrix3::identity()),
         None => {
-            let what = format!("missing; an imu.yaml of Kalibr's model {model} has it");
-            Err(input(&place, &what))
+            let found = Finding::of(Kind::EntryMissing).detail("entry", place);
+            Err(Error::input(found.detail("model", model)))
         }
     }
 }
@@ -233,20 +221,17 @@ fn bias(sensor: &Yaml<'_>, name: &str) -> Result<Vector3<f64>, Error> {
         return Ok(Vector3::zeros());
     };
     let three = number_list(found).filter(|all| all.len() == 3);
-    let three = three.ok_or_else(|| input(&format!("{name}.b: "), "three numbers expected"))?;
+    let three = three.ok_or_else(|| of_entry(Kind::VectorExpected, format!("{name}.b")))?;
     Ok(Vector3::from_column_slice(&three))
 }
 
 fn inverse(m: Matrix3<f64>, place: &str) -> Result<Matrix3<f64>, Error> {
     m.try_inverse()
-        .ok_or_else(|| input(place, "the matrix has no inverse"))
+        .ok_or_else(|| of_entry(Kind::EntrySingular, place))
 }
 
-fn input(place: &str, what: &str) -> Error {
-    Error::Input {
-        place: place.into(),
-        what: what.into(),
-    }
+fn of_entry(kind: Kind, entry: impl Into<String>) -> Error {
+    Error::input(Finding::of(kind).detail("entry", entry))
 }
 
 /// A gyroscope's base model and its g-sensitivity, (rad/s)/(m/s²).

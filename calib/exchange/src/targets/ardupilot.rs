@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use findings::{Finding, Kind};
 use nalgebra::Vector3;
 use sensor::Sensor;
 
@@ -31,7 +32,7 @@ impl Target for ArduPilot {
     }
 
     fn about(&self) -> &'static str {
-        "ArduPilot parameters (INS_ACCOFFS_X, INS_ACCSCAL_X, INS_GYROFFS_X, ...); --logged-with the parameters of the log"
+        "ArduPilot parameters (INS_ACCOFFS_X, INS_ACCSCAL_X, INS_GYROFFS_X, ...)"
     }
 
     fn keeps(&self, source: &Source<'_>) -> Kept {
@@ -58,7 +59,6 @@ impl Target for ArduPilot {
                         value,
                         least,
                         most,
-                        next: "was the recording made with its parameters in force (--logged-with), or is a unit wrong?",
                     });
                 }
                 let _ = writeln!(text, "{name},{:?}", value as f32);
@@ -87,13 +87,15 @@ impl Target for ArduPilot {
             put(&offset, raw.bias, None)?;
         }
         let mut notes = vec![
-            "ArduPilot measures the gyroscope's offsets again at every start unless INS_GYR_CAL is 0".to_owned(),
+            Finding::of(Kind::OffsetsMeasuredAgain)
+                .detail("system", "ArduPilot")
+                .detail("parameter", "INS_GYR_CAL"),
         ];
         if Controller::is_unknown(source, settings) {
             notes.push(
-                "ArduPilot logs readings that its parameters have corrected: if the recording is from its log, give those \
-                 parameters by --logged-with FILE.param"
-                    .into(),
+                Finding::of(Kind::MaybeCorrected)
+                    .detail("system", "ArduPilot")
+                    .detail("stream", "its log"),
             );
         }
         Ok(Written {
@@ -110,8 +112,10 @@ fn numbered(instance: usize) -> Result<[&'static str; 2], Error> {
         1 => Ok(["INS_ACC2", "INS_GYR2"]),
         2 => Ok(["INS_ACC3", "INS_GYR3"]),
         _ => {
-            let what = format!("--instance {instance}: ArduPilot has parameters for 0 to 2");
-            Err(Error::Settings(what))
+            let found = Finding::of(Kind::InstanceBeyond).detail("system", "ArduPilot");
+            Err(Error::settings(
+                found.count("instance", instance).count("most", 2),
+            ))
         }
     }
 }

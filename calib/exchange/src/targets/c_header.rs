@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use findings::{Finding, Kind};
 use nalgebra::{Matrix3, Vector3};
 use sensor::{Base, Sensor};
 
@@ -115,10 +116,11 @@ fn integers(base: &Base<f64>, name: &str, unit: &str, scale: f64) -> Result<Stri
     let t = (base.t * factor).map(f64::round);
     let offset = (base.t * base.bias * factor).map(f64::round);
     if t.amax() > LARGEST {
-        return Err(Error::Format(format!(
-            "the scale factor of the {name} does not fit the integers of the C header: {} {unit} per count",
-            base.t.amax() * scale
-        )));
+        let found = Finding::of(Kind::ScaleBeyondIntegers)
+            .detail("of", name)
+            .detail("target", "C header")
+            .detail("value", (base.t.amax() * scale).to_string());
+        return Err(Error::format(found.detail("unit", unit)));
     }
     let whole = |v: f64| format!("{v}");
     Ok(format!(

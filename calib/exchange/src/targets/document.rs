@@ -1,5 +1,6 @@
 //! `cal.json` as a tree, for targets that hold all of it.
 
+use findings::{Finding, Kind};
 use serde_json::Value;
 
 use crate::error::Error;
@@ -9,18 +10,18 @@ use crate::source::Source;
 
 /// The calibration as `calibrate` writes it.
 pub fn document(source: &Source<'_>) -> Result<Value, Error> {
-    serde_json::to_value(source.calibration).map_err(|e| Error::Format(e.to_string()))
+    serde_json::to_value(source.calibration).map_err(|e| Error::unwritten(&e))
 }
 
 /// What functions that apply the base models and the g-sensitivity leave out, though the document beside them holds it.
-pub fn not_applied(source: &Source<'_>) -> Vec<String> {
+pub fn not_applied(source: &Source<'_>) -> Vec<Finding> {
     let applied = Kept {
         g_sensitivity: true,
         errors: true,
         ..Kept::base_of(source)
     };
     let left = losses(source, &applied).into_iter();
-    left.map(|loss| format!("the functions do not apply {loss}; its parameters are in the file"))
+    left.map(|loss| Finding::of(Kind::NotApplied).detail("loss", loss.to_string()))
         .collect()
 }
 

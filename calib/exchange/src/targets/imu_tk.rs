@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use findings::{Finding, Kind};
 use sensor::Base;
 
 use crate::error::Error;
@@ -45,9 +46,9 @@ impl Target for ImuTk {
 
 fn text(base: &Base<f64>) -> Result<Vec<u8>, Error> {
     let scale = diagonal(&base.t);
-    let inverse = scale.try_inverse().ok_or_else(|| {
-        Error::Format("imu_tk divides by the scale factors, and one of them is zero".into())
-    })?;
+    let inverse = scale
+        .try_inverse()
+        .ok_or_else(|| Error::format(Finding::of(Kind::ScaleZero).detail("target", "imu_tk")))?;
     let mut text = String::new();
     for matrix in [base.t * inverse, scale] {
         for row in matrix.row_iter() {

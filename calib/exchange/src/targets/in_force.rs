@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use calib::calibration::{Readings, system_name};
+use findings::{Finding, Kind};
 use nalgebra::{Matrix3, Vector3};
 use sensor::{Base, Sensor};
 
@@ -45,24 +46,20 @@ impl Controller {
         let readings = source.calibration.readings(sensor);
         match (readings, in_force) {
             (Readings::CorrectedBy(by) | Readings::Mixed(by), None) if by == self.system => {
-                Err(Error::Settings(format!(
-                    "{} had corrected the readings of the {} by its own parameters, and those of the calibration would replace \
-                     them; give the parameters that were in force with --logged-with FILE, or calibrate a recording of {}",
-                    system_name(by),
-                    sensor.name(),
-                    self.raw
-                )))
+                let found = Finding::of(Kind::CorrectedInForce)
+                    .detail("system", system_name(by))
+                    .detail("of", sensor.name());
+                Err(Error::settings(found.detail("raw", self.raw)))
             }
-            (Readings::Mixed(by), Some(_)) => Err(Error::Settings(format!(
-                "{} had corrected some recordings of the calibration and not others; calibrate them apart",
-                system_name(by)
-            ))),
-            (Readings::Restored { by }, Some(_)) => Err(Error::Settings(format!(
-                "the parameters that {} had applied were taken off the readings of the {} already, by those in the log; leave \
-                 --logged-with out",
-                system_name(by),
-                sensor.name()
-            ))),
+            (Readings::Mixed(by), Some(_)) => {
+                let found = Finding::of(Kind::CorrectedPartly);
+                Err(Error::settings(found.detail("system", system_name(by))))
+            }
+            (Readings::Restored { by }, Some(_)) => {
+                let found = Finding::of(Kind::CorrectionTakenOff);
+                let found = found.detail("system", system_name(by));
+                Err(Error::settings(found.detail("of", sensor.name())))
+            }
             (_, Some(text)) => self.on_top(base, names, &parameters(text)?),
             (_, None) => Ok(*base),
         }
@@ -80,19 +77,15 @@ impl Controller {
             .iter()
             .find(|name| in_force.get(*name).is_some_and(|v| *v > 0.0))
         {
-            return Err(Error::Settings(format!(
-                "{name} of --logged-with turns the readings after they are corrected, so that their axes are not those of the \
-                 parameters; calibrate a recording of {}",
-                self.raw
-            )));
+            let found = Finding::of(Kind::ReadingsTurned).detail("parameter", name);
+            return Err(Error::settings(found.detail("raw", self.raw)));
         }
         let value = |pattern: &str, axis: &str| {
             let name = pattern.replace("{axis}", axis);
             let found = in_force.get(&name).copied();
             found.ok_or_else(|| {
-                Error::Settings(format!(
-                    "--logged-with: no {name} in it; export all parameters of the vehicle"
-                ))
+                let found = Finding::of(Kind::ParameterMissing);
+                Error::settings(found.detail("parameter", name))
             })
         };
         let [x, y, z] = AXES.map(|axis| value(&names.offset, axis));
@@ -151,10 +144,8 @@ fn parameters(text: &str) -> Result<HashMap<String, f64>, Error> {
             .1
             .and_then(|v| v.parse().ok())
             .filter(|v: &f64| v.is_finite());
-        let value = value.ok_or_else(|| Error::Input {
-            place: format!("--logged-with, line {}: ", k + 1),
-            what: "a parameter's name and a number expected, as in INS_ACCOFFS_X,0.12".into(),
-        })?;
+        let value = value
+            .ok_or_else(|| Error::input(Finding::of(Kind::ParameterLine).count("line", k + 1)))?;
         all.insert(pair.0.to_owned(), value);
     }
     Ok(all)

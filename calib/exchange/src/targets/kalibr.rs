@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use calib::noise::{NoiseTerm, SensorNoise};
+use findings::{Finding, Kind};
 use nalgebra::{Matrix3, Rotation3};
 
 use crate::error::Error;
@@ -24,7 +25,7 @@ impl Target for Kalibr {
     }
 
     fn about(&self) -> &'static str {
-        "Kalibr's imu.yaml (scale-misalignment): raw = M C f + b; --noise for its densities"
+        "Kalibr's imu.yaml (scale-misalignment): raw = M C f + b"
     }
 
     fn keeps(&self, source: &Source<'_>) -> Kept {
@@ -59,11 +60,8 @@ impl Target for Kalibr {
             matrix("C_gyro_i", &c)
         );
         let angle = Rotation3::from_matrix_unchecked(q).angle();
-        notes.push(format!(
-            "Kalibr's frame is turned by {:.4}° against that of the calibration: its M is lower triangular",
-            angle.to_degrees()
-        ));
-        notes.push("add `rostopic` with the topic of the IMU".into());
+        notes.push(Finding::of(Kind::FrameTurned).number("angle", angle, "rad"));
+        notes.push(Finding::of(Kind::TopicToAdd));
         Ok(Written {
             notes,
             ..Written::text(text)
@@ -72,7 +70,7 @@ impl Target for Kalibr {
 }
 
 fn inverse(t: &Matrix3<f64>) -> Result<Matrix3<f64>, Error> {
-    let singular = || Error::Format("a matrix of the calibration has no inverse".into());
+    let singular = || Error::format(Finding::of(Kind::MatrixSingular));
     t.try_inverse().ok_or_else(singular)
 }
 
@@ -102,7 +100,7 @@ fn matrix(key: &str, m: &Matrix3<f64>) -> String {
 }
 
 /// White noise and random walk, as far as they are known; Kalibr refuses a file without them, or with zeros.
-fn densities(source: &Source<'_>, settings: &Settings) -> (String, Vec<String>) {
+fn densities(source: &Source<'_>, settings: &Settings) -> (String, Vec<Finding>) {
     let mut text = String::new();
     let mut missing = Vec::new();
     let input = source.calibration.provenance.inputs.first();
@@ -138,11 +136,8 @@ fn densities(source: &Source<'_>, settings: &Settings) -> (String, Vec<String>) 
     let notes = if missing.is_empty() {
         Vec::new()
     } else {
-        vec![format!(
-            "not known: {}; Kalibr wants a number: record for hours at rest, `stillpoint allan -o noise.json`, then \
-             --noise noise.json",
-            missing.join(", ")
-        )]
+        let unknown = Finding::of(Kind::DensitiesUnknown);
+        vec![unknown.detail("listed", missing.join(", "))]
     };
     (text, notes)
 }

@@ -1,5 +1,6 @@
 //! NumPy's archive of arrays, as `numpy.load` reads it.
 
+use findings::{Finding, Kind};
 use flate2::Crc;
 use nalgebra::{Matrix3, Vector3};
 
@@ -104,7 +105,7 @@ impl Archive {
         let padding = (64 - (header.len() + 11) % 64) % 64;
         header.push_str(&" ".repeat(padding));
         header.push('\n');
-        let length = u16::try_from(header.len()).map_err(|e| Error::Format(e.to_string()))?;
+        let length = u16::try_from(header.len()).map_err(|e| Error::unwritten(&e))?;
         let mut file = b"\x93NUMPY\x01\x00".to_vec();
         file.extend(length.to_le_bytes());
         file.extend(header.as_bytes());
@@ -113,7 +114,7 @@ impl Archive {
     }
 
     fn store(&mut self, name: &str, file: &[u8]) -> Result<(), Error> {
-        let too_large = |_| Error::Format("the calibration is too large for an npz archive".into());
+        let too_large = |_| Error::format(Finding::of(Kind::ArchiveTooLarge));
         let size = u32::try_from(file.len()).map_err(too_large)?;
         let start = u32::try_from(self.bytes.len()).map_err(too_large)?;
         let mut crc = Crc::new();
@@ -141,7 +142,7 @@ impl Archive {
     }
 
     fn finish(mut self) -> Result<Vec<u8>, Error> {
-        let too_large = |_| Error::Format("the calibration is too large for an npz archive".into());
+        let too_large = |_| Error::format(Finding::of(Kind::ArchiveTooLarge));
         let start = u32::try_from(self.bytes.len()).map_err(too_large)?;
         let size = u32::try_from(self.directory.len()).map_err(too_large)?;
         self.bytes.append(&mut self.directory);

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use findings::{Finding, Kind};
 use sensor::Sensor;
 
 use super::in_force::{Controller, Names};
@@ -31,7 +32,7 @@ impl Target for Px4 {
     }
 
     fn about(&self) -> &'static str {
-        "PX4 parameters (CAL_ACC0_XOFF, CAL_ACC0_XSCALE, CAL_GYRO0_XOFF, ...); --instance for another sensor; --logged-with the parameters of the log"
+        "PX4 parameters (CAL_ACC0_XOFF, CAL_ACC0_XSCALE, CAL_GYRO0_XOFF, ...)"
     }
 
     fn keeps(&self, source: &Source<'_>) -> Kept {
@@ -43,10 +44,9 @@ impl Target for Px4 {
         source.needs_signs("px4")?;
         let k = settings.instance;
         if k >= MOST {
-            return Err(Error::Settings(format!(
-                "--instance {k}: PX4 has parameters for 0 to {}",
-                MOST - 1
-            )));
+            let found = Finding::of(Kind::InstanceBeyond).detail("system", "PX4");
+            let found = found.count("instance", k);
+            return Err(Error::settings(found.count("most", MOST - 1)));
         }
         let controller = Controller {
             system: "px4",
@@ -84,7 +84,6 @@ impl Target for Px4 {
                         value,
                         least,
                         most,
-                        next: "was the recording made with its parameters in force (--logged-with), or is a unit wrong?",
                     });
                 }
                 put(format!("CAL_ACC{k}_{axis}SCALE"), value);
@@ -101,14 +100,13 @@ impl Target for Px4 {
                 put(format!("CAL_GYRO{k}_{axis}OFF"), value);
             }
         }
-        let mut notes = vec![format!(
-            "PX4 uses them where CAL_ACC{k}_ID and CAL_GYRO{k}_ID are the sensors' own: let it calibrate once, then load these"
-        )];
+        let ids = format!("CAL_ACC{k}_ID and CAL_GYRO{k}_ID");
+        let mut notes = vec![Finding::of(Kind::SensorsByIds).detail("ids", ids)];
         if Controller::is_unknown(source, settings) {
             notes.push(
-                "they are for what the sensors read (sensor_accel, sensor_gyro): if the recording is from sensor_combined, which \
-                 PX4 has corrected, give the parameters that were in force by --logged-with FILE.params"
-                    .into(),
+                Finding::of(Kind::MaybeCorrected)
+                    .detail("system", "PX4")
+                    .detail("stream", "sensor_combined"),
             );
         }
         Ok(Written {

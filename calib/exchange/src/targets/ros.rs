@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use findings::{Finding, Kind};
+
 use crate::error::Error;
 use crate::kept::Kept;
 use crate::source::{Source, rows};
@@ -41,9 +43,7 @@ impl Target for Ros {
         sequence(&mut text, "SM", &rows(&base.t));
         sequence(&mut text, "bias", (base.t * base.bias).as_slice());
         Ok(Written {
-            notes: vec![
-                "imu_calib takes the gyroscope's bias from its first samples (calibrate_gyros): keep still then".into(),
-            ],
+            notes: vec![Finding::of(Kind::BiasFromStart)],
             ..Written::text(text)
         })
     }

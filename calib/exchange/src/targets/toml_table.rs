@@ -32,7 +32,7 @@ impl Target for TomlTable {
         );
         let tree = converted(&document(source)?, false);
         let tree = tree.unwrap_or_else(|| toml::Value::Table(toml::Table::new()));
-        let body = toml::to_string_pretty(&tree).map_err(|e| Error::Format(e.to_string()))?;
+        let body = toml::to_string_pretty(&tree).map_err(|e| Error::unwritten(&e))?;
         text.push_str(&body);
         Ok(Written::text(text))
     }

@@ -88,6 +88,12 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
             "Request::left_out",
             "leave_out",
         ],
+        O::LoggedWith => [
+            "the parameters that were in force",
+            "--logged-with",
+            "Settings::logged_with",
+            "logged_with",
+        ],
         O::MagUnit => [
             "the magnetometer's unit",
             "--mag-unit",
@@ -198,6 +204,19 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         }
         Remedy::AddTurns { turns } => return format!("add turns: {}", turns.join(", ")),
         Remedy::OtherMethod { method } => return format!("use the method {method}"),
+        Remedy::ConvertToCsv { by } => return format!("convert it to CSV, as by `{by}`"),
+        Remedy::ExportAs { format } => return format!("export it as {format}"),
+        Remedy::Build { feature } => {
+            let flag = match front {
+                Front::CommandLine => format!(" (`--features {feature}`)"),
+                _ => String::new(),
+            };
+            return format!("build with the feature `{feature}`{flag}");
+        }
+        Remedy::Omit { option } => {
+            return format!("leave out {}", self::option(*option, front));
+        }
+        Remedy::RunShard { shard } => return run_shard(shard.as_deref(), front),
         Remedy::Discover => "search for the missing effect",
         Remedy::Plan => "plan the next recording",
         Remedy::RecordAgain => "record it again",
@@ -246,6 +265,22 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         Remedy::ExportAgain => "export the file again",
         Remedy::OwnCalibration => "use the calibration of this device",
         Remedy::Report => "report it as a bug of ours",
+        Remedy::UnpackFirst => "unpack it yourself if you trust it, and name the file",
+        Remedy::NameFile => "name the file itself",
+        Remedy::CopyAgain => "copy the file again, for it may be incomplete",
+        Remedy::SaveAsCsv => "save the sheet as CSV and name that file",
+        Remedy::SaveAsV7 => "save it in MATLAB with `save -v7`",
+        Remedy::OtherName => "choose another name",
+        Remedy::Replace => "replace it",
+        Remedy::KeepExisting => "keep it",
+        Remedy::MakeRoom => "make room, or write to another disk",
+        Remedy::RaiseFileLimit => "raise the limit on file sizes (ulimit -f)",
+        Remedy::MakeFolder => "make the folder first",
+        Remedy::OtherFolder => "choose a folder that can be written to",
+        Remedy::TryAgain => "try again, or choose a folder on another file system",
+        Remedy::AnalyseNoise => {
+            "record for hours at rest, analyse the noise, and export with what was found"
+        }
     };
     let command = match (front, remedy) {
         (Front::CommandLine, Remedy::Discover) => " (`stillpoint discover`)",
@@ -257,11 +292,31 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         (Front::CommandLine, Remedy::Validate) => " (`stillpoint evaluate`)",
         (Front::CommandLine, Remedy::LookInto) => " (`stillpoint info`)",
         (Front::CommandLine, Remedy::LeaveOut) => " (--leave-out)",
+        (Front::CommandLine, Remedy::Replace) => " (--force)",
+        (Front::CommandLine, Remedy::KeepExisting) => " (--skip-existing)",
+        (Front::CommandLine, Remedy::AnalyseNoise) => {
+            " (`stillpoint allan -o noise.json`, then --noise noise.json)"
+        }
         (Front::CommandLine, Remedy::WriteFolder) => " (-o FOLDER)",
         (Front::Python | Front::Rust, Remedy::Discover) => " (`discover`)",
         _ => "",
     };
     format!("{fixed}{command}")
+}
+
+/// An option without a value, as [`setting`].
+fn option(option: OptionName, front: Front) -> String {
+    let value = None;
+    setting(&Setting { option, value }, front)
+}
+
+fn run_shard(shard: Option<&str>, front: Front) -> String {
+    let what = shard.map_or("run its shard again", |_| "run it");
+    match (front, shard) {
+        (Front::CommandLine, Some(shard)) => format!("{what} with --shard {shard} --resume"),
+        (Front::CommandLine, None) => format!("{what} with --resume"),
+        _ => what.to_owned(),
+    }
 }
 
 fn settings(any_of: &[Setting], front: Front) -> String {

@@ -2,6 +2,9 @@
 
 use std::io::{Read, Seek, SeekFrom};
 
+use findings::{Finding, Kind};
+
+use crate::error::counted;
 use crate::shown::shown;
 use crate::{Error, Limits};
 
@@ -73,17 +76,15 @@ pub(super) fn directory(
         if header.len() < 46 || !header.starts_with(HEADER) {
             return Err(Error::at(
                 end.at + position as u64,
-                format!("entry {index} of the zip archive's directory is damaged"),
+                counted(Finding::of(Kind::ZipDirectoryDamaged), "index", index),
             ));
         }
         let [name, extra, comment] = [28, 30, 32].map(|at| number(header, at, 2) as usize);
         let raw = header.get(46..46 + name).unwrap_or_default();
         let name_text = String::from_utf8_lossy(raw).into_owned();
         if number(header, 8, 2) & 1 == 1 {
-            return Err(Error::refused(format!(
-                "entry `{}` is encrypted; unpack the archive with its password and name the folder",
-                shown(&name_text)
-            )));
+            let found = Finding::of(Kind::ZipEncrypted);
+            return Err(Error::refused(found.detail("entry", shown(&name_text))));
         }
         let extra_fields = header.get(46 + name..46 + name + extra).unwrap_or_default();
         let packed = sizes(header, extra_fields);
@@ -172,10 +173,7 @@ fn find_end(archive: &mut (impl Read + Seek), length: u64) -> Result<End, Error>
 }
 
 fn truncated(length: u64) -> Error {
-    Error::at(
-        length,
-        "the zip archive ends without its directory: cut short while it was copied? Copy it again",
-    )
+    Error::at(length, Finding::of(Kind::ZipDirectoryMissing))
 }
 
 /// Refuses archives that claim more than they can hold.
@@ -188,27 +186,18 @@ fn check(files: &[(String, Packed)], end: u64, limits: Limits) -> Result<(), Err
         if last > end {
             return Err(Error::at(
                 packed.at,
-                format!(
-                    "entry `{}` reaches beyond the archive; is the file complete?",
-                    shown(name)
-                ),
+                Finding::of(Kind::ZipEntryBeyond).detail("entry", shown(name)),
             ));
         }
         spans.push((packed.at, last, name));
     }
     if total > limits.bytes {
-        return Err(Error::refused(format!(
-            "the archive unpacks to {total} bytes, more than {}; unpack it yourself if you trust it",
-            limits.bytes
-        )));
+        return Err(limits.too_large("the archive"));
     }
     spans.sort_unstable();
     if let Some(pair) = spans.windows(2).find(|pair| pair[0].1 > pair[1].0) {
-        return Err(Error::refused(format!(
-            "entries `{}` and `{}` overlap, as in no honest archive",
-            shown(pair[0].2),
-            shown(pair[1].2)
-        )));
+        let found = Finding::of(Kind::ZipEntriesOverlap).detail("entry", shown(pair[0].2));
+        return Err(Error::refused(found.detail("other", shown(pair[1].2))));
     }
     Ok(())
 }

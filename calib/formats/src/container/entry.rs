@@ -2,11 +2,13 @@
 
 use std::io::{self, BufReader, Read, Seek, SeekFrom};
 
+use findings::{Finding, Kind};
 use flate2::Crc;
 use flate2::bufread::DeflateDecoder;
 
 use super::directory::Packed;
 use crate::Error;
+use crate::error::{contradicted, counted};
 use crate::store::Stored;
 
 const LOCAL: &[u8] = b"PK\x03\x04";
@@ -19,13 +21,10 @@ pub(super) fn unpacked(
 ) -> Result<Box<dyn Read + Send>, Error> {
     archive.seek(SeekFrom::Start(packed.at))?;
     let mut header = [0; LOCAL_SIZE];
-    let damaged = |_| Error::at(packed.at, "no zip entry here; is the file complete?");
-    archive.read_exact(&mut header).map_err(damaged)?;
+    let missing = || Error::at(packed.at, Finding::of(Kind::ZipEntryMissing));
+    archive.read_exact(&mut header).map_err(|_| missing())?;
     if !header.starts_with(LOCAL) {
-        return Err(Error::at(
-            packed.at,
-            "no zip entry here; is the file complete?",
-        ));
+        return Err(missing());
     }
     let length = |at: usize| i64::from(u16::from_le_bytes([header[at], header[at + 1]]));
     archive.seek(SeekFrom::Current(length(26) + length(28)))?;
@@ -34,9 +33,8 @@ pub(super) fn unpacked(
         0 => Box::new(content),
         8 => Box::new(DeflateDecoder::new(BufReader::new(content))),
         other => {
-            return Err(Error::refused(format!(
-                "an entry is packed by method {other}, and only `stored` and `deflate` are read; unpack the archive and name the folder"
-            )));
+            let found = Finding::of(Kind::ZipMethodUnknown);
+            return Err(Error::refused(found.count("method", other.into())));
         }
     };
     Ok(Box::new(Checked {
@@ -62,23 +60,19 @@ impl Read for Checked {
         }
         let read = self.content.read(buffer)?;
         if read as u64 > self.left {
-            return Err(io::Error::other(
-                "the zip entry is longer than its directory says",
-            ));
+            let found = contradicted("zip entry", "longer", "the directory");
+            return Err(Error::refused(found).into());
         }
         self.left -= read as u64;
         self.crc.update(&buffer[..read]);
         if read == 0 && self.left > 0 {
-            let words = format!(
-                "the zip entry is cut short, {} bytes are missing",
-                self.left
-            );
-            return Err(io::Error::new(io::ErrorKind::UnexpectedEof, words));
+            let found = counted(Finding::of(Kind::ZipEntryCut), "missing", self.left);
+            let cut = io::ErrorKind::UnexpectedEof;
+            return Err(io::Error::new(cut, Error::refused(found)));
         }
         if read == 0 && self.crc.sum() != self.expected {
-            return Err(io::Error::other(
-                "the zip entry is damaged: its check sum (CRC) is wrong; copy or export the file again",
-            ));
+            let found = Finding::of(Kind::CheckSumWrong).detail("part", "zip entry");
+            return Err(Error::refused(found).into());
         }
         Ok(read)
     }

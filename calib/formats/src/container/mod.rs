@@ -4,7 +4,7 @@ pub(crate) mod archive;
 mod directory;
 mod entry;
 
-use findings::Findings;
+use findings::{Finding, Findings, Kind};
 use std::fs::File;
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
@@ -13,6 +13,7 @@ use std::sync::Arc;
 use archive::Archive;
 use directory::Packed;
 
+use crate::shown::shown;
 use crate::store::Store;
 use crate::tables::Tabular;
 use crate::{Error, Limits};
@@ -196,7 +197,10 @@ impl Container {
             (Place::Table, _, Some((format, store))) => {
                 format.text(store, &entry.name, self.limits)
             }
-            _ => Err(Error::refused("an entry without its archive")),
+            _ => {
+                let found = Finding::of(Kind::EntryElsewhere);
+                Err(Error::refused(found.detail("entry", shown(&entry.name))))
+            }
         }
     }
 

@@ -2,11 +2,15 @@
 
 use std::io::{BufRead, Read};
 
+use findings::{Finding, Kind};
 use flate2::{Decompress, FlushDecompress, Status};
 
 use super::element::{COMPRESSED, MATRIX};
+use crate::error::{contradicted, cut};
 use crate::{Error, Limits};
 
+/// The packed content of an element in a sentence.
+const VARIABLE: &str = "compressed variable";
 /// Bytes of a tag.
 const TAG: u64 = 8;
 /// Deflate packs no tighter: RFC 1951, section 3.2.5, a length of 258 in two bits.
@@ -68,8 +72,7 @@ impl<'a> Body<'a> {
             body.left = TAG;
             body.fill(&mut inner)?;
             let inner = Tag::of(inner);
-            let what = format!("the variable at byte {at}");
-            limits.check_unpacked(&what, tag.length, inner.length)?;
+            limits.check_unpacked(&format!("the {VARIABLE}"), tag.length, inner.length)?;
             if inner.kind != MATRIX {
                 return Ok(None);
             }
@@ -169,10 +172,8 @@ impl<'a> Body<'a> {
         if self.inflate.is_some() {
             let mut none = [0; 1];
             if self.inflate_into(&mut none)? != 0 {
-                return Err(Error::at(
-                    self.at,
-                    "a compressed variable is longer than it says",
-                ));
+                let found = contradicted(VARIABLE, "longer", "its header");
+                return Err(Error::at(self.at, found));
             }
         }
         Ok(())
@@ -196,10 +197,7 @@ impl<'a> Body<'a> {
     }
 
     fn cut(&self) -> Error {
-        Error::at(
-            self.place(),
-            "a data element of the MATLAB file is cut short; is the file complete?",
-        )
+        Error::at(self.place(), cut("data element", "MATLAB file"))
     }
 
     fn fill(&mut self, out: &mut [u8]) -> Result<(), Error> {
@@ -211,10 +209,8 @@ impl<'a> Body<'a> {
             }
         };
         if filled < out.len() {
-            return Err(Error::at(
-                self.at,
-                "a compressed variable is shorter than it says",
-            ));
+            let found = contradicted(VARIABLE, "shorter", "its header");
+            return Err(Error::at(self.at, found));
         }
         self.left -= out.len() as u64;
         Ok(())
@@ -226,8 +222,10 @@ impl<'a> Body<'a> {
             return Ok(0);
         };
         let at = self.at;
-        let damaged =
-            |what: String| Error::at(at, format!("a compressed variable is damaged: {what}"));
+        let damaged = |reason: String| {
+            let found = Finding::of(Kind::PartUnpacksNot).detail("part", VARIABLE);
+            Error::at(at, found.detail("reason", reason))
+        };
         let mut filled = 0;
         while filled < out.len() {
             let packed = self.part.fill_buf()?;
@@ -243,7 +241,7 @@ impl<'a> Body<'a> {
                 break;
             }
             if ended || (read == 0 && written == 0) {
-                return Err(damaged("it ends too early".to_owned()));
+                return Err(Error::at(at, cut(VARIABLE, "MATLAB file")));
             }
         }
         Ok(filled)

@@ -1,6 +1,7 @@
 //! Data elements of MAT files, level 5: MathWorks, "MAT-File Format", R2024, chapter 1.
 
 use crate::Error;
+use crate::error::cut;
 
 pub(super) const COMPRESSED: u32 = 15;
 pub(super) const MATRIX: u32 = 14;
@@ -34,12 +35,7 @@ impl<'a> Elements<'a> {
 
     /// The next element; `None` at the end.
     pub fn next(&mut self) -> Result<Option<Element<'a>>, Error> {
-        let cut = |at: u64| {
-            Error::at(
-                at,
-                "a data element of the MATLAB file is cut short; is the file complete?",
-            )
-        };
+        let cut = |at: u64| Error::at(at, cut("data element", "MATLAB file"));
         // Fewer bytes than a tag are padding.
         if self.bytes.len() < 8 {
             return Ok(None);
@@ -70,12 +66,8 @@ impl<'a> Elements<'a> {
     /// The next element, which has to be there.
     pub fn need(&mut self) -> Result<Element<'a>, Error> {
         let at = self.at;
-        self.next()?.ok_or_else(|| {
-            Error::at(
-                at,
-                "a matrix of the MATLAB file lacks a part; is the file complete?",
-            )
-        })
+        self.next()?
+            .ok_or_else(|| Error::at(at, cut("matrix", "MATLAB file")))
     }
 }
 

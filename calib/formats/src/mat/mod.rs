@@ -11,6 +11,8 @@ mod variables;
 
 use std::io::Read;
 
+use findings::{Finding, Kind};
+
 use body::{Body, Tag};
 use element::{COMPRESSED, Element, MATRIX};
 use objects::Objects;
@@ -18,6 +20,7 @@ use value::{Value, Variable};
 use variables::Variables;
 
 use crate::bytes::Bytes;
+use crate::error::cut;
 use crate::format::Format;
 use crate::stream::cut_at;
 use crate::{Content, Error, Limits, Wanted};
@@ -53,11 +56,9 @@ impl Format for Mat {
         let mut bytes = Bytes::new(reader, limits);
         let header = bytes
             .take(HEADER)?
-            .ok_or_else(|| Error::at(0, "the header of the MATLAB file is cut short"))?;
+            .ok_or_else(|| Error::at(0, cut("header", "MATLAB file")))?;
         if header.get(126..128) == Some(b"MI") {
-            return Err(Error::refused(
-                "a MATLAB file of a big-endian machine, which is not read; save it again with today's MATLAB",
-            ));
+            return Err(Error::refused(Finding::of(Kind::MatlabBigEndian)));
         }
         let offset = header
             .get(116..124)
@@ -100,10 +101,7 @@ impl File {
         if tag.kind != MATRIX && tag.kind != COMPRESSED {
             return Err(Error::at(
                 at,
-                format!(
-                    "a data element of type {}, where a matrix was expected: the MATLAB file is damaged",
-                    tag.kind
-                ),
+                Finding::of(Kind::ElementUnexpected).count("type", tag.kind as usize),
             ));
         }
         let mut part = bytes.part(tag.length);
@@ -122,10 +120,7 @@ impl File {
     fn matrix(&mut self, mut body: Body<'_>) -> Result<(), Error> {
         self.unpacked = self.unpacked.saturating_add(body.size);
         if self.unpacked > self.limits.bytes {
-            return Err(Error::refused(format!(
-                "the MATLAB file unpacks to more than {} bytes",
-                self.limits.bytes
-            )));
+            return Err(self.limits.too_large("the MATLAB file"));
         }
         if body.at == self.subsystem {
             let of_sensors = |one: &&Variable<'_>| named_after::quantity(&one.name).is_some();

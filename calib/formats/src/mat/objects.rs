@@ -100,7 +100,7 @@ impl Objects {
         let Some(bytes) = cell.matrix.as_deref() else {
             return Err(Error::at(
                 cell.at,
-                "a timetable of the MATLAB file stands before the variable that it belongs to; save the file again",
+                findings::Finding::of(findings::Kind::TimetableTooEarly),
             ));
         };
         let element = Element {

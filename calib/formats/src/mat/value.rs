@@ -55,10 +55,10 @@ fn text(element: Element<'_>) -> String {
 
 fn class_name(class: u8) -> &'static str {
     match class {
-        3 => "an object of the old kind",
+        3 => "an old object",
         5 => "a sparse matrix",
         16 => "a function handle",
-        _ => "of a class that is not read",
+        _ => "of another class",
     }
 }
 
@@ -76,7 +76,9 @@ impl<'a> Value<'a> {
         if depth == DEPTH {
             return Err(Error::at(
                 at,
-                format!("more than {DEPTH} values within each other in the MATLAB file"),
+                findings::Finding::of(findings::Kind::NestedTooDeep)
+                    .count("limit", DEPTH)
+                    .detail("things", "values"),
             ));
         }
         let mut parts = Elements::new(element.bytes, at);

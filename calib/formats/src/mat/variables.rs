@@ -74,7 +74,7 @@ impl Variables {
     pub fn add(&mut self, variable: &Variable<'_>, objects: Option<&Objects>) -> Result<(), Error> {
         let Variable { name, class, value } = variable;
         let what = match class {
-            Some(class) => format!("an object of class {class}"),
+            Some(class) => format!("object of class {class}"),
             None => value.described(),
         };
         let read = match (value, objects, quantity(name)) {
@@ -140,8 +140,8 @@ impl Variables {
         let times = times.map(|times| Stamps::values(times, objects));
         let times = times.transpose()?.flatten();
         let Some(stamps) = times.as_ref().and_then(Stamps::of) else {
-            let words = format!("{name}: its row times are neither datetime nor duration");
-            return Err(Error::refused(words));
+            let found = Finding::of(Kind::RowTimesUnknown);
+            return Err(Error::refused(found.detail("variable", shown(name))));
         };
         let stream = match quantity {
             // MATLAB Mobile's own unit.
@@ -153,13 +153,9 @@ impl Variables {
         };
         let rows = x.len();
         if y.len() != rows || z.len() != rows || stamps.len() != rows {
-            let words = format!(
-                "{name}: columns of {rows}, {}, {} rows and {} stamps",
-                y.len(),
-                z.len(),
-                stamps.len()
-            );
-            return Err(Error::refused(words));
+            let lengths = [rows, y.len(), z.len(), stamps.len()].map(|length| length.to_string());
+            let found = Finding::of(Kind::ColumnsUnequal).detail("name", shown(name));
+            return Err(Error::refused(found.detail("listed", lengths.join(", "))));
         }
         self.recorder.reserve(stream, rows);
         let first = self.recorder.at(stream).stamps.len();

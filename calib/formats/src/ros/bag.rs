@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::io::Read;
 
 use crate::bytes::{Bytes, Fields};
+use crate::error::damaged;
 use crate::format::Format;
 use crate::ros::imu::{Encoding, Topics};
 use crate::stream::Recorder;
@@ -26,7 +27,7 @@ impl Format for Bag {
     }
 
     fn about(&self) -> &'static str {
-        "a ROS 1 bag with sensor_msgs/Imu, closed or not; --topic chooses among several"
+        "a ROS 1 bag with sensor_msgs/Imu, closed or not"
     }
 
     fn recognises(&self, head: &[u8]) -> bool {
@@ -110,18 +111,18 @@ impl File {
 
     fn record(&mut self, header: &[u8], data: &[u8], at: u64) -> Result<(), Error> {
         let op = field(header, b"op").and_then(|op| op.first().copied());
-        let damaged = |what: &str| Error::at(at, format!("a damaged {what} record"));
+        let broken = |what: &str| Error::at(at, damaged(&format!("{what} record")));
         match op {
             Some(CONNECTION) => self
                 .connection(header, data)
-                .ok_or_else(|| damaged("connection")),
+                .ok_or_else(|| broken("connection")),
             Some(MESSAGE) => {
-                let connection = number(header, b"conn").ok_or_else(|| damaged("message"))?;
+                let connection = number(header, b"conn").ok_or_else(|| broken("message"))?;
                 self.message(connection, data, at)
             }
             Some(CHUNK) => self.chunk(header, data, at),
             Some(_) => Ok(()),
-            None => Err(damaged("bag")),
+            None => Err(broken("bag")),
         }
     }
 
@@ -151,7 +152,7 @@ impl File {
         let unpacked = match self.chunks.unpack(at, &method, data, size)? {
             Ok(unpacked) => unpacked,
             Err(error) => {
-                let damaged = chunk_damaged(at).detail("why", error.to_string());
+                let damaged = chunk_damaged(at).because(error.finding());
                 self.recorder.content.warnings.push(damaged);
                 return Ok(());
             }

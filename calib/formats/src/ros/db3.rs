@@ -2,6 +2,9 @@
 
 use std::io::{Cursor, Read};
 
+use findings::{Finding, Kind, Remedy};
+
+use crate::error::counted;
 use crate::format::{Format, ReadSeek};
 use crate::ros::imu::{Encoding, Topics};
 use crate::ros::sqlite::{Database, Value};
@@ -18,7 +21,7 @@ impl Format for Db3 {
     }
 
     fn about(&self) -> &'static str {
-        "a ROS 2 bag in SQLite (.db3) with sensor_msgs/msg/Imu; --topic chooses among several"
+        "a ROS 2 bag in SQLite (.db3) with sensor_msgs/msg/Imu"
     }
 
     fn recognises(&self, head: &[u8]) -> bool {
@@ -36,10 +39,8 @@ impl Format for Db3 {
             .take(limits.bytes.saturating_add(1))
             .read_to_end(&mut bytes)?;
         if bytes.len() as u64 > limits.bytes {
-            return Err(Error::refused(format!(
-                "a database of more than {} bytes",
-                limits.bytes
-            )));
+            let found = Finding::of(Kind::ContentTooLarge).detail("what", "a database");
+            return Err(Error::refused(counted(found, "limit", limits.bytes)));
         }
         self.read_seekable(&mut Cursor::new(bytes), wanted, limits)
     }
@@ -55,15 +56,17 @@ impl Format for Db3 {
         let (Some(topics), Some(messages)) = (tables.get("topics"), tables.get("messages")) else {
             let mut names: Vec<&str> = tables.keys().map(String::as_str).collect();
             names.sort_unstable();
-            let words = format!(
-                "an SQLite database without the tables `topics` and `messages` of a ROS 2 bag; it has {}{}",
-                names.join(", "),
-                match tables.contains_key("Gyroscope") || tables.contains_key("Accelerometer") {
-                    true => "; of Sensor Logger, export Zip or JSON",
-                    false => "",
-                }
-            );
-            return Err(Error::refused(words));
+            let found = Finding::of(Kind::NoBagTables).detail("tables", names.join(", "));
+            // Of Sensor Logger.
+            let of_app = ["Gyroscope", "Accelerometer"];
+            return Err(Error::refused(
+                match of_app.iter().any(|name| tables.contains_key(*name)) {
+                    true => found.remedy(Remedy::ExportAs {
+                        format: "Zip or JSON".into(),
+                    }),
+                    false => found,
+                },
+            ));
         };
         let mut recorder = Recorder::new(wanted, limits);
         let mut read: Topics<i64> = Topics::default();
@@ -83,18 +86,16 @@ impl Format for Db3 {
             read.take(topic, data, at, &mut recorder)
         });
         match walked {
-            Err(Error::Damaged { at, what })
+            Err(Error::Damaged(found))
                 if recorder
                     .content
                     .streams
                     .iter()
                     .any(|s| !s.stamps.is_empty()) =>
             {
-                recorder.content.cut = Some(
-                    findings::Finding::of(findings::Kind::FileDamaged)
-                        .count("byte", at as usize)
-                        .detail("why", what),
-                );
+                let at = found.place.byte.unwrap_or(0);
+                let damaged = counted(Finding::of(Kind::FileDamaged), "byte", at);
+                recorder.content.cut = Some(damaged.because(*found));
             }
             other => other?,
         }

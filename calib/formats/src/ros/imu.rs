@@ -3,7 +3,10 @@
 use std::collections::HashMap;
 use std::hash::Hash;
 
+use findings::{Finding, Kind as Cause};
+
 use crate::bytes::Fields;
+use crate::error::cut;
 use crate::stream::{Handle, Recorder};
 use crate::{Content, Error, Quantity};
 
@@ -69,12 +72,7 @@ impl Topic {
     /// Takes a message in; `at` is its byte for messages about it.
     fn take(&mut self, message: &[u8], at: u64, recorder: &mut Recorder) -> Result<(), Error> {
         self.count += 1;
-        let short = || {
-            Error::at(
-                at,
-                format!("message {} of the topic is cut short", self.count),
-            )
-        };
+        let short = || Error::at(at, cut(format!("message {}", self.count), "topic"));
         let (stamp, body) = self.header(message, at)?.ok_or_else(short)?;
         let mut numbers = Fields(body);
         let mut vector = || Some([numbers.f64()?, numbers.f64()?, numbers.f64()?]);
@@ -120,19 +118,18 @@ impl Topic {
             match fields.bytes(4) {
                 Some([0, 1, ..]) => {}
                 Some([0, 0, ..]) => {
-                    let words = "a message in big-endian CDR (encapsulation 0x0000), which is not read; record on a little-endian machine";
-                    return Err(Error::at(at, words));
+                    return Err(Error::at(at, Finding::of(Cause::MessageBigEndian)));
                 }
                 // What zstd begins with.
                 Some([0x28, 0xb5, 0x2f, 0xfd]) => {
-                    let words = "a message that is compressed by itself (compression_mode: message), which is not read; `ros2 bag convert` writes them plain";
-                    return Err(Error::at(at, words));
+                    return Err(Error::at(at, Finding::of(Cause::MessageCompressed)));
                 }
                 Some([a, b, ..]) => {
-                    let words = format!(
-                        "a message of encapsulation 0x{a:02x}{b:02x}, where CDR (0x0001) is read"
-                    );
-                    return Err(Error::at(at, words));
+                    let found = Finding::of(Cause::EncapsulationUnknown);
+                    return Err(Error::at(
+                        at,
+                        found.detail("code", format!("0x{a:02x}{b:02x}")),
+                    ));
                 }
                 _ => return Ok(None),
             }

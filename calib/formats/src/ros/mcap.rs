@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use std::io::Read;
 
 use crate::bytes::{Bytes, Fields};
+use crate::error::{contradicted, damaged};
 use crate::format::Format;
 use crate::ros::imu::{Encoding, Topics};
 use crate::stream::Recorder;
@@ -30,7 +31,7 @@ impl Format for Mcap {
     }
 
     fn about(&self) -> &'static str {
-        "an MCAP file of ROS 2 or ROS 1 with sensor_msgs/Imu; --topic chooses among several"
+        "an MCAP file of ROS 2 or ROS 1 with sensor_msgs/Imu"
     }
 
     fn recognises(&self, head: &[u8]) -> bool {
@@ -92,10 +93,10 @@ impl File {
         match op {
             SCHEMA => self
                 .schema(body)
-                .ok_or_else(|| Error::at(at, "a damaged schema record")),
+                .ok_or_else(|| Error::at(at, damaged("schema record"))),
             CHANNEL => self
                 .channel(body)
-                .ok_or_else(|| Error::at(at, "a damaged channel record")),
+                .ok_or_else(|| Error::at(at, damaged("channel record"))),
             MESSAGE => self.message(body, at),
             CHUNK => self.chunk(body, at),
             _ => Ok(()),
@@ -132,7 +133,7 @@ impl File {
         let mut fields = Fields(body);
         let head = (fields.u16(), fields.u32(), fields.u64(), fields.u64());
         let (Some(channel), .., Some(_)) = head else {
-            return Err(Error::at(at, "a damaged message record"));
+            return Err(Error::at(at, damaged("message record")));
         };
         self.channels
             .take(&channel, fields.0, at, &mut self.recorder)
@@ -151,18 +152,19 @@ impl File {
             ))
         };
         let (size, crc, compression, length, records) =
-            parts().ok_or_else(|| Error::at(at, "a damaged chunk"))?;
+            parts().ok_or_else(|| Error::at(at, damaged("chunk")))?;
         let packed = records.get(..length.min(usize::MAX as u64) as usize);
         let packed =
-            packed.ok_or_else(|| Error::at(at, "a chunk that is longer than its record"))?;
+            packed.ok_or_else(|| Error::at(at, contradicted("chunk", "longer", "its record")))?;
         let unpacked = match self.chunks.unpack(at, &compression, packed, size)? {
             Ok(unpacked) => unpacked,
-            Err(error) => return self.skip(at, &error.to_string()),
+            Err(error) => return self.skip(at, error.finding()),
         };
         let mut sum = flate2::Crc::new();
         sum.update(&unpacked);
         if crc != 0 && sum.sum() != crc {
-            return self.skip(at, "its check sum (CRC) is wrong");
+            let found = Finding::of(Kind::CheckSumWrong).detail("part", "chunk");
+            return self.skip(at, found);
         }
         let mut records = Fields(&unpacked);
         while !records.0.is_empty() {
@@ -170,7 +172,7 @@ impl File {
             let body = head
                 .and_then(|(op, length)| Some((op, records.bytes(usize::try_from(length).ok()?)?)));
             let Some((op, body)) = body else {
-                return self.skip(at, "it ends within a record");
+                return self.skip(at, Finding::of(Kind::EndsWithinRecord));
             };
             if op != CHUNK {
                 self.record(op, body, at)?;
@@ -180,8 +182,8 @@ impl File {
     }
 
     /// Leaves the rest of a damaged chunk out.
-    fn skip(&mut self, at: u64, why: &str) -> Result<(), Error> {
-        let damaged = chunk_damaged(at).detail("why", why);
+    fn skip(&mut self, at: u64, why: Finding) -> Result<(), Error> {
+        let damaged = chunk_damaged(at).because(why);
         self.recorder.content.warnings.push(damaged);
         Ok(())
     }

@@ -4,7 +4,10 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::io::{BufReader, Read, SeekFrom};
 
+use findings::{Finding, Kind};
+
 use crate::Error;
+use crate::error::cut;
 use crate::format::ReadSeek;
 
 const HEADER: usize = 100;
@@ -68,7 +71,7 @@ impl<'a> Database<'a> {
         file.seek(SeekFrom::Start(0))?;
         let mut header = [0; HEADER];
         if length < HEADER as u64 {
-            return Err(Error::at(length, "the database ends within its header"));
+            return Err(Error::at(length, cut("header", "database")));
         }
         file.read_exact(&mut header)?;
         let page = match big_endian(&header[16..18]) {
@@ -79,7 +82,7 @@ impl<'a> Database<'a> {
         if !page.is_power_of_two() || page < 512 || usable < 480 {
             return Err(Error::at(
                 16,
-                format!("pages of {page} bytes, as in no database; the file is damaged"),
+                Finding::of(Kind::PageSizeWrong).count("bytes", page),
             ));
         }
         Ok(Self {
@@ -101,7 +104,7 @@ impl<'a> Database<'a> {
         let at = at.filter(whole).ok_or_else(|| {
             Error::at(
                 self.length,
-                format!("page {number} of the database is missing; is the file complete?"),
+                Finding::of(Kind::PageMissing).count("page", number),
             )
         })?;
         // Pages follow each other mostly, so that the buffer is kept.
@@ -147,37 +150,33 @@ impl<'a> Database<'a> {
         visit: &mut Visit<'_>,
     ) -> Result<(), Error> {
         let (at, page) = self.page(number)?;
-        let damaged = |what: &str| {
-            Error::at(
-                at,
-                format!("page {number} of the database is damaged: {what}"),
-            )
-        };
+        let of_page = |kind: Kind| Finding::of(kind).count("page", number);
+        let damaged = |part: &str| Error::at(at, of_page(Kind::PageDamaged).detail("part", part));
         *left = left
             .checked_sub(1)
             .filter(|_| depth < DEPTH)
-            .ok_or_else(|| damaged("its pages form a circle"))?;
+            .ok_or_else(|| Error::at(at, of_page(Kind::PagesInCircle)))?;
         let start = if number == 1 { HEADER } else { 0 };
         let header = &page[start..];
         let (kind, cells) = (header[0], big_endian(&header[3..5]));
         let pointers = match kind {
             INTERIOR => 12,
             LEAF => 8,
-            _ => return Err(damaged("no page of a table")),
+            _ => return Err(damaged("kind")),
         };
         for k in 0..cells {
             let pointer = header
                 .get(pointers + 2 * k..pointers + 2 * k + 2)
-                .ok_or_else(|| damaged("its cells"))?;
+                .ok_or_else(|| damaged("cells"))?;
             let offset = big_endian(pointer);
             let cell = page
                 .get(offset..self.usable)
-                .ok_or_else(|| damaged("a cell"))?;
+                .ok_or_else(|| damaged("cell"))?;
             if kind == LEAF {
                 self.leaf(cell, at + offset as u64, visit)?
-                    .ok_or_else(|| damaged("a row"))?;
+                    .ok_or_else(|| damaged("row"))?;
             } else {
-                let child = big_endian(cell.get(..4).ok_or_else(|| damaged("a pointer"))?);
+                let child = big_endian(cell.get(..4).ok_or_else(|| damaged("pointer"))?);
                 self.walk(child, depth + 1, left, visit)?;
             }
         }

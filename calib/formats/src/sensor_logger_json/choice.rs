@@ -46,9 +46,7 @@ pub(crate) fn choose(content: &mut Content, turned: bool) -> Result<(), Error> {
         }
         chosen.push(accel);
     } else if linear.is_some() {
-        return Err(Error::refused(
-            "Accelerometer of Sensor Logger is without gravity, and calibration needs it; record again with \"Total Acceleration\" or \"Accelerometer (Uncalibrated)\" switched on, or add \"Gravity\"; --topic Gyroscope goes on with the gyroscope alone",
-        ));
+        return Err(Error::refused(Finding::of(Kind::LoggerWithoutGravity)));
     }
     chosen.extend(gyro);
     let taken: Vec<&str> = chosen.iter().map(|stream| stream.source.as_str()).collect();

@@ -19,6 +19,8 @@ use std::cell::Cell;
 use std::io::{Read, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use findings::{Finding, Kind, Remedy};
+
 use self::reader::{Listed, Reader};
 use crate::store::Store;
 use crate::{Error, Limits};
@@ -26,7 +28,7 @@ use crate::{Error, Limits};
 /// A format of tables.
 #[derive(Debug)]
 pub struct Tabular {
-    /// The name for `--format`.
+    /// The name to ask for it.
     pub name: &'static str,
     /// What it is, in a line.
     pub about: &'static str,
@@ -34,8 +36,8 @@ pub struct Tabular {
     pub called: &'static str,
     /// True for the first bytes of such a file.
     begins: fn(&[u8]) -> bool,
-    /// What to do where it is not read.
-    instead: &'static str,
+    /// Ways out where it is not read.
+    instead: fn() -> Vec<Remedy>,
     reader: Option<&'static dyn Reader>,
 }
 
@@ -56,7 +58,7 @@ pub static TABULAR: &[Tabular] = &[
         about: "JSON: a record per line or in an array, or lists that are columns; names within each other are joined by points",
         called: "a JSON file",
         begins: json::begins,
-        instead: "convert it to CSV",
+        instead: || vec![Remedy::SaveAsCsv],
         reader: Some(&json::Json),
     },
     Tabular {
@@ -64,7 +66,11 @@ pub static TABULAR: &[Tabular] = &[
         about: "a Parquet file with the columns of a CSV (feature `parquet` of the build)",
         called: "a Parquet file",
         begins: |head| head.starts_with(b"PAR1"),
-        instead: "convert it to CSV, as in `pandas.read_parquet(FILE).to_csv(OUT)`",
+        instead: || {
+            vec![Remedy::ConvertToCsv {
+                by: "pandas.read_parquet(FILE).to_csv(OUT)".into(),
+            }]
+        },
         reader: reader!("parquet", parquet::Parquet),
     },
     Tabular {
@@ -74,7 +80,14 @@ pub static TABULAR: &[Tabular] = &[
         begins: |head| {
             head.starts_with(b"\x89HDF\r\n\x1a\n") || head.starts_with(b"MATLAB 7.3 MAT-file")
         },
-        instead: "save it in MATLAB with `save -v7`, or export its columns as CSV",
+        instead: || {
+            vec![
+                Remedy::SaveAsV7,
+                Remedy::ExportAs {
+                    format: "CSV".into(),
+                },
+            ]
+        },
         reader: reader!("hdf5", hdf5::Hdf5),
     },
     // A zip archive is a workbook by what is in it.
@@ -83,7 +96,7 @@ pub static TABULAR: &[Tabular] = &[
         about: "an Excel workbook, a table per sheet (feature `xlsx` of the build)",
         called: "an Excel workbook",
         begins: |_| false,
-        instead: "save the sheet as CSV and name that file",
+        instead: || vec![Remedy::SaveAsCsv],
         reader: reader!("xlsx", xlsx::Xlsx),
     },
 ];
@@ -110,10 +123,11 @@ impl Tabular {
     /// A build without it, and what to do.
     fn reader(&self) -> Result<&'static dyn Reader, Error> {
         self.reader.ok_or_else(|| {
-            Error::refused(format!(
-                "this is {}, which this build does not read; {}, or build with `--features {}`",
-                self.called, self.instead, self.name
-            ))
+            let found = Finding::of(Kind::NotInBuild).detail("format", self.called);
+            let build = Remedy::Build {
+                feature: self.name.into(),
+            };
+            Error::refused(found.only_remedies((self.instead)().into_iter().chain([build])))
         })
     }
 
@@ -158,9 +172,10 @@ pub fn write_parquet(columns: &[(String, Vec<f64>)]) -> Result<Vec<u8>, Error> {
     #[cfg(not(feature = "parquet"))]
     {
         let _ = columns;
-        Err(Error::refused(
-            "this build does not write Parquet; name a .csv file, or build with `--features parquet`",
-        ))
+        let found = Finding::of(Kind::NotWrittenByBuild).detail("format", "Parquet");
+        Err(Error::refused(found.remedy(Remedy::Build {
+            feature: "parquet".into(),
+        })))
     }
 }
 
@@ -178,11 +193,7 @@ fn guarded<T>(read: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
     let before = CATCHES.replace(true);
     let read = catch_unwind(AssertUnwindSafe(read));
     CATCHES.set(before);
-    read.unwrap_or_else(|_| {
-        Err(Error::refused(
-            "the reader of this format gave up at damage that it does not understand; export the table as CSV",
-        ))
-    })
+    read.unwrap_or_else(|_| Err(Error::refused(Finding::of(Kind::ReaderGaveUp))))
 }
 
 #[cfg(test)]

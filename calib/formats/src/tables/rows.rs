@@ -3,7 +3,10 @@
 use std::fmt::Write as _;
 use std::io::Write;
 
+use findings::{Finding, Kind};
+
 use crate::Error;
+use crate::error::counted;
 
 /// A cell before it is written.
 #[derive(Clone, Debug, PartialEq)]
@@ -88,9 +91,10 @@ pub(super) fn with_unit(name: &str, unit: Option<&str>) -> String {
 /// Refuses more rows than the limit.
 pub(super) fn check(rows: u64, limit: u64) -> Result<(), Error> {
     match rows > limit {
-        true => Err(Error::refused(format!(
-            "a table of {rows} rows, more than {limit}; --max-rows raises the limit"
-        ))),
+        true => {
+            let found = counted(Finding::of(Kind::TableTooLong), "rows", rows);
+            Err(Error::refused(counted(found, "limit", limit)))
+        }
         false => Ok(()),
     }
 }
@@ -107,9 +111,10 @@ pub(super) fn check_cells(
     const ALWAYS: u64 = 1 << 20;
     let cells = rows.saturating_mul(columns as u64);
     match cells > ALWAYS && cells / limits.ratio > length {
-        true => Err(Error::refused(format!(
-            "a table of {cells} cells in a file of {length} bytes, as no recording is"
-        ))),
+        true => {
+            let found = counted(Finding::of(Kind::CellsTooMany), "cells", cells);
+            Err(Error::refused(counted(found, "length", length)))
+        }
         false => Ok(()),
     }
 }

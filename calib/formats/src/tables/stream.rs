@@ -10,7 +10,7 @@ const PIECE: usize = 64 << 10;
 /// Pieces written ahead of the reader.
 const AHEAD: usize = 2;
 
-type Piece = Result<Vec<u8>, String>;
+type Piece = Result<Vec<u8>, Error>;
 
 /// What `write` writes; it ends early where nobody reads any more. Where a program has one thread only, in WebAssembly, it is written
 /// as a whole first.
@@ -34,7 +34,7 @@ pub(super) fn text(
         let written = write(&mut out).and_then(|()| Ok(out.flush()?));
         if let Err(error) = written {
             // Nobody hears it where nobody reads.
-            let _ = out.sender.send(Err(error.to_string()));
+            let _ = out.sender.send(Err(error));
         }
     };
     std::thread::Builder::new()
@@ -81,7 +81,7 @@ impl Read for Text {
         while self.at == self.piece.len() && !buffer.is_empty() {
             match self.pieces.recv() {
                 Ok(Ok(piece)) => (self.piece, self.at) = (piece, 0),
-                Ok(Err(words)) => return Err(io::Error::other(words)),
+                Ok(Err(error)) => return Err(error.into()),
                 Err(_) => return Ok(0),
             }
         }

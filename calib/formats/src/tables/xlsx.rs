@@ -6,9 +6,12 @@ use calamine::{
     Cell as Found, DataRef, Reader as _, SheetType, SheetVisible, Xlsx as Workbook, XlsxError,
 };
 
+use findings::{Finding, Kind, Remedy};
+
 use super::reader::{Listed, Reader};
 use super::rows::{self, Cell};
 use crate::container::archive::Archive;
+use crate::error::{counted, unreadable};
 use crate::shown::shown;
 use crate::store::{Store, Stored};
 use crate::{Error, Limits};
@@ -33,15 +36,14 @@ impl Reader for Xlsx {
                 (SheetType::WorkSheet, SheetVisible::Visible) => {
                     listed.names.push(sheet.name.clone());
                 }
-                (SheetType::WorkSheet, _) => listed.warnings.push(
-                    findings::Finding::of(findings::Kind::SheetHidden)
-                        .detail("sheet", shown(&sheet.name)),
-                ),
+                (SheetType::WorkSheet, _) => listed
+                    .warnings
+                    .push(Finding::of(Kind::SheetHidden).detail("sheet", shown(&sheet.name))),
                 _ => {}
             }
         }
         match listed.names.is_empty() {
-            true => Err(Error::refused("a workbook without a sheet of cells")),
+            true => Err(Error::refused(Finding::of(Kind::NoSheet))),
             false => Ok(listed),
         }
     }
@@ -76,7 +78,7 @@ impl Reader for Xlsx {
 }
 
 fn damaged(error: XlsxError) -> Error {
-    Error::refused(format!("the workbook cannot be read: {error}"))
+    unreadable("workbook", &error)
 }
 
 fn open(store: &Store) -> Result<Workbook<Box<dyn Stored>>, Error> {
@@ -97,19 +99,16 @@ fn check(store: &Store, limits: Limits) -> Result<(), Error> {
         let mut words = Words::default();
         let unpacked = io::copy(&mut (&mut content).take(HELD), &mut words);
         let unpacked =
-            unpacked.map_err(|error| Error::refused(format!("{}: {error}", shown(name))))?;
+            unpacked.map_err(|error| unreadable(format!("part {}", shown(name)), &error))?;
         if unpacked == HELD {
-            return Err(Error::refused(format!(
-                "{} unpacks to more than {HELD} bytes; save the sheet as CSV",
-                shown(name)
-            )));
+            let found = Finding::of(Kind::UnpacksTooLarge).detail("what", shown(name));
+            let found = counted(found, "limit", HELD);
+            return Err(Error::refused(found.only_remedies([Remedy::SaveAsCsv])));
         }
         if words.most > unpacked.max(MANY) {
-            return Err(Error::refused(format!(
-                "{} announces {} words in {unpacked} bytes: the workbook is damaged",
-                shown(name),
-                words.most
-            )));
+            let found = Finding::of(Kind::WordsTooMany).detail("part", shown(name));
+            let found = counted(found, "words", words.most);
+            return Err(Error::refused(counted(found, "bytes", unpacked)));
         }
     }
     Ok(())
@@ -201,20 +200,14 @@ impl Sheet<'_> {
             DataRef::Error(error) => Cell::Text(error.to_string()),
         };
         if row < self.row || row >= ROWS || column >= COLUMNS || column < self.first {
-            return Err(Error::refused(format!(
-                "the cell {} stands where no cell can be: the workbook is damaged",
-                self.place(row, column)
-            )));
+            return Err(self.refused(Kind::CellImpossible, row, column));
         }
         while self.row < row {
             self.end_line()?;
         }
         let at = column - self.first;
         if self.columns > at {
-            return Err(Error::refused(format!(
-                "the cell {} is there twice: the workbook is damaged",
-                self.place(row, column)
-            )));
+            return Err(self.refused(Kind::CellTwice, row, column));
         }
         for _ in self.columns.max(1)..=at {
             self.line.push(',');
@@ -235,10 +228,7 @@ impl Sheet<'_> {
     fn end_line(&mut self) -> Result<(), Error> {
         // A date among words is a remark; among numbers it is the stamp of a reading.
         if let (Some((row, column)), true) = (self.date, self.numbers) {
-            return Err(Error::refused(format!(
-                "the cell {} is a date or time of day; format the column as numbers, in seconds, and save again",
-                self.place(row, column)
-            )));
+            return Err(self.refused(Kind::CellIsDate, row, column));
         }
         self.line.push('\n');
         self.out.write_all(self.line.as_bytes())?;
@@ -246,6 +236,10 @@ impl Sheet<'_> {
         (self.columns, self.numbers, self.date) = (0, false, None);
         self.row += 1;
         Ok(())
+    }
+
+    fn refused(&self, kind: Kind, row: u32, column: u32) -> Error {
+        Error::refused(Finding::of(kind).detail("cell", self.place(row, column)))
     }
 
     /// A cell as Excel calls it: `Raw!B7`.

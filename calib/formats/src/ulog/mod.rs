@@ -12,6 +12,7 @@ use layout::Layouts;
 use topics::Topic;
 
 use crate::bytes::{Bytes, Fields};
+use crate::error::damaged;
 use crate::format::Format;
 use crate::stream::Recorder;
 use crate::stream::cut_at;
@@ -34,7 +35,7 @@ impl Format for Ulog {
     }
 
     fn about(&self) -> &'static str {
-        "a PX4 log (.ulg) with sensor_accel and sensor_gyro; --instance chooses the sensor"
+        "a PX4 log (.ulg) with sensor_accel and sensor_gyro"
     }
 
     fn recognises(&self, head: &[u8]) -> bool {
@@ -106,16 +107,16 @@ impl File {
     }
 
     fn message(&mut self, kind: u8, body: &[u8], at: u64) -> Result<(), Error> {
-        let damaged = |what: &str| Error::at(at, format!("a damaged {what} message"));
+        let broken = |what: &str| Error::at(at, damaged(&format!("{what} message")));
         match kind {
-            b'F' => self.layouts.add(body).ok_or_else(|| damaged("format")),
-            b'A' => self.subscribe(body).ok_or_else(|| damaged("subscription")),
+            b'F' => self.layouts.add(body).ok_or_else(|| broken("format")),
+            b'A' => self.subscribe(body).ok_or_else(|| broken("subscription")),
             b'P' => {
                 self.parameters.add(body);
                 Ok(())
             }
             b'O' => {
-                let length = Fields(body).u16().ok_or_else(|| damaged("dropout"))?;
+                let length = Fields(body).u16().ok_or_else(|| broken("dropout"))?;
                 self.dropouts
                     .push((self.last as f64 * 1e-6, f64::from(length) * 1e-3));
                 Ok(())
@@ -124,9 +125,7 @@ impl File {
             b'B' | b'I' | b'M' | b'Q' | b'R' | b'L' | b'C' | b'S' => Ok(()),
             other => Err(Error::at(
                 at,
-                format!(
-                    "a message of the unknown kind 0x{other:02x}; the log is damaged from here on"
-                ),
+                Finding::of(Kind::MessageKindUnknown).detail("code", format!("0x{other:02x}")),
             )),
         }
     }
@@ -168,7 +167,7 @@ impl File {
         let mut fields = Fields(body);
         let id = fields
             .u16()
-            .ok_or_else(|| Error::at(at, "a data message without its topic"))?;
+            .ok_or_else(|| Error::at(at, damaged("data message")))?;
         // Every message begins with its stamp, but for those of topics that leave it empty.
         if let Some(stamp) = Fields(fields.0).u64()
             && (self.last == 0 || (self.last..self.last.saturating_add(HOUR)).contains(&stamp))

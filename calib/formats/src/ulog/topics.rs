@@ -2,6 +2,7 @@
 
 use super::layout::Layouts;
 use crate::bytes::Fields;
+use crate::error::contradicted;
 use crate::stream::{Handle, Recorder};
 use crate::{Error, Quantity};
 
@@ -144,7 +145,12 @@ impl Topic {
                 Some(Ok(()))
             }
         };
-        taken.unwrap_or_else(|| Err(Error::at(at, "a message that is shorter than its format")))
+        taken.unwrap_or_else(|| {
+            Err(Error::at(
+                at,
+                contradicted("message", "shorter", "its format"),
+            ))
+        })
     }
 
     /// The device ids of the accelerometer and the gyroscope that were chosen.

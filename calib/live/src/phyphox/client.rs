@@ -3,6 +3,7 @@
 use std::time::{Duration, Instant};
 
 use calib::recording::shown::shown;
+use findings::{Finding, Kind};
 use ureq::Agent;
 
 use crate::source::Waits;
@@ -40,30 +41,40 @@ impl Client {
     }
 
     /// The answer to `path`, a short one.
-    pub(super) fn get(&self, path: &str) -> Result<Vec<u8>, String> {
+    pub(super) fn get(&self, path: &str) -> Result<Vec<u8>, Box<Finding>> {
         self.get_within(path, self.waits.answer, SMALL)
     }
 
     /// The answer to `path`, which holds samples.
-    pub(super) fn samples(&self, path: &str) -> Result<Vec<u8>, String> {
+    pub(super) fn samples(&self, path: &str) -> Result<Vec<u8>, Box<Finding>> {
         self.get_within(path, self.waits.answer, SAMPLES)
     }
 
     /// The exported file, until an instant.
-    pub(super) fn export(&self, path: &str, until: Instant) -> Result<Vec<u8>, String> {
+    pub(super) fn export(&self, path: &str, until: Instant) -> Result<Vec<u8>, Box<Finding>> {
         let left = until.saturating_duration_since(Instant::now());
         self.get_within(path, left.max(Duration::from_millis(1)), EXPORT)
     }
 
     /// What an error says may be the phone's words.
-    fn get_within(&self, path: &str, timeout: Duration, most: u64) -> Result<Vec<u8>, String> {
+    fn get_within(
+        &self,
+        path: &str,
+        timeout: Duration,
+        most: u64,
+    ) -> Result<Vec<u8>, Box<Finding>> {
         let request = self.agent.get(format!("{}{path}", self.address));
         let request = request.header("Connection", "close");
         let request = request.config().timeout_global(Some(timeout)).build();
-        let mut response = request.call().map_err(|e| shown(&e.to_string()))?;
+        let mut response = request.call().map_err(failed)?;
         let body = response.body_mut().with_config().limit(most);
-        body.read_to_vec().map_err(|e| shown(&e.to_string()))
+        body.read_to_vec().map_err(failed)
     }
+}
+
+fn failed(error: ureq::Error) -> Box<Finding> {
+    let found = Finding::of(Kind::RequestFailed);
+    found.detail("reason", shown(&error.to_string())).into()
 }
 
 /// A buffer's name as part of a query.

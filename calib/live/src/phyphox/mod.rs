@@ -23,8 +23,9 @@ use std::time::{Duration, Instant};
 
 use calib::Recording;
 use calib::recording::{ReadOptions, Stream};
+use findings::{Finding, Front, Kind};
 
-use crate::error::Error;
+use crate::error::{Error, Limit};
 use crate::recorder::Recorder;
 use crate::source::{Batch, Event, Finished, Opening, Source};
 use client::Client;
@@ -97,7 +98,7 @@ impl Phyphox {
         let text = client.get("/config").map_err(|cause| Error::Lost {
             address: address.to_owned(),
             seconds: 0.0,
-            cause,
+            cause: cause.text(Front::Plain),
         })?;
         let experiment = Experiment::parse(&text).ok_or_else(|| not_phyphox(address, &text))?;
         let sensors = [
@@ -192,7 +193,7 @@ impl Phyphox {
         if self.taken.iter().any(|count| *count > MOST) {
             return Err(Error::TooMuch {
                 name: self.client.address.clone(),
-                what: "more than 2,000,000 samples came; record on the phone and calibrate its file",
+                limit: Limit::Samples(MOST),
             });
         }
         let barren = batch.accelerometer.is_empty() && batch.gyroscope.is_empty();
@@ -207,7 +208,7 @@ impl Phyphox {
     }
 
     /// The samples of both sensors in an answer.
-    fn understood(&self, text: &[u8]) -> Result<(Reply, [Stream; 2]), String> {
+    fn understood(&self, text: &[u8]) -> Result<(Reply, [Stream; 2]), Box<Finding>> {
         let reply = Reply::parse(text)?;
         let of = |sensor: usize| reply.samples(&self.sensors[sensor]);
         let fresh = [of(0)?, of(1)?];
@@ -278,7 +279,7 @@ impl Phyphox {
     }
 
     /// The file of full precision, checked to be a recording of both sensors and of this session.
-    fn export(&self, until: Instant) -> Result<PathBuf, String> {
+    fn export(&self, until: Instant) -> Result<PathBuf, Box<Finding>> {
         let sets = 0..self.experiment.export_sets.max(1);
         let sets: String = sets.map(|k| format!("&set{k}=On")).collect();
         let bytes = self
@@ -288,19 +289,19 @@ impl Phyphox {
         let folder = path.parent().unwrap_or(path);
         let output = Output::claim_in(folder, EXPORT, Existing::Replace, &[]);
         let written = output.and_then(|output| output.write(&bytes));
-        written.map_err(|e| e.to_string())?;
+        written.map_err(|error| error.finding())?;
         let recording =
-            Recording::read(path, &ReadOptions::default()).map_err(|e| e.to_string())?;
+            Recording::read(path, &ReadOptions::default()).map_err(|error| error.finding())?;
         let streams = [recording.accelerometer, recording.gyroscope].map(Option::unwrap_or_default);
         if streams.iter().any(Stream::is_empty) {
             let [accelerometer, gyroscope] = streams.each_ref().map(Stream::len);
-            return Err(format!(
-                "{accelerometer} and {gyroscope} samples in the exported file"
-            ));
+            let found = Finding::of(Kind::ExportLacksSamples);
+            let found = found.count("accelerometer", accelerometer);
+            return Err(found.count("gyroscope", gyroscope).into());
         }
         let mut seen = self.sightings.iter().zip(&streams);
         if !seen.all(|(sightings, stream)| sightings.share_in(stream) >= SAME) {
-            return Err("it holds another session than the one that was guided".to_owned());
+            return Err(Finding::of(Kind::ExportOfOther).into());
         }
         Ok(path.clone())
     }
@@ -311,7 +312,7 @@ impl Source for Phyphox {
         let answer = self.client.samples(&self.path());
         let mut batch = match answer.and_then(|text| self.understood(&text)) {
             Ok((reply, fresh)) => self.take(&reply, fresh)?,
-            Err(cause) => self.no_answer(now, cause)?,
+            Err(cause) => self.no_answer(now, cause.text(Front::Plain))?,
         };
         if !std::mem::replace(&mut self.greeted, true) {
             let name = format!("phyphox, {}", self.experiment.title);
@@ -342,7 +343,7 @@ impl Source for Phyphox {
             },
             Err(reason) => Finished {
                 recording: plain,
-                fallback: Some(reason),
+                fallback: Some(reason.text(Front::Plain)),
             },
         })
     }
@@ -365,6 +366,6 @@ fn not_phyphox(address: &str, text: &[u8]) -> Error {
     let begin = calib::recording::shown::shown(begin.trim());
     Error::NotPhyphox {
         address: address.to_owned(),
-        found: format!("`{begin}` from /config"),
+        begin,
     }
 }

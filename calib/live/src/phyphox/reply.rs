@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use calib::recording::Stream;
 use calib::recording::shown::shown;
+use findings::{Finding, Kind};
 use nalgebra::Vector3;
 use serde::Deserialize;
 
@@ -82,8 +83,11 @@ fn values<'de, D: serde::Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Erro
 }
 
 impl Reply {
-    pub(super) fn parse(text: &[u8]) -> Result<Self, String> {
-        serde_json::from_slice(text).map_err(|e| shown(&format!("no samples in its answer: {e}")))
+    pub(super) fn parse(text: &[u8]) -> Result<Self, Box<Finding>> {
+        serde_json::from_slice(text).map_err(|error| {
+            let found = Finding::of(Kind::AnswerWithoutSamples);
+            found.detail("reason", shown(&error.to_string())).into()
+        })
     }
 
     /// Whether all of a sensor's buffers was sent, asked for or not.
@@ -97,7 +101,7 @@ impl Reply {
     ///
     /// # Errors
     /// A time or a reading that no phone has.
-    pub(super) fn samples(&self, buffers: &Buffers) -> Result<Stream, String> {
+    pub(super) fn samples(&self, buffers: &Buffers) -> Result<Stream, Box<Finding>> {
         let part = |name: &str| self.buffer.get(name).map_or(&[][..], |part| &part.buffer);
         let [x, y, z] = buffers.values.each_ref().map(|name| part(name));
         let mut stream = Stream::default();
@@ -107,10 +111,12 @@ impl Reply {
                 continue;
             }
             if !is_time(t) {
-                return Err(format!("it says that {t:e} s have passed"));
+                let found = Finding::of(Kind::TimeImpossible);
+                return Err(found.detail("seconds", format!("{t:e}")).into());
             }
             if let Some(value) = reading.iter().find(|value| value.abs() > LARGEST) {
-                return Err(format!("it reads {value:e}, as no sensor does"));
+                let found = Finding::of(Kind::ReadingImpossible);
+                return Err(found.detail("value", format!("{value:e}")).into());
             }
             if stream.t.last().is_none_or(|last| t > *last) {
                 stream.t.push(t);

@@ -4,12 +4,12 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
 use file_formats::{Content, Quantity, Stream, Wanted};
+use findings::{Finding, Kind};
 
 use crate::Error;
 use crate::recording::content::Recording;
 use crate::recording::options::ReadOptions;
 use crate::source::files::limits;
-use crate::source::place::in_file;
 use crate::source::{Binary, Source};
 
 /// The streams of sensors in a log.
@@ -96,13 +96,10 @@ pub(super) fn content(
         None => binary.format.read(&mut binary.reader, wanted, limits),
     });
     let content = catch_unwind(read).unwrap_or_else(|_| {
-        let words = "the reader of this format gave up at damage that it does not understand";
-        Err(file_formats::Error::Damaged {
-            at: 0,
-            what: words.to_owned(),
-        })
+        let gave_up = Finding::of(Kind::ReaderGaveUp);
+        Err(file_formats::Error::at(0, gave_up))
     });
-    let content = content.map_err(|error| in_file(&binary.name, error.to_string()))?;
+    let content = content.map_err(|error| Error::input(error.finding().in_file(&binary.name)))?;
     if let Some(file) = binary.unchanged {
         file.check()?;
     }

@@ -47,7 +47,7 @@ pub fn to_parquet(recording: &mut Recording) -> Result<Vec<u8>, Error> {
             }
         });
     }
-    write_parquet(&columns).map_err(|error| Error::usage(error.to_string()))
+    write_parquet(&columns).map_err(|error| Error::usage(error.finding()))
 }
 
 /// A sensor that is interpolated to the stamps of `other`.

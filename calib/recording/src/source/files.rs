@@ -7,7 +7,6 @@ use std::sync::Arc;
 
 use file_formats::{Container, Entry, Limits};
 
-use super::place::in_file;
 use crate::Error;
 use crate::recording::options::ReadOptions;
 use crate::shown::shown;
@@ -51,7 +50,7 @@ impl Files {
             Err(file_formats::Error::Io(error)) => {
                 return Err(crate::source::on_disk::explained(path, error));
             }
-            Err(error) => return Err(in_file(&name, error.to_string())),
+            Err(error) => return Err(Error::input(error.finding().in_file(name))),
         };
         Ok(Self::new(name, container))
     }
@@ -124,7 +123,7 @@ impl Files {
     /// The content of an entry.
     pub(crate) fn open(&self, entry: &Entry) -> Result<Box<dyn Read + Send>, Error> {
         let opened = self.container.open(entry);
-        opened.map_err(|error| in_file(&self.called(entry), error.to_string()))
+        opened.map_err(|error| Error::input(error.finding().in_file(self.called(entry))))
     }
 
     /// The names of the entries, for messages.

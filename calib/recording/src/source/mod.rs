@@ -245,7 +245,7 @@ fn archive(
         Some(path) => Container::zip(path, limits),
         None => Container::zip_in_memory(bytes.clone(), limits),
     };
-    let container = container.map_err(|error| in_file(&name, error.to_string()))?;
+    let container = container.map_err(|error| Error::input(error.finding().in_file(&name)))?;
     let files = Files::new(name, container);
     match Tabular::by_name("xlsx").filter(|_| files.entry("xl/workbook.xml").is_some()) {
         Some(format) => tables_of(files.name, format, path, bytes, options),
@@ -281,7 +281,7 @@ fn tables_of(
         Some(path) => Container::tables(format, path, limits),
         None => Container::tables_in_memory(format, bytes, limits),
     };
-    let container = container.map_err(|error| in_file(&name, error.to_string()))?;
+    let container = container.map_err(|error| Error::input(error.finding().in_file(&name)))?;
     let files = Files::new(name, container);
     let inner = match files.entries() {
         [only] => {

@@ -1,9 +1,9 @@
 //! What is wrong with a batch as a whole, in words.
 
-use batch::{Error, Fault};
+use batch::Error;
+use findings::Front;
 
 use crate::exit::{Failure, INPUT, OUTPUT};
-use crate::show;
 
 /// A batch's error in words.
 pub(super) fn failure(error: Error) -> Failure {
@@ -12,45 +12,14 @@ pub(super) fn failure(error: Error) -> Failure {
         Error::TooFew { .. } => crate::exit::NOT_ENOUGH,
         _ => INPUT,
     };
+    let failure = Failure::of(code, error.finding());
     match &error {
-        Error::Parts(faults) => {
-            let lines: Vec<String> = faults.iter().map(fault).collect();
-            let lines = match lines.is_empty() {
-                true => "no part of a batch; name its output folder or its part files".to_owned(),
-                false => lines.join("\n  "),
-            };
-            Failure::new(code, format!("the parts make no whole:\n  {lines}"))
+        Error::Parts(faults) if !faults.is_empty() => {
+            let lines = faults.iter().map(|f| f.finding().text(Front::CommandLine));
+            let lines: Vec<String> = lines.collect();
+            let message = format!("the parts make no whole:\n  {}", lines.join("\n  "));
+            Failure { message, ..failure }
         }
-        other => Failure::new(code, other.to_string()),
-    }
-}
-
-/// What is wrong with a part, and what to do.
-fn fault(fault: &Fault) -> String {
-    match fault {
-        Fault::Unreadable { path, what } => {
-            format!(
-                "{}: {what}; run its shard again with --resume",
-                show::path(path)
-            )
-        }
-        Fault::Foreign {
-            path,
-            found,
-            expected,
-        } => {
-            format!(
-                "{}: of another run ({found}; {expected} expected)",
-                show::path(path)
-            )
-        }
-        Fault::Missing { shard } => {
-            format!(
-                "part {}/{} is missing; run it with --shard {}/{} --resume",
-                shard.k, shard.n, shard.k, shard.n
-            )
-        }
-        Fault::Lacks { index } => format!("device {} of the manifest is in no part", index + 1),
-        _ => "a part cannot be merged".to_owned(),
+        _ => failure,
     }
 }

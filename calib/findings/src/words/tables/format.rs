@@ -132,7 +132,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.05,
         reason: "the file is damaged",
         text: "the file is damaged from byte {byte} on: what is before is read, and the recording may be shorter than it \
-               was ({why})",
+               was[ ({why})]",
         advice: "",
         remedies: || vec![Remedy::ExportAgain],
     },

@@ -1,8 +1,9 @@
-//! What counts as a table, and what is said of damage.
+//! Bounds of what counts as a table, and damage.
 
 use hdf5_reader::error::Error as Hdf5Error;
 
 use crate::Error;
+use crate::error::unreadable;
 
 /// Fewer rows are settings, no readings.
 pub(super) const FEWEST: u64 = 10;
@@ -11,5 +12,5 @@ pub(super) const FEWEST: u64 = 10;
 pub(super) const WIDEST: u64 = 64;
 
 pub(super) fn damaged(error: Hdf5Error) -> Error {
-    Error::refused(format!("the HDF5 file cannot be read: {error}"))
+    unreadable("HDF5 file", &error)
 }

@@ -30,9 +30,7 @@ impl H5Type for Element {
 
 /// Adds what `bytes` hold.
 fn add_cells(bytes: &[u8], datatype: &Datatype, cells: &mut Vec<Cell>) -> Result<(), Hdf5Error> {
-    let unread = |what: &dyn fmt::Debug| {
-        Hdf5Error::InvalidData(format!("numbers of a type that is not read: {what:?}"))
-    };
+    let unread = |what: &dyn fmt::Debug| Hdf5Error::InvalidData(format!("type not read: {what:?}"));
     match datatype {
         Datatype::Compound { fields, .. } => {
             for field in fields {

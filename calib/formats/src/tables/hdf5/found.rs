@@ -94,8 +94,10 @@ impl Found {
         let (groups, datasets) = group.members().map_err(damaged)?;
         self.seen += groups.len() + datasets.len();
         if self.seen > limits.entries {
-            let words = format!("more than {} groups and datasets", limits.entries);
-            return Err(Error::refused(words));
+            let found = Finding::of(Kind::EntriesTooMany).count("limit", limits.entries);
+            return Err(Error::refused(
+                found.detail("things", "groups and datasets"),
+            ));
         }
         // By their number of rows.
         let mut together: BTreeMap<u64, Vec<Set>> = BTreeMap::new();
@@ -197,11 +199,10 @@ fn is_object(dataset: &Dataset, name: &str, warnings: &mut Findings) -> Result<b
         return Ok(class == "char" || class == "cell");
     }
     match crate::mat::quantity(name) {
-        Some(_) => Err(Error::refused(format!(
-            "the variable {} is an object of class {}, which is not read from MATLAB 7.3; save it with `save -v7`",
-            shown(name),
-            shown(&class)
-        ))),
+        Some(_) => {
+            let found = Finding::of(Kind::ObjectNotRead).detail("variable", shown(name));
+            Err(Error::refused(found.detail("class", shown(&class))))
+        }
         None => {
             warnings.push(
                 Finding::of(Kind::VariableNotRead)

@@ -9,6 +9,7 @@ mod set;
 use std::io::Write;
 use std::sync::Arc;
 
+use findings::{Finding, Kind};
 use hdf5_reader::error::Error as Hdf5Error;
 use hdf5_reader::filters::FILTER_SCALEOFFSET;
 use hdf5_reader::filters::scaleoffset::decompress_with_limit;
@@ -18,6 +19,8 @@ use hdf5_reader::{FilterRegistry, Hdf5File, OpenOptions};
 use self::bounds::{FEWEST, damaged};
 use self::found::Found;
 use super::reader::{Listed, Reader};
+use crate::error::counted;
+use crate::shown::shown;
 use crate::store::Store;
 use crate::{Error, Limits};
 
@@ -35,11 +38,8 @@ impl Reader for Hdf5 {
         let mut found = Found::default();
         found.look(&open(store, limits)?, store.length()?, limits)?;
         if found.tables.is_empty() {
-            let words = format!(
-                "no dataset of numbers with {FEWEST} rows or more; it holds {}",
-                found.listed()
-            );
-            return Err(Error::refused(words));
+            let none = counted(Finding::of(Kind::NoDataset), "least", FEWEST);
+            return Err(Error::refused(none.detail("listed", found.listed())));
         }
         Ok(Listed {
             names: found.tables.into_iter().map(|table| table.name).collect(),
@@ -58,7 +58,10 @@ impl Reader for Hdf5 {
         let mut found = Found::default();
         found.look(&file, store.length()?, limits)?;
         let table = found.tables.iter().find(|table| table.name == name);
-        let table = table.ok_or_else(|| Error::refused("the file has changed"))?;
+        let table = table.ok_or_else(|| {
+            let gone = Finding::of(Kind::TableGone).detail("table", shown(name));
+            Error::refused(gone)
+        })?;
         table.write(out)
     }
 }
@@ -72,9 +75,7 @@ fn filters(most: usize) -> FilterRegistry {
         Box::new(move |filter, data, _| {
             match filter.client_data.get(4).is_some_and(|size| *size <= 8) {
                 true => decompress_with_limit(data, &filter.client_data, most),
-                false => Err(Hdf5Error::FilterError(
-                    "scale-offset of numbers of more than 8 bytes".to_owned(),
-                )),
+                false => Err(Hdf5Error::FilterError("numbers beyond 8 bytes".to_owned())),
             }
         }),
     );

@@ -1,5 +1,6 @@
 //! One dataset as rows of columns.
 
+use findings::{Finding, Kind};
 use hdf5_reader::Datatype;
 use hdf5_reader::dataset::{Dataset, SliceInfo, SliceInfoElem};
 use hdf5_reader::group::Group;
@@ -8,6 +9,7 @@ use super::super::rows::{self, Cell};
 use super::bounds::{FEWEST, WIDEST};
 use super::element::{Element, numbers_in, width_of};
 use crate::Error;
+use crate::error::unreadable;
 use crate::shown::shown;
 
 /// Rows read at a time, more where a chunk holds more.
@@ -47,10 +49,8 @@ impl Set {
             ([], _) => 1,
             ([width], false) if *width <= WIDEST => *width as usize,
             _ if crate::mat::quantity(&name).is_some() => {
-                return Err(Error::refused(format!(
-                    "the dataset {} has {shape:?} numbers, and only rows of columns are read",
-                    shown(&name)
-                )));
+                let found = Finding::of(Kind::DatasetShape).detail("dataset", shown(&name));
+                return Err(Error::refused(found.detail("shape", format!("{shape:?}"))));
             }
             _ => return Ok(None),
         };
@@ -112,21 +112,13 @@ impl Set {
         };
         let read = self.dataset.read_slice::<Element>(&selection);
         let name = &self.name;
-        let read = read.map_err(|error| {
-            Error::refused(format!(
-                "the dataset {} cannot be read: {error}",
-                shown(name)
-            ))
-        })?;
+        let read = read.map_err(|error| unreadable(format!("dataset {}", shown(name)), &error))?;
         let cells: Vec<Cell> = read.into_iter().flat_map(|element| element.0).collect();
         let count = (end - start) as usize;
         if cells.len() != count * self.width {
-            return Err(Error::refused(format!(
-                "the dataset {} has {} numbers where {} were expected",
-                shown(name),
-                cells.len(),
-                count * self.width
-            )));
+            let found = Finding::of(Kind::DatasetLength).detail("dataset", shown(name));
+            let found = found.count("count", cells.len());
+            return Err(Error::refused(found.count("expected", count * self.width)));
         }
         // Of MATLAB, which writes column after column.
         let is_turned = (0..self.axis).any(|axis| shape[axis] != 1);

@@ -3,8 +3,9 @@
 use serde_json::{Deserializer, Map, Value};
 
 use super::flat::{Row, flatten};
-use super::records::{Budgeted, damaged, first_byte};
+use super::records::{Budgeted, first_byte};
 use crate::Error;
+use crate::error::no_json;
 use crate::shown::shown;
 use crate::store::Store;
 use crate::tables::rows::{Cell, with_unit};
@@ -60,7 +61,7 @@ impl Document {
         let Some(root) = values.next() else {
             return Ok(None);
         };
-        let root = root.map_err(|error| damaged(&error))?;
+        let root = root.map_err(|error| no_json(&error))?;
         // What follows is looked at to its end at most.
         left.set(u64::MAX);
         match values.next() {

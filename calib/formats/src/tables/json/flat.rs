@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::io::Write;
 
+use findings::{Finding, Kind};
 use serde_json::{Map, Value};
 
 use super::rows::{self, Cell};
@@ -42,10 +43,8 @@ pub(super) fn flatten(name: &str, value: &Value, row: &mut Row) -> Result<(), Er
         Value::Array(values) => {
             let is_nested = |value: &Value| value.is_array() || value.is_object();
             if values.len() > MOST || values.iter().any(is_nested) {
-                return Err(Error::refused(format!(
-                    "the JSON holds lists within its records, as `{}`; write a record per sample",
-                    shown(name)
-                )));
+                let found = Finding::of(Kind::ListsInRecords);
+                return Err(Error::refused(found.detail("name", shown(name))));
             }
             for (at, value) in values.iter().enumerate() {
                 match (name.is_empty(), values.len()) {
@@ -111,19 +110,16 @@ impl Columns {
                 self.names.push(name.clone());
             }
             if name.len() > LONGEST {
-                let words = format!("a name of {} bytes, as no column has", name.len());
-                return Err(Error::refused(words));
+                let found = Finding::of(Kind::NameTooLong);
+                return Err(Error::refused(found.count("bytes", name.len())));
             }
         }
         if self.names.len() + self.unnamed > WIDEST {
-            return Err(Error::refused(format!(
-                "the records of the JSON have more than {WIDEST} names, as no recording has"
-            )));
+            let found = Finding::of(Kind::NamesTooMany);
+            return Err(Error::refused(found.count("limit", WIDEST)));
         }
         if self.unnamed > 0 && !self.names.is_empty() {
-            return Err(Error::refused(
-                "the JSON holds records with names and others without; write all with names",
-            ));
+            return Err(Error::refused(Finding::of(Kind::NamesMixed)));
         }
         Ok(())
     }

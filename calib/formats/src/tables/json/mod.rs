@@ -6,6 +6,8 @@ mod records;
 
 use std::io::Write;
 
+use findings::{Finding, Kind};
+
 use self::document::Document;
 use self::flat::{Columns, Row};
 use self::records::Records;
@@ -36,10 +38,10 @@ impl Reader for Json {
         if let Some(document) = Document::open(store)? {
             let names: Vec<String> = document.tables().map(|table| table.name.clone()).collect();
             return match names.len() {
-                0 => Err(Error::refused(format!(
-                    "JSON without a list of records or of numbers; it holds {}",
-                    document.listed()
-                ))),
+                0 => {
+                    let found = Finding::of(Kind::JsonWithoutTable);
+                    Err(Error::refused(found.detail("listed", document.listed())))
+                }
                 _ => Ok(Listed {
                     names,
                     warnings: findings::Findings::new(),
@@ -65,8 +67,10 @@ impl Reader for Json {
         let mut line = String::new();
         if let Some(document) = Document::open(store)? {
             let table = document.tables().find(|table| table.name == name);
-            let table =
-                table.ok_or_else(|| Error::refused(format!("no list `{}`", shown(name))))?;
+            let table = table.ok_or_else(|| {
+                let found = Finding::of(Kind::TableGone);
+                Error::refused(found.detail("table", shown(name)))
+            })?;
             rows::check(table.length() as u64, limits.rows)?;
             (0..table.length()).try_for_each(|at| columns.add(&table.row(at)?))?;
             columns.write_names(out)?;

@@ -10,6 +10,7 @@ use serde::de::{Deserializer as _, SeqAccess, Visitor};
 use serde_json::{Deserializer, Value};
 
 use super::flat::{Row, flatten};
+use crate::error::{counted, no_json};
 use crate::store::{Store, Stored};
 use crate::tables::rows;
 use crate::{Error, Limits};
@@ -55,23 +56,13 @@ pub(super) fn first_byte(store: &Store) -> Result<u8, Error> {
 impl Read for Budgeted {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         if self.left.get() == 0 {
-            return Err(io::Error::other(format!(
-                "a value of more than {LONGEST} bytes; write a record per line"
-            )));
+            let found = counted(Finding::of(Kind::ValueTooLong), "limit", LONGEST);
+            return Err(Error::refused(found).into());
         }
         let read = self.reader.read(buffer)?;
         self.left.set(self.left.get().saturating_sub(read as u64));
         Ok(read)
     }
-}
-
-/// What is wrong with the text.
-pub(super) fn damaged(error: &serde_json::Error) -> Error {
-    Error::refused(format!(
-        "line {}, column {}: {error}; is the JSON complete?",
-        error.line(),
-        error.column()
-    ))
 }
 
 /// The records of a file.
@@ -129,7 +120,7 @@ impl Records {
                     .detail("within", "a record")
                     .count("line", error.line()),
             )),
-            Err(error) => Err(damaged(&error)),
+            Err(error) => Err(no_json(&error)),
             Ok(()) => Ok(None),
         }
     }
@@ -162,7 +153,7 @@ impl<'de> Visitor<'de> for &mut Elements<'_> {
     type Value = ();
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("an array of records")
+        f.write_str("an array")
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut records: A) -> Result<(), A::Error> {

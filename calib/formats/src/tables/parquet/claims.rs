@@ -4,8 +4,11 @@ use std::io::{BufReader, Read, Seek, SeekFrom};
 
 use parquet::file::metadata::ColumnChunkMetaData;
 
+use findings::{Finding, Kind};
+
 use super::layout::{ELEMENT, FILE, PAGE};
 use super::thrift::{Field, I32, LIST, STRUCTURE, Shape, Thrift};
+use crate::error;
 use crate::shown::shown;
 use crate::store::{Store, Stored};
 use crate::{Error, Limits};
@@ -20,7 +23,8 @@ const CHILDREN: i64 = 5;
 const SCHEMA: i64 = 2;
 
 fn damaged(what: &str) -> Error {
-    Error::refused(format!("{what} of the Parquet file is damaged"))
+    let found = error::damaged(what).detail("whole", "Parquet file");
+    Error::refused(found)
 }
 
 /// Refuses a schema with more children than it has elements, or deeper than any recording's: the parser would make room
@@ -45,7 +49,7 @@ pub(super) fn check_metadata(file: &mut dyn Stored) -> Result<(), Error> {
     file.seek(SeekFrom::Start(start))?;
     let mut thrift = Thrift::new(BufReader::new(file.take(size)));
     let mut before = 0;
-    let broken = |_| damaged("the metadata");
+    let broken = |_| damaged("metadata");
     while let Some(field) = thrift.field(before).map_err(broken)? {
         before = field.number;
         if field.number != SCHEMA {
@@ -55,7 +59,7 @@ pub(super) fn check_metadata(file: &mut dyn Stored) -> Result<(), Error> {
         }
         let (kind, count) = thrift.list().map_err(broken)?;
         if field.kind != LIST || kind != STRUCTURE {
-            return Err(damaged("the schema"));
+            return Err(damaged("schema"));
         }
         elements(&mut thrift, count)?;
     }
@@ -67,7 +71,7 @@ fn elements(thrift: &mut Thrift<impl Read>, count: u64) -> Result<(), Error> {
     // Children still to come, of every group that is open.
     let mut open: Vec<u64> = Vec::new();
     for read in 1..=count {
-        let children = children(thrift).map_err(|_| damaged("the schema"))?;
+        let children = children(thrift).map_err(|_| damaged("schema"))?;
         while open.last() == Some(&0) {
             open.pop();
         }
@@ -75,7 +79,7 @@ fn elements(thrift: &mut Thrift<impl Read>, count: u64) -> Result<(), Error> {
             *left -= 1;
         }
         if children > count - read || open.len() == DEPTH {
-            return Err(damaged("the schema"));
+            return Err(damaged("schema"));
         }
         if children > 0 {
             open.push(children);
@@ -109,30 +113,29 @@ pub(super) fn check_pages(
     chunk: &ColumnChunkMetaData,
     limits: Limits,
 ) -> Result<(), Error> {
-    let what = format!(
-        "a page of the column {}",
-        shown(&chunk.column_path().string())
-    );
+    let column = shown(&chunk.column_path().string());
+    let what = format!("a page of {column}");
     let (start, mut left) = chunk.byte_range();
     let mut file = BufReader::new(store.open()?);
     file.seek(SeekFrom::Start(start))?;
     while left > 0 {
         let mut thrift = Thrift::new(&mut file);
-        let header = page(&mut thrift).map_err(|_| damaged(&what))?;
+        let header = page(&mut thrift).map_err(|_| damaged(&format!("page of {column}")))?;
         let [unpacked, packed] = header.sizes;
         if header
             .encoding
             .is_some_and(|encoding| DELTA_TEXTS.contains(&encoding))
         {
-            return Err(Error::refused(format!(
-                "{what} holds texts as differences, which are not read; write them as they are (in pyarrow: no `column_encoding`)"
-            )));
+            let found = Finding::of(Kind::TextsAsDifferences);
+            return Err(Error::refused(found.detail("what", what)));
         }
         limits.check_unpacked(&what, packed, unpacked)?;
         let length = thrift.taken.saturating_add(packed);
-        left = left.checked_sub(length).ok_or_else(|| damaged(&what))?;
+        left = left
+            .checked_sub(length)
+            .ok_or_else(|| damaged(&format!("page of {column}")))?;
         // Most headers lie in the bytes that are there already.
-        let step = i64::try_from(packed).map_err(|_| damaged(&what))?;
+        let step = i64::try_from(packed).map_err(|_| damaged(&format!("page of {column}")))?;
         file.seek_relative(step)?;
     }
     Ok(())

@@ -8,6 +8,7 @@ use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::sync::Arc;
 
 use bytes::Bytes;
+use findings::{Finding, Kind, Remedy};
 use parquet::basic::{Compression, ConvertedType, LogicalType, Repetition, TimeUnit, Type};
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::data_type::{DataType, DoubleType};
@@ -20,6 +21,7 @@ use parquet::schema::types::{ColumnDescriptor, Type as SchemaType};
 
 use super::reader::{Listed, Reader};
 use super::rows::{self, Cell};
+use crate::error::unreadable;
 use crate::shown::shown;
 use crate::store::{Store, Stored};
 use crate::{Error, Limits};
@@ -76,13 +78,11 @@ impl Reader for Parquet {
                     break;
                 }
                 if cells.iter().any(|cells| cells.len() != count) {
-                    return Err(Error::refused(
-                        "columns of unequal length: the Parquet file is damaged",
-                    ));
+                    return Err(Error::refused(Finding::of(Kind::ColumnsUnequal)));
                 }
                 left = left
                     .checked_sub(count as u64)
-                    .ok_or_else(|| Error::refused("more rows than the Parquet file announces"))?;
+                    .ok_or_else(|| Error::refused(of_file(Kind::RowsBeyondClaim)))?;
                 for row in 0..count {
                     rows::write(out, &mut line, cells.iter().map(|cells| &cells[row]))?;
                 }
@@ -93,7 +93,14 @@ impl Reader for Parquet {
 }
 
 fn damaged(error: ParquetError) -> Error {
-    Error::refused(format!("the Parquet file cannot be read: {error}"))
+    unreadable(PARQUET_FILE, &error)
+}
+
+/// The format in a sentence.
+const PARQUET_FILE: &str = "Parquet file";
+
+fn of_file(kind: Kind) -> Finding {
+    Finding::of(kind).detail("format", PARQUET_FILE)
 }
 
 fn open(store: &Store) -> Result<SerializedFileReader<Chunks>, Error> {
@@ -122,13 +129,13 @@ fn check(metadata: &ParquetMetaData, length: u64, limits: Limits) -> Result<u64,
             _ => None,
         };
         if let Some(what) = what {
-            let feature = match what {
-                "zstd" => ", or build with `--features parquet-zstd`, which needs a C compiler",
-                _ => "",
-            };
-            return Err(Error::refused(format!(
-                "its columns are compressed by {what}, which this build does not unpack; write it with `compression=\"snappy\"`{feature}"
-            )));
+            let found = Finding::of(Kind::ColumnCompressed).detail("method", what);
+            return Err(Error::refused(match what {
+                "zstd" => found.remedy(Remedy::Build {
+                    feature: "parquet-zstd".into(),
+                }),
+                _ => found,
+            }));
         }
         let size = |bytes: i64| u64::try_from(bytes).unwrap_or(u64::MAX);
         let (small, large) = (
@@ -141,15 +148,10 @@ fn check(metadata: &ParquetMetaData, length: u64, limits: Limits) -> Result<u64,
         packed = packed.saturating_add(small);
     }
     if packed > length {
-        return Err(Error::refused(
-            "columns that together are longer than the Parquet file: it is damaged",
-        ));
+        return Err(Error::refused(of_file(Kind::ColumnsBeyondFile)));
     }
     if all > limits.bytes {
-        return Err(Error::refused(format!(
-            "the columns unpack to more than {} bytes; --max-bytes raises the limit",
-            limits.bytes
-        )));
+        return Err(limits.too_large("the Parquet file"));
     }
     Ok(rows)
 }
@@ -164,7 +166,7 @@ struct Column {
     levels: i16,
     is_text: bool,
     /// Why its cells cannot be read.
-    refused: Option<&'static str>,
+    refused: Option<Kind>,
 }
 
 /// The name that pandas gives an index without one.
@@ -198,9 +200,9 @@ impl Column {
             Type::BYTE_ARRAY | Type::FIXED_LEN_BYTE_ARRAY
         );
         let refused = if column.max_rep_level() > 0 {
-            Some("lists in its cells; write a column per axis")
+            Some(Kind::CellsAreLists)
         } else if is_bytes && (is_decimal || matches!(logical, Some(LogicalType::Float16))) {
-            Some("numbers of a type that is not read; write it as double")
+            Some(Kind::NumberTypeUnread)
         } else {
             None
         };
@@ -217,10 +219,8 @@ impl Column {
     /// The next cells; none at the end.
     fn cells(&self, reader: &mut ColumnReader) -> Result<Vec<Cell>, Error> {
         if let Some(why) = self.refused {
-            return Err(Error::refused(format!(
-                "the column {} has {why}",
-                shown(&self.name)
-            )));
+            let found = Finding::of(why).detail("column", shown(&self.name));
+            return Err(Error::refused(found));
         }
         let whole = |number: i64| match self.divisor {
             Some(divisor) => Cell::Double(number as f64 / divisor),
@@ -308,7 +308,7 @@ impl ChunkReader for Chunks {
         match bytes.len() == length {
             true => Ok(bytes.into()),
             false => Err(ParquetError::EOF(format!(
-                "{} bytes at byte {start}, {length} expected",
+                "{} of {length} bytes at {start}",
                 bytes.len()
             ))),
         }
@@ -321,7 +321,8 @@ const GROUP: usize = 1 << 20;
 /// The file that [`super::write_parquet`] gives.
 pub(super) fn write(columns: &[(String, Vec<f64>)]) -> Result<Vec<u8>, Error> {
     let cannot = |error: ParquetError| {
-        Error::refused(format!("the Parquet file cannot be written: {error}"))
+        let found = of_file(Kind::FormatUnwritable);
+        Error::refused(found.detail("reason", error.to_string()))
     };
     let field = |(name, _): &(String, Vec<f64>)| {
         let field = SchemaType::primitive_type_builder(name, Type::DOUBLE)
@@ -383,6 +384,6 @@ mod tests {
         // Doubles, and whether they are there.
         assert!(with(8 * 4000 + 100).is_ok());
         let error = with(8 * 4000 - 1).unwrap_err().to_string();
-        assert!(error.contains("page of the column t"), "{error}");
+        assert!(error.contains("a page of t"), "{error}");
     }
 }

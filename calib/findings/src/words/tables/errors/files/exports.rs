@@ -1,0 +1,115 @@
+//! Words of errors: calibrations that another tool cannot hold.
+
+use crate::kind::Kind;
+use crate::remedy::{OptionName, Remedy};
+use crate::words::entry::Entry;
+
+pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
+    Entry::error(
+        Kind::SensorLacking,
+        "the calibration has no {what}, and {target} wants one",
+        "calibrate a recording of both sensors",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::ExportUnit,
+        "the calibration is of readings of the {of} in {unit}, and {target} corrects readings in {si}",
+        "calibrate a recording in {si}, as {target} logs it",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::ParameterOutside,
+        "{name} would be {value}, and {target} takes {least} to {most}",
+        "check the unit of the recording",
+        || vec![Remedy::set(OptionName::LoggedWith)],
+    ),
+    Entry::error(
+        Kind::ExportLeftHanded,
+        "{target} wants right-handed axes, and the {of}'s are left-handed (det T < 0): one axis has to be \
+         read with the other sign",
+        "",
+        || vec![Remedy::set(OptionName::Flip)],
+    ),
+    Entry::error(
+        Kind::SignNotKept,
+        "{target} keeps no sign of an axis, and the {of}'s scale factor of {axis} is {value}: it has to \
+         be read with the other sign",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::CorrectedInForce,
+        "{system} had corrected the readings of the {of} by its own parameters, and those of the \
+         calibration would replace them",
+        "calibrate a recording of {raw}",
+        || vec![Remedy::set(OptionName::LoggedWith)],
+    ),
+    Entry::error(
+        Kind::CorrectedPartly,
+        "{system} had corrected some recordings of the calibration and not others",
+        "calibrate them apart",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::CorrectionTakenOff,
+        "the parameters that {system} had applied were taken off the readings of the {of} already, by \
+         those in the log",
+        "",
+        || {
+            vec![Remedy::Omit {
+                option: OptionName::LoggedWith,
+            }]
+        },
+    ),
+    Entry::error(
+        Kind::ReadingsTurned,
+        "{parameter} turns the readings after they are corrected, so that their axes are not those of the \
+         parameters",
+        "calibrate a recording of {raw}",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::ParameterMissing,
+        "no {parameter} among the parameters that were in force",
+        "export all parameters of the vehicle",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::ParameterLine,
+        "the parameters that were in force, line {line}: a parameter's name and a number expected, as in \
+         INS_ACCOFFS_X,0.12",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::InstanceBeyond,
+        "sensor {instance}: {system} has parameters for 0 to {most}",
+        "",
+        || vec![Remedy::set(OptionName::Instance)],
+    ),
+    Entry::error(
+        Kind::MatrixSingular,
+        "a matrix of the calibration has no inverse",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::ScaleZero,
+        "{target} divides by the scale factors, and one of them is zero",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::ScaleBeyondIntegers,
+        "the scale factor of the {of} does not fit the integers of the {target}: {value} {unit} per count",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::ArchiveTooLarge,
+        "the calibration is too large for an npz archive",
+        "",
+        Vec::new,
+    ),
+    Entry::error(Kind::FileMissing, "missing", "", Vec::new),
+];
