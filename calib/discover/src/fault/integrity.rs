@@ -3,7 +3,7 @@
 use estimate::methods::joint::{Disturbance, Flagged, Reason, SensorNoise};
 use nalgebra::Vector3;
 use recording::intervals::{Rails, Segmentation, Span};
-use recording::readings::{Finding, altered_bias};
+use recording::readings::{Symptom, altered_bias};
 use recording::{Recording, Stream};
 use serde::Serialize;
 
@@ -108,7 +108,7 @@ pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
                 stream,
             };
             let altered = altered.as_ref().filter(|_| sensor == GYROSCOPE);
-            let altered = altered.and_then(|finding| place.altered_bias(finding));
+            let altered = altered.and_then(|symptom| place.altered_bias(symptom));
             // A dead zone is as wide as a step.
             let coarse = noise
                 .as_ref()
@@ -296,13 +296,13 @@ impl Looked<'_> {
     }
 
     /// A bias that the device itself changes or hides.
-    fn altered_bias(&self, finding: &Finding) -> Option<Integrity> {
-        let name = match finding {
-            Finding::DeadZone { .. } => "dead_zone",
-            Finding::Rezeroed { .. } => "rezeroing",
+    fn altered_bias(&self, symptom: &Symptom) -> Option<Integrity> {
+        let name = match symptom {
+            Symptom::DeadZone { .. } => "dead_zone",
+            Symptom::Rezeroed { .. } => "rezeroing",
             _ => return None,
         };
-        Some(self.found(name, None, self.whole(), finding.to_string()))
+        Some(self.found(name, None, self.whole(), symptom.to_string()))
     }
 
     /// Steps too wide for the noise to even out.

@@ -14,6 +14,7 @@ mod other;
 mod part_way;
 mod reading;
 mod stamps;
+mod stretches;
 mod units;
 
 use super::entry::Entry;
@@ -33,10 +34,19 @@ pub fn entries() -> impl Iterator<Item = &'static Entry> {
         clocks::ENTRIES,
         device::ENTRIES,
         intervals::ENTRIES,
+        stretches::ENTRIES,
         magnetic::ENTRIES,
         part_way::ENTRIES,
         errors::files::ENTRIES,
-        errors::recordings::ENTRIES,
+        errors::recordings::columns::ENTRIES,
+        errors::recordings::folders::ENTRIES,
+        errors::recordings::foreign::ENTRIES,
+        errors::recordings::intervals::ENTRIES,
+        errors::recordings::opening::ENTRIES,
+        errors::recordings::readings::ENTRIES,
+        errors::recordings::rows::ENTRIES,
+        errors::recordings::stamps::ENTRIES,
+        errors::recordings::units::ENTRIES,
         errors::requests::ENTRIES,
         other::ENTRIES,
     ]
