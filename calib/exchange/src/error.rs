@@ -135,7 +135,7 @@ impl Error {
                 .detail("value", value.to_string())
                 .remedy(Remedy::set_to(OptionName::Flip, flip)),
             Self::Settings(found) | Self::Input(found) | Self::Format(found) => (**found).clone(),
-            Self::Missing(path) => Finding::of(Kind::FileMissing).in_file(shown_path(path)),
+            Self::Missing(path) => Finding::of(Kind::PieceMissing).in_file(shown_path(path)),
         }
     }
 }

@@ -651,7 +651,7 @@ kinds! {
     /// A calibration is too large for an archive.
     ArchiveTooLarge = "archive_too_large",
     /// A file of several is missing.
-    FileMissing = "file_missing",
+    PieceMissing = "piece_missing",
     // Errors of files: calibrations of other tools that are not read.
     /// A file is too large for a calibration.
     ImportTooLarge = "import_too_large",
@@ -676,7 +676,7 @@ kinds! {
     /// A matrix of another tool has no inverse.
     EntrySingular = "entry_singular",
     /// A text of imu_tk has a word that is no number.
-    NumberExpected = "number_expected",
+    MatrixNumberExpected = "matrix_number_expected",
     /// A text of imu_tk has too few numbers or too many.
     NumbersCount = "numbers_count",
     // Errors of files: sources of a guided session.
@@ -687,7 +687,7 @@ kinds! {
     /// The measurement of a phone begins again and again.
     PhoneRestless = "phone_restless",
     /// A source sends a line without an end.
-    LineTooLong = "line_too_long",
+    LineWithoutEnd = "line_without_end",
     /// A source sends more text than a session has.
     TextTooLong = "text_too_long",
     /// A phone sends more samples than a session has.
@@ -744,7 +744,7 @@ kinds! {
     /// A part is of another run.
     PartForeign = "part_foreign",
     /// A part of a batch is missing.
-    PartMissing = "part_missing",
+    BatchPartMissing = "batch_part_missing",
     /// A device is in no part of a batch.
     DeviceInNoPart = "device_in_no_part",
     /// The parts of a batch make no whole.
@@ -783,6 +783,330 @@ kinds! {
     /// A target does not hold a part of a calibration.
     LostInExport = "lost_in_export",
     // Errors: text, columns, time and intervals of a recording (crate recording).
+    /// A file is not there.
+    FileMissing = "file_missing",
+    /// A link leads to nothing.
+    LinkToNothing = "link_to_nothing",
+    /// A file is empty.
+    EmptyFile = "empty_file",
+    /// Nothing came on standard input.
+    EmptyInput = "empty_input",
+    /// Standard input is a terminal.
+    InputIsTerminal = "input_is_terminal",
+    /// A file is larger than the limit.
+    FileTooLarge = "file_too_large",
+    /// A text goes on beyond the limit.
+    TooManyBytes = "too_many_bytes",
+    /// Several files are where one table was expected.
+    SeveralFiles = "several_files",
+    /// Something else is where a text was expected.
+    NoText = "no_text",
+    /// A file is of no known format.
+    UnknownFormat = "unknown_format",
+    /// A format does not exist.
+    NoFormat = "no_format",
+    /// A file is not what the chosen format reads.
+    OtherFormat = "other_format",
+    /// A file changed while it was read.
+    FileChanged = "file_changed",
+    /// A stream that went by would have to be read again.
+    ReadTwice = "read_twice",
+    /// A folder is where a file was expected.
+    FolderAsFile = "folder_as_file",
+    /// A small text file is too large to be one.
+    TextTooLarge = "text_too_large",
+    /// A text is no UTF-8.
+    NotUtf8 = "not_utf8",
+    /// A text holds bytes that no text has.
+    BinaryData = "binary_data",
+    /// A line is too long for a recording.
+    LineTooLong = "line_too_long",
+    /// A text begins with nothing but comments.
+    OnlyComments = "only_comments",
+    /// A text has nothing but blank and comment lines.
+    NoData = "no_data",
+    /// A text has no rows.
+    NoRows = "no_rows",
+    /// A text has more rows than the limit.
+    TooManyRows = "too_many_rows",
+    /// Rows need more memory than the system grants.
+    TooLargeForMemory = "too_large_for_memory",
+    /// The memory is used up.
+    OutOfMemory = "out_of_memory",
+    /// A file is packed.
+    PackedFile = "packed_file",
+    /// A zip archive or workbook lies within a recording.
+    ZipWithin = "zip_within",
+    /// A file is an old document of an office.
+    OldOffice = "old_office",
+    /// A file is of a format that is not read.
+    ForeignFile = "foreign_file",
+    /// A MATLAB file is of version 4.
+    OldMatlab = "old_matlab",
+    /// A file is a pointer of git-lfs.
+    GitPointer = "git_pointer",
+    /// A file is a page of the web.
+    HtmlPage = "html_page",
+    /// A text is what ROS prints of messages.
+    RosEcho = "ros_echo",
+    /// A text was made of an ArduPilot log.
+    ArdupilotText = "ardupilot_text",
+    /// A file is a Blackbox log.
+    BlackboxLog = "blackbox_log",
+    /// A header stands in a text again.
+    HeaderAgain = "header_again",
+    /// A row has no reading.
+    RowEmpty = "row_empty",
+    /// A row has more or fewer cells than the others.
+    RowRagged = "row_ragged",
+    /// A row ends before a column that is read.
+    RowShort = "row_short",
+    /// A cell goes on in the next line.
+    QuoteOverLines = "quote_over_lines",
+    /// A quote is never closed.
+    QuoteOpen = "quote_open",
+    /// A text ends within a number.
+    NumberCut = "number_cut",
+    /// A cell has no number.
+    NumberMissing = "number_missing",
+    /// A number is not finite.
+    NumberNotFinite = "number_not_finite",
+    /// A number has separators of thousands.
+    ThousandsSeparators = "thousands_separators",
+    /// A number has a comma in a file of points.
+    DecimalComma = "decimal_comma",
+    /// A number is hexadecimal.
+    Hexadecimal = "hexadecimal",
+    /// A number is too large for any sensor and clock.
+    NumberAbsurd = "number_absurd",
+    /// A date is not ISO 8601.
+    DateUnknown = "date_unknown",
+    /// A date is not of the pattern that was given.
+    DateOther = "date_other",
+    /// A cell is not a number.
+    NotANumber = "not_a_number",
+    /// A cell of a small table is not a number.
+    NumberExpected = "number_expected",
+    /// A record of a log holds a number that is not finite.
+    RecordNotFinite = "record_not_finite",
+    /// A sensor lacks columns.
+    ColumnMissing = "column_missing",
+    /// No columns are a sensor's.
+    NoSensorColumns = "no_sensor_columns",
+    /// Two columns have one role.
+    ColumnsAlike = "columns_alike",
+    /// One column was given for two roles.
+    ColumnForTwo = "column_for_two",
+    /// A column that was given is not there.
+    NoSuchColumn = "no_such_column",
+    /// No sensor is known by name, and columns may be one.
+    ColumnsUnclear = "columns_unclear",
+    /// One sensor is not known by name, and columns may be it.
+    SensorUnclear = "sensor_unclear",
+    /// A table holds a sensor twice.
+    SensorTwice = "sensor_twice",
+    /// The only accelerometer of a table lacks gravity.
+    ColumnsWithoutGravity = "columns_without_gravity",
+    /// A row of units holds an unknown one.
+    UnitRowUnknown = "unit_row_unknown",
+    /// A row of units contradicts the header or itself.
+    UnitRowContradicts = "unit_row_contradicts",
+    /// A comma is separator and decimal mark.
+    CommaTwice = "comma_twice",
+    /// The header has another width than the rows.
+    HeaderWidth = "header_width",
+    /// Columns have no names, and gravity does not tell them.
+    NoHeader = "no_header",
+    /// Columns have no names, and rest as those of a gyroscope.
+    NoHeaderNoForce = "no_header_no_force",
+    /// Columns have no names, and one may be a temperature.
+    NoHeaderSlow = "no_header_slow",
+    /// Columns have no names, and nothing tells them apart.
+    NoHeaderUndecided = "no_header_undecided",
+    /// A file lacks the sensor that it was named for.
+    OtherSensor = "other_sensor",
+    /// A recording has a temperature and no sensor.
+    OnlyTemperature = "only_temperature",
+    /// An entry is no role with its column.
+    ColumnEntry = "column_entry",
+    /// A role does not exist.
+    ColumnRole = "column_role",
+    /// A role was given twice.
+    ColumnTwice = "column_twice",
+    /// A role was given without a column.
+    ColumnUnnamed = "column_unnamed",
+    /// A table has no static means.
+    NoStaticMeans = "no_static_means",
+    /// A table of static means has other columns.
+    StaticMeansColumns = "static_means_columns",
+    /// A table of static means has more or fewer columns.
+    StaticMeansWidth = "static_means_width",
+    /// A table has no time.
+    NoTime = "no_time",
+    /// Rows of a program have no time.
+    RowsWithoutTime = "rows_without_time",
+    /// An expression is made of dates.
+    ExpressionOfDates = "expression_of_dates",
+    /// An expression lets time stand still.
+    ExpressionBackwards = "expression_backwards",
+    /// An expression gives a time in an impossible unit.
+    ExpressionUnit = "expression_unit",
+    /// The file states an impossible unit of the time.
+    TimeUnitStated = "time_unit_stated",
+    /// The unit of the stamps is not known.
+    TimeUnitOpen = "time_unit_open",
+    /// Stamps go up by one and tell no unit.
+    StampsByOne = "stamps_by_one",
+    /// All stamps are the same.
+    StampsAllEqual = "stamps_all_equal",
+    /// Most rows share their stamp with another.
+    StampsTooCoarse = "stamps_too_coarse",
+    /// Stamps are too large for a double in seconds.
+    StampsTooLarge = "stamps_too_large",
+    /// Time goes back.
+    TimeGoesBack = "time_goes_back",
+    /// The clock of one sensor begins again and that of the other does not.
+    ClocksRestartApart = "clocks_restart_apart",
+    /// A file holds several recordings, and one has to be chosen.
+    PartOpen = "part_open",
+    /// A part is asked for of a file with one recording.
+    PartMissing = "part_missing",
+    /// Two sensors were never on together.
+    NeverOverlap = "never_overlap",
+    /// Gravity and the acceleration without it have other stamps.
+    SumOfOtherStamps = "sum_of_other_stamps",
+    /// A sampling rate is impossible.
+    RateImpossible = "rate_impossible",
+    /// A unit is not known.
+    UnitUnknown = "unit_unknown",
+    /// Gravity has the size of no unit.
+    GravityOfNoUnit = "gravity_of_no_unit",
+    /// The file states a unit that is not known.
+    UnitStrange = "unit_strange",
+    /// The accelerometer lacks gravity.
+    GravityRemoved = "gravity_removed",
+    /// The accelerometer was normalised to a direction.
+    Normalised = "normalised",
+    /// Gravity has the size of another unit.
+    GravityInOtherUnit = "gravity_in_other_unit",
+    /// Gravity has the size of no unit, and one was stated.
+    GravityOff = "gravity_off",
+    /// The gyroscope turns too fast for the stated unit.
+    TurnsImpossible = "turns_impossible",
+    /// Turns have the size of another unit.
+    TurnsInOtherUnit = "turns_in_other_unit",
+    /// Turns have the size of no unit.
+    TurnsOff = "turns_off",
+    /// A gyroscope at rest reads what none reads in its unit.
+    RestlessRest = "restless_rest",
+    /// The sensors have each other's names.
+    SensorsSwapped = "sensors_swapped",
+    /// Axes repeat another one.
+    AxisRepeated = "axis_repeated",
+    /// An axis never changes.
+    AxisConstant = "axis_constant",
+    /// An axis stops to change.
+    AxisStuck = "axis_stuck",
+    /// Readings are too small for any unit.
+    ReadingsTiny = "readings_tiny",
+    /// The unit changes part of the way.
+    UnitChanges = "unit_changes",
+    /// The norm of gravity changes part of the way.
+    NormChanges = "norm_changes",
+    /// Readings overflow 16 bits.
+    Overflow = "overflow",
+    /// Readings of 16 bits lost their sign.
+    SignLost = "sign_lost",
+    /// A sensor stops to read while the other goes on.
+    SensorStopped = "sensor_stopped",
+    /// Rows of one stamp are as far apart as those of several devices.
+    RowsOfDevices = "rows_of_devices",
+    /// Rows of several devices stand by turns.
+    DevicesByTurns = "devices_by_turns",
+    /// A table holds rows of several devices.
+    DevicesInTable = "devices_in_table",
+    /// A device that is asked for has no rows.
+    DeviceMissing = "device_missing",
+    /// A device is asked for, and no column tells devices apart.
+    DeviceNotTold = "device_not_told",
+    /// Arrays differ in length.
+    ArrayLengths = "array_lengths",
+    /// No array of a sensor has rows.
+    ArraysEmpty = "arrays_empty",
+    /// An array holds a number that is not finite.
+    ArrayNotFinite = "array_not_finite",
+    /// There is one sample.
+    OneSample = "one_sample",
+    /// A sensor is missing, and a table beside may hold it.
+    SensorUnused = "sensor_unused",
+    /// A folder or archive lacks a file.
+    NoEntry = "no_entry",
+    /// A folder or archive holds no recording.
+    NoRecordingInFolder = "no_recording_in_folder",
+    /// A folder or archive holds several recordings.
+    EntryOpen = "entry_open",
+    /// Two files are of one sensor.
+    FilesOfOneSensor = "files_of_one_sensor",
+    /// A file within was asked for of one file.
+    EntryOfOneFile = "entry_of_one_file",
+    /// A topic was asked for of a text.
+    TopicOfText = "topic_of_text",
+    /// Columns were given for a log.
+    ColumnsOfLog = "columns_of_log",
+    /// A sensor of a log was not given by its number.
+    InstanceNotNumber = "instance_not_number",
+    /// phyphox has taken gravity off.
+    PhyphoxLinear = "phyphox_linear",
+    /// An export of phyphox has no sensor.
+    PhyphoxEmpty = "phyphox_empty",
+    /// Sensor Logger has taken gravity off.
+    SensorLoggerLinear = "sensor_logger_linear",
+    /// A log holds no sensor.
+    LogWithoutSensor = "log_without_sensor",
+    /// A log may hold a sensor under another name.
+    LogSensorUnclear = "log_sensor_unclear",
+    /// A log holds several sensors of a kind.
+    LogSensorsOpen = "log_sensors_open",
+    /// A sensor is logged too slowly.
+    LoggedSlowly = "logged_slowly",
+    /// A sensor has no samples.
+    NoSamples = "no_samples",
+    /// A recording is shorter than the detector's window.
+    TooShort = "too_short",
+    /// Samples are too few for the detector.
+    SampledSlowly = "sampled_slowly",
+    /// A table of static intervals has other columns.
+    SectionsColumns = "sections_columns",
+    /// A table of static intervals cannot be read.
+    SectionsUnreadable = "sections_unreadable",
+    /// A static interval lies outside the recording.
+    SamplesOutside = "samples_outside",
+    /// A static interval is empty.
+    IntervalEmpty = "interval_empty",
+    /// A static interval begins before the end of the one above.
+    IntervalsOverlap = "intervals_overlap",
+    /// A table has no static interval for a recording.
+    NoIntervals = "no_intervals",
+    /// An instant that is left out lies within no static interval.
+    NoIntervalThere = "no_interval_there",
+    /// The device turned at a constant rate in a quiet stretch.
+    StretchTurns = "stretch_turns",
+    /// The accelerometer is cut off in a quiet stretch.
+    StretchClipped = "stretch_clipped",
+    /// The device tilts steadily in a quiet stretch.
+    StretchTilts = "stretch_tilts",
+    /// The device vibrates in a quiet stretch.
+    StretchVibrates = "stretch_vibrates",
+    /// A sensor has no samples in a quiet stretch.
+    StretchEmpty = "stretch_empty",
+    /// Samples are missing in a turn.
+    TurnGap = "turn_gap",
+    /// The gyroscope repeats one reading in a turn.
+    TurnFrozen = "turn_frozen",
+    /// The gyroscope is saturated in a turn.
+    TurnSaturated = "turn_saturated",
+    /// A turn has no samples.
+    TurnEmpty = "turn_empty",
     // Errors: requests, models, calibrations and fits (crates sensor, effects, simulate, noise, estimate, discover, plan).
     /// The work was cancelled.
     Cancelled = "cancelled",

@@ -84,6 +84,16 @@ pub struct Setting {
     pub value: Option<String>,
 }
 
+impl Setting {
+    /// An option with its value.
+    pub fn to(option: OptionName, value: impl Into<String>) -> Self {
+        Self {
+            option,
+            value: Some(value.into()),
+        }
+    }
+}
+
 /// A way out of a finding.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
@@ -98,6 +108,20 @@ pub enum Remedy {
         /// Options; each alone is a way out.
         any_of: Vec<Setting>,
     },
+    /// Give an option, of which an example is known, or one of several.
+    Example {
+        /// Options with an example each; each alone is a way out.
+        any_of: Vec<Setting>,
+    },
+    /// Do not give an option.
+    Omit {
+        /// The option.
+        option: OptionName,
+    },
+    /// Name the file of each sensor.
+    FilePerSensor,
+    /// Go on with one sensor and name its columns alone.
+    OneSensor,
     /// Write the unit into a column's name.
     NameUnit {
         /// Such a name, as `temp [K]`.
@@ -123,6 +147,8 @@ pub enum Remedy {
     LeaveOut,
     /// Split the recording at the place.
     Split,
+    /// Sort the rows by their stamps.
+    SortRows,
     /// Level the device on each face.
     Level,
     /// Lay the device down instead of holding it.
@@ -268,10 +294,20 @@ impl Remedy {
     /// An option with its value.
     pub fn set_to(option: OptionName, value: impl Into<String>) -> Self {
         Self::Set {
-            any_of: vec![Setting {
-                option,
-                value: Some(value.into()),
-            }],
+            any_of: vec![Setting::to(option, value)],
+        }
+    }
+
+    /// An option with an example of a value.
+    pub fn such_as(option: OptionName, value: impl Into<String>) -> Self {
+        Self::examples([(option, value)])
+    }
+
+    /// One of several options, each with an example of a value.
+    pub fn examples(options: impl IntoIterator<Item = (OptionName, impl Into<String>)>) -> Self {
+        let setting = |(option, value): (OptionName, _)| Setting::to(option, value);
+        Self::Example {
+            any_of: options.into_iter().map(setting).collect(),
         }
     }
 

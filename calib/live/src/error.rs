@@ -104,7 +104,7 @@ impl Error {
                 .in_file(address)
                 .count("times", *times),
             Self::TooMuch { name, limit } => match *limit {
-                Limit::Line(bytes) => Finding::of(Kind::LineTooLong).count("limit", bytes),
+                Limit::Line(bytes) => Finding::of(Kind::LineWithoutEnd).count("limit", bytes),
                 Limit::Text(bytes) => {
                     Finding::of(Kind::TextTooLong).number("limit", bytes as f64, "count")
                 }

@@ -92,9 +92,13 @@ impl Error {
 }
 
 fn of_system(kind: Kind, path: &Path, source: &std::io::Error) -> Finding {
-    Finding::of(kind)
-        .in_file(shown_path(path))
-        .detail("reason", source.to_string())
+    // It says more of a file that is not there.
+    let own = source.get_ref().and_then(|own| own.downcast_ref());
+    let found = match own {
+        Some(own) => Finding::clone(own),
+        None => Finding::of(kind).detail("reason", source.to_string()),
+    };
+    found.in_file(shown_path(path))
 }
 
 impl std::fmt::Display for Error {

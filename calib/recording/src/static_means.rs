@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use findings::{Finding, Kind};
 use nalgebra::Vector3;
 use sensor::Sensor;
 
@@ -11,7 +12,7 @@ use crate::header::names::role_of;
 use crate::header::preface::{cells, is_comment, is_row, words};
 use crate::recording::Role;
 use crate::rows::number::{self, Dialects};
-use crate::shown::{shown, shown_cell, shown_list, shown_path};
+use crate::shown::{shown_cell, shown_list, shown_path};
 use crate::source::place::{at_column, at_line};
 use crate::text_file::read_text;
 
@@ -33,27 +34,27 @@ fn means(name: &str, text: &str) -> Result<Vec<Vector3<f64>>, Error> {
     let bytes: Vec<&[u8]> = lines.iter().map(|(_, line)| line.as_bytes()).collect();
     let dialect = Dialect::of(&bytes);
     let Some(&(first, header)) = lines.first() else {
-        return Err(at_line(name, 1, "no rows of static means"));
+        return Err(at_line(name, 1, Finding::of(Kind::NoStaticMeans)));
     };
     let named = !is_row(header.as_bytes(), dialect);
     let columns = match named {
         true => by_names(&words(header.as_bytes(), dialect)),
         false => by_order(cells(header.as_bytes(), dialect).len()),
     };
-    let columns = columns.map_err(|words| at_line(name, first, words))?;
+    let columns = columns.map_err(|found| at_line(name, first, *found))?;
     let rows = &lines[usize::from(named)..];
     if rows.is_empty() {
         return Err(at_line(
             name,
             first,
-            "header found, no rows of static means",
+            Finding::of(Kind::NoStaticMeans).detail("found", "header"),
         ));
     }
     let mean = |(line, text): &(u64, &str)| mean(name, *line, text, dialect, columns);
     rows.iter().map(mean).collect()
 }
 
-fn by_names(names: &[String]) -> Result<[usize; 3], String> {
+fn by_names(names: &[String]) -> Result<[usize; 3], Box<Finding>> {
     let find = |axis: usize| {
         let is_it =
             |name: &String| role_of(name, Some(Sensor::Accelerometer)) == Some(Role::Accel(axis));
@@ -61,19 +62,18 @@ fn by_names(names: &[String]) -> Result<[usize; 3], String> {
     };
     match [find(0), find(1), find(2)] {
         [Some(x), Some(y), Some(z)] => Ok([x, y, z]),
-        _ => Err(format!(
-            "the columns {} found, ax,ay,az expected; correct the names",
-            shown_list(names.iter())
-        )),
+        _ => Err(Finding::of(Kind::StaticMeansColumns)
+            .detail("columns", shown_list(names.iter()))
+            .into()),
     }
 }
 
-fn by_order(width: usize) -> Result<[usize; 3], String> {
+fn by_order(width: usize) -> Result<[usize; 3], Box<Finding>> {
     match width {
         3 => Ok([0, 1, 2]),
-        _ => Err(format!(
-            "{width} columns without a header, and ax,ay,az are three; write the names above the rows, as in ax,ay,az"
-        )),
+        _ => Err(Finding::of(Kind::StaticMeansWidth)
+            .count("width", width)
+            .into()),
     }
 }
 
@@ -88,18 +88,18 @@ fn mean(
     let mut mean = Vector3::zeros();
     for (axis, column) in columns.into_iter().enumerate() {
         let Some(cell) = cells.get(column).cloned() else {
-            let words = format!("{} cells, column {} expected", cells.len(), column + 1);
-            return Err(at_line(name, line, words));
+            let short = Finding::of(Kind::RowShort)
+                .count("found", cells.len())
+                .count("column", column + 1);
+            return Err(at_line(name, line, short));
         };
         let content = &text.as_bytes()[cell.clone()];
         let read = number::parse(content, dialect.decimal_comma, &mut Dialects::default());
         mean[axis] = read.map_err(|_| {
-            let words = format!(
-                "`{}` in column {}, a number expected",
-                shown(&shown_cell(content)),
-                column + 1
-            );
-            at_column(name, line, cell.start + 1, words)
+            let found = Finding::of(Kind::NumberExpected)
+                .detail("cell", shown_cell(content))
+                .count("column", column + 1);
+            at_column(name, line, cell.start + 1, found)
         })?;
     }
     Ok(mean)

@@ -4,10 +4,12 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
+use findings::{Finding, Kind};
+
 use crate::Error;
 use crate::shown::shown_path;
 use crate::source::on_disk::explained;
-use crate::source::place::in_file;
+use crate::source::place::{at_line, in_file};
 
 /// No such file is larger. A device or a pipe without end is refused here instead of filling the memory.
 const LARGEST: u64 = 64 << 20;
@@ -19,23 +21,19 @@ const LARGEST: u64 = 64 << 20;
 /// UTF-8, with the place.
 pub fn read_text(path: &Path) -> Result<String, Error> {
     if path.is_dir() {
-        let words = "a folder, where a file was expected";
-        return Err(in_file(&shown_path(path), words));
+        return Err(in_file(&shown_path(path), Finding::of(Kind::FolderAsFile)));
     }
     let file = File::open(path).map_err(|error| explained(path, error))?;
     let mut bytes = Vec::new();
     let read = file.take(LARGEST + 1).read_to_end(&mut bytes);
     read.map_err(|error| explained(path, error))?;
     if bytes.len() as u64 > LARGEST {
-        let words =
-            "more than 64 MiB: this is no calibration, spec or effect file; name another file";
-        return Err(in_file(&shown_path(path), words));
+        return Err(in_file(&shown_path(path), Finding::of(Kind::TextTooLarge)));
     }
     String::from_utf8(bytes).map_err(|error| {
         let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = 1 + memchr::memchr_iter(b'\n', before).count();
-        let words = "no UTF-8 text: is this another file, or damaged?";
-        Error::input(format!("{}:{line}: {words}", shown_path(path)))
+        at_line(&shown_path(path), line as u64, Finding::of(Kind::NotUtf8))
     })
 }
 

@@ -5,6 +5,7 @@
 
 use std::fmt::Write as _;
 
+use findings::{Front, OptionName, Remedy};
 use nalgebra::{Rotation3, Unit, Vector3};
 use stillpoint_recording::{Error, ReadOptions, Recording};
 
@@ -91,14 +92,19 @@ fn is_both(found: &Recording, session: &Session) {
     }
 }
 
-/// The message, and what follows `--columns '` in it.
+/// The message, and the columns that it offers.
 #[track_caller]
 fn asked(read: Result<Recording, Error>) -> (String, Option<String>) {
-    let message = read.expect_err("asked about").to_string();
-    let after = message.split("--columns '").nth(1);
-    let columns = after.and_then(|rest| rest.split('\'').next());
-    let columns = columns.map(str::to_owned);
-    (message, columns)
+    let found = read.expect_err("asked about").finding();
+    let columns = found.remedies.iter().find_map(|remedy| match remedy {
+        Remedy::Set { any_of } | Remedy::Example { any_of } => {
+            let mut offered = any_of.iter();
+            let columns = offered.find(|setting| setting.option == OptionName::Columns);
+            columns?.value.clone()
+        }
+        _ => None,
+    });
+    (found.text(Front::CommandLine), columns)
 }
 
 #[test]

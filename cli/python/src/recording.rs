@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::str::FromStr;
 
+use findings::Finding;
 use numpy::{PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArray1, PyReadwriteArray2};
 use pyo3::prelude::*;
 use stillpoint::{ColumnMap, Error, ReadOptions, Rows, Sensor};
@@ -28,7 +29,7 @@ pub fn sensor(py: Python<'_>, name: &str) -> PyResult<Sensor> {
 }
 
 /// The unit of that spelling, if one is given.
-fn unit<U: FromStr<Err = String>>(
+fn unit<U: FromStr<Err = Box<Finding>>>(
     py: Python<'_>,
     option: &str,
     spelling: Option<String>,

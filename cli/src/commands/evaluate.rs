@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use calib::calibrate::{STANDARD_GRAVITY, changes_part_way, implausible};
 use calib::limits::{LimitLine, judge_on};
 use calib::methods::cut;
-use calib::readings::{findings, without_spikes};
+use calib::readings::{symptoms, without_spikes};
 use calib::recording::figure;
 use calib::{Calibration, Evaluation, evaluate};
 use serde_json::json;
@@ -101,7 +101,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let choice = cut(&recording, &detector, choose, gravities.raw)?;
     // What is wrong with the readings is in every misfit.
     let spikes = without_spikes(&recording).map_or_else(Vec::new, |(_, found)| found);
-    for found in findings(&recording, &choice.segmentation)
+    for found in symptoms(&recording, &choice.segmentation)
         .iter()
         .chain(&spikes)
     {

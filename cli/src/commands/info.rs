@@ -4,7 +4,7 @@ mod clock;
 mod log;
 mod ours;
 
-use ::findings::Front;
+use ::findings::{Finding, Front};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -13,7 +13,7 @@ use calib::calibrate::ALONE;
 use calib::gravity::Gravity;
 use calib::intervals::{Detector, Rejected};
 use calib::methods::{Choice, cut};
-use calib::readings::findings;
+use calib::readings::symptoms;
 use calib::recording::{Described, FieldUnit, UnitBy};
 use clock::Clock;
 use log::Log;
@@ -126,16 +126,20 @@ impl<'a> Facts<'a> {
         .ok();
         let found = choice
             .iter()
-            .flat_map(|choice| findings(recording, &choice.segmentation));
+            .flat_map(|choice| symptoms(recording, &choice.segmentation))
+            .map(|symptom| Finding::from(&symptom));
         let rejected = choice
             .iter()
-            .flat_map(|choice| Rejected::in_words(&choice.segmentation.rejected));
+            .flat_map(|choice| Rejected::findings(&choice.segmentation.rejected));
         let remarks = recording
             .warnings
             .texts(Front::CommandLine)
             .into_iter()
-            .chain(rejected)
-            .chain(found.map(|finding| finding.to_string()));
+            .chain(
+                rejected
+                    .chain(found)
+                    .map(|finding| finding.text(Front::CommandLine)),
+            );
         let command = match &recording.accelerometer {
             None if recording.is_magnetometer_only() => format!("none: {ALONE}"),
             Some(_) => format!(

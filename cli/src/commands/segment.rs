@@ -3,14 +3,14 @@
 mod args;
 mod first_screen;
 
-use ::findings::Front;
+use ::findings::{Finding, Front};
 use std::fmt::Write as _;
 
 pub use args::Args;
 use calib::Recording;
 use calib::intervals::{Moments, Span};
 use calib::methods::{Choice, cut};
-use calib::readings::findings;
+use calib::readings::symptoms;
 use serde_json::json;
 
 use crate::commands::shared::inputs::{as_paths, read, spinner};
@@ -75,8 +75,10 @@ pub fn run(args: &Args) -> Result<(), Failure> {
 
 /// How the recording was cut, and what its readings show.
 fn remarks(recording: &Recording, choice: &Choice) -> Vec<String> {
-    let found = findings(recording, &choice.segmentation);
-    let found = found.iter().map(ToString::to_string);
+    let found = symptoms(recording, &choice.segmentation);
+    let found = found
+        .iter()
+        .map(|symptom| Finding::from(symptom).text(Front::CommandLine));
     let cut = choice.remarks();
     let cut = cut.iter().map(|remark| remark.text(Front::CommandLine));
     cut.chain(found).collect()

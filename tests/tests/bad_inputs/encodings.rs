@@ -37,7 +37,7 @@ fn case_003_numbers_without_a_header() {
 #[test]
 fn case_004_unknown_names_get_a_line_to_paste() {
     let text = table("clock,a1_x,a1_y,a1_z,r1_x,r1_y,r1_z", &lines(good()));
-    refused(text, &["r.csv:1", "`a1_x`", "--columns 't="]);
+    refused(text, &["r.csv:1", "`a1_x`", "--columns t="]);
 }
 
 #[test]

@@ -37,7 +37,7 @@ fn row_4_unknown_names_get_a_line_to_paste_that_works() {
     refused(
         &text,
         "1",
-        &["`clock`", "`a1_x`", "--columns 't=", "ax=a1_x"],
+        &["`clock`", "`a1_x`", "--columns t=", "ax=a1_x"],
     );
     let columns = "t=clock,ax=a1_x,ay=a1_y,az=a1_z,gx=r1_x,gy=6,gz=r1_z"
         .parse()
@@ -99,7 +99,12 @@ fn one_column_for_two_roles_is_a_wrong_call() {
         "{error}"
     );
     let empty = "t=,ax=2".parse::<calib::recording::ColumnMap>();
-    assert!(empty.unwrap_err().contains("`t=` names no column"));
+    assert!(
+        empty
+            .unwrap_err()
+            .to_string()
+            .contains("`t=` names no column")
+    );
     let columns = "ax=2,ay=ax,az=4".parse().unwrap();
     let options = ReadOptions {
         columns,

@@ -121,7 +121,9 @@ fn stamps_in_brackets_and_in_two_columns_are_read() {
     let usual = ReadOptions::default();
     let apart = format!("{split}{}", rows(&samples, "\n", apart));
     // Day or month first is not guessed.
-    let words = read("r.log", &apart, &usual).unwrap_err().to_string();
+    let words = read("r.log", &apart, &usual)
+        .unwrap_err()
+        .text(findings::Front::CommandLine);
     assert!(words.contains("--time-format"), "{words}");
     let day_first = ReadOptions {
         time_format: Some("%d.%m.%Y %H:%M:%S%.f".to_owned()),
@@ -156,7 +158,8 @@ fn minutes_and_days_are_units_of_time() {
     let days = |t: f64, f, w| format!("{:.9},{},{}", 45_000.5 + t / 86_400.0, triad(f), triad(w));
     let text = format!("Time,ax,ay,az,gx,gy,gz\n{}", rows(&samples, "\n", days));
     let asked = read("r.csv", &text, &ReadOptions::default()).unwrap_err();
-    assert!(asked.to_string().contains("--time-unit d"), "{asked}");
+    let asked = asked.text(findings::Front::CommandLine);
+    assert!(asked.contains("--time-unit d"), "{asked}");
     let options = ReadOptions {
         time_unit: Some(TimeUnit::Days),
         ..ReadOptions::default()

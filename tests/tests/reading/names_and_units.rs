@@ -225,7 +225,10 @@ fn a_unit_of_time_in_which_no_device_records_is_asked_about() {
         match read("r.csv", table(&samples, header, [1.0, 1.0])) {
             Ok(_) => assert!(is_read, "{header}"),
             Err(error) => assert!(
-                !is_read && error.to_string().contains("--time-unit"),
+                !is_read
+                    && error
+                        .text(findings::Front::CommandLine)
+                        .contains("--time-unit"),
                 "{error}"
             ),
         }

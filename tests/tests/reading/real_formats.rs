@@ -48,7 +48,9 @@ fn a_px4_log_at_one_hertz_is_refused_with_what_to_set() {
     let Some(log) = needed("formats/px4_sample_log_small.ulg") else {
         return;
     };
-    let words = read(&log, &ReadOptions::default()).unwrap_err().to_string();
+    let words = read(&log, &ReadOptions::default())
+        .unwrap_err()
+        .text(findings::Front::CommandLine);
     assert!(
         words.contains("3 accelerometers") && words.contains("--instance 0"),
         "{words}"
@@ -59,7 +61,7 @@ fn a_px4_log_at_one_hertz_is_refused_with_what_to_set() {
     };
     let error = read(&log, &options).unwrap_err();
     assert!(matches!(error, Error::NotEnough(_)), "{error}");
-    let words = error.to_string();
+    let words = error.text(findings::Front::CommandLine);
     assert!(
         words.contains("SDLOG_PROFILE") && words.contains("--topic sensor_combined"),
         "{words}"
@@ -128,7 +130,9 @@ fn an_ardupilot_log_says_what_it_holds() {
     let Some(log) = needed("formats/ardupilot_test.BIN") else {
         return;
     };
-    let words = read(&log, &ReadOptions::default()).unwrap_err().to_string();
+    let words = read(&log, &ReadOptions::default())
+        .unwrap_err()
+        .text(findings::Front::CommandLine);
     assert!(
         words.contains("2 accelerometers") && words.contains("--instance 0"),
         "{words}"

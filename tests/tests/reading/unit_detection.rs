@@ -236,7 +236,8 @@ fn a_rest_alone_in_degrees_is_asked_about_and_one_in_radians_is_read() {
                 Ok(_) => assert!(!is_asked, "{unit} {header}"),
                 Err(error) => {
                     assert!(is_asked, "{error}");
-                    assert!(error.to_string().contains("--gyro-unit"), "{error}");
+                    let words = error.text(findings::Front::CommandLine);
+                    assert!(words.contains("--gyro-unit"), "{words}");
                 }
             }
         }

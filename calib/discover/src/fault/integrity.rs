@@ -3,7 +3,7 @@
 use ::findings::{Finding, Kind};
 use estimate::methods::joint::{Disturbance, Flagged, Reason, SensorNoise};
 use recording::intervals::{Rails, Segmentation, Span};
-use recording::readings::{Finding as Altered, altered_bias};
+use recording::readings::{Symptom, altered_bias};
 use recording::{Recording, Stream};
 use sensor::Sensor;
 use serde::{Serialize, Serializer};
@@ -103,7 +103,7 @@ pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
                 stream,
             };
             let altered = altered.as_ref().filter(|_| sensor == Sensor::Gyroscope);
-            let altered = altered.and_then(|finding| place.altered_bias(finding));
+            let altered = altered.and_then(|symptom| place.altered_bias(symptom));
             // A dead zone is as wide as a step.
             let coarse = noise
                 .as_ref()
@@ -276,13 +276,13 @@ impl Looked<'_> {
     }
 
     /// A bias that the device itself changes or hides.
-    fn altered_bias(&self, altered: &Altered) -> Option<Integrity> {
-        let name = match altered {
-            Altered::DeadZone { .. } => "dead_zone",
-            Altered::Rezeroed { .. } => "rezeroing",
+    fn altered_bias(&self, symptom: &Symptom) -> Option<Integrity> {
+        let name = match symptom {
+            Symptom::DeadZone { .. } => "dead_zone",
+            Symptom::Rezeroed { .. } => "rezeroing",
             _ => return None,
         };
-        Some(self.found(name, None, self.whole(), altered.into()))
+        Some(self.found(name, None, self.whole(), symptom.into()))
     }
 
     /// Steps too wide for the noise to even out.

@@ -36,7 +36,7 @@ use std::borrow::Borrow;
 
 use findings::{Findings, Kind};
 use recording::intervals::{Segmentation, Span};
-use recording::readings::{FASTEST_HAND, Finding, tremor, without_spikes};
+use recording::readings::{FASTEST_HAND, Symptom, tremor, without_spikes};
 use recording::{AppliedBefore, Error, Recording};
 use sensor::Sensor;
 
@@ -232,7 +232,7 @@ fn in_the_hand(
 ) -> Box<findings::Finding> {
     match recordings.iter().find_map(|r| tremor(r)) {
         Some(rate) if rate < FASTEST_HAND => {
-            format!("{reason}; {}", Finding::HandHeld { rate }).into()
+            reason.because((&Symptom::HandHeld { rate }).into()).into()
         }
         Some(rate) => format!(
             "{reason}; no quiet stretch is long enough to show a device at rest (in the quietest the rate \

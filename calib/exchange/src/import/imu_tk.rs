@@ -43,7 +43,7 @@ fn base(text: &str, sensor: &str) -> Result<Base<f64>, Error> {
         for word in line.split_whitespace() {
             let value = word.parse().ok().filter(|v: &f64| v.is_finite());
             all.push(value.ok_or_else(|| {
-                let found = Finding::of(Kind::NumberExpected).detail("of", sensor);
+                let found = Finding::of(Kind::MatrixNumberExpected).detail("of", sensor);
                 Error::input(found.count("line", k + 1))
             })?);
         }

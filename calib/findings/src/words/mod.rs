@@ -130,6 +130,8 @@ impl std::fmt::Display for Finding {
     }
 }
 
+impl std::error::Error for Finding {}
+
 #[cfg(test)]
 mod tests {
     use super::*;

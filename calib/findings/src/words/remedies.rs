@@ -187,6 +187,11 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         Remedy::IfWrong { any_of } => {
             return format!("if that is wrong, give {}", settings(any_of, front));
         }
+        Remedy::Example { any_of } => {
+            let all: Vec<String> = any_of.iter().map(|s| example(s, front)).collect();
+            return format!("give {}", all.join(" or "));
+        }
+        Remedy::Omit { option } => return format!("do not give {}", omitted(*option, front)),
         Remedy::NameUnit { example } => {
             return format!("write the unit into the column's name, as `{example}`");
         }
@@ -223,6 +228,9 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         Remedy::LeaveOut => "leave it out",
         Remedy::Level => "level the device on each face",
         Remedy::Split => "split the recording there",
+        Remedy::SortRows => "sort the rows by their stamps",
+        Remedy::FilePerSensor => "name the file of each sensor",
+        Remedy::OneSensor => "go on with one sensor and name its columns alone",
         Remedy::LayDown => "lay the device down",
         Remedy::RestLonger => "keep the device still for longer",
         Remedy::TurnSlower => "turn more slowly",
@@ -297,6 +305,12 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         (Front::CommandLine, Remedy::AnalyseNoise) => {
             " (`stillpoint allan -o noise.json`, then --noise noise.json)"
         }
+        (Front::CommandLine, Remedy::FilePerSensor) => " (--accel-file and --gyro-file)",
+        (Front::CommandLine, Remedy::OneSensor) => " (--columns)",
+        (Front::Rust, Remedy::FilePerSensor) => " (`Recording::from_pair`)",
+        (Front::Python, Remedy::FilePerSensor) => " (`gyro_file`)",
+        (Front::Rust, Remedy::OneSensor) => " (`ReadOptions::columns`)",
+        (Front::Python, Remedy::OneSensor) => " (`columns`)",
         (Front::CommandLine, Remedy::WriteFolder) => " (-o FOLDER)",
         (Front::Python | Front::Rust, Remedy::Discover) => " (`discover`)",
         _ => "",
@@ -324,22 +338,45 @@ fn settings(any_of: &[Setting], front: Front) -> String {
     all.join(" or ")
 }
 
+/// `the sampling rate, as in --rate 100`.
+fn example(setting: &Setting, front: Front) -> String {
+    let [plain, ..] = names(setting.option);
+    format!("{plain}, as in {}", setting.text(front))
+}
+
+/// `the recording to take (--part)`.
+fn omitted(option: OptionName, front: Front) -> String {
+    let [plain, flag, field, keyword] = names(option);
+    match front {
+        Front::Plain => plain.to_owned(),
+        Front::CommandLine => format!("{plain} ({flag})"),
+        Front::Rust => format!("{plain} (`{field}`)"),
+        Front::Python => format!("{plain} (`{keyword}`)"),
+    }
+}
+
+impl Setting {
+    /// The option with its value as a front writes it: `--rate 100`, `rate=100`; for nobody in particular the value.
+    pub fn text(&self, front: Front) -> String {
+        let [plain, flag, field, keyword] = names(self.option);
+        let value = self.value.as_deref();
+        match (front, value) {
+            (Front::Plain, _) => value.unwrap_or(plain).to_owned(),
+            (Front::CommandLine, Some(v)) => format!("{flag} {}", quoted(v)),
+            (Front::CommandLine, None) => flag.to_owned(),
+            (Front::Rust, Some(v)) => format!("`{field}` {v}"),
+            (Front::Rust, None) => format!("`{field}`"),
+            (Front::Python, Some(v)) => format!("`{keyword}={v}`"),
+            (Front::Python, None) => format!("`{keyword}`"),
+        }
+    }
+}
+
 /// `the local gravity (--gravity 9.81)`.
 fn setting(setting: &Setting, front: Front) -> String {
-    let [plain, flag, field, keyword] = names(setting.option);
-    let value = setting.value.as_deref();
-    let named = match front {
-        Front::Plain => {
-            return value.map_or_else(|| plain.to_owned(), |v| format!("{plain} ({v})"));
-        }
-        Front::CommandLine => match value {
-            Some(v) => format!("{flag} {}", quoted(v)),
-            None => flag.to_owned(),
-        },
-        Front::Rust => value.map_or_else(|| format!("`{field}`"), |v| format!("`{field}` {v}")),
-        Front::Python => {
-            value.map_or_else(|| format!("`{keyword}`"), |v| format!("`{keyword}={v}`"))
-        }
-    };
-    format!("{plain} ({named})")
+    let [plain, ..] = names(setting.option);
+    match (front, &setting.value) {
+        (Front::Plain, None) => plain.to_owned(),
+        _ => format!("{plain} ({})", setting.text(front)),
+    }
 }

@@ -8,7 +8,7 @@ use crate::rows::table::Table;
 use crate::shown::figure;
 use crate::source::place::in_file;
 use crate::units::TimeUnit;
-use findings::{Finding, Findings, Kind};
+use findings::{Finding, Findings, Kind, OptionName, Remedy};
 
 /// Rates that a unit in the file may mean, Hz.
 const POSSIBLE: std::ops::RangeInclusive<f64> = 0.2..=60_000.0;
@@ -78,18 +78,15 @@ fn checked(table: &Table) -> Result<Affine, Error> {
     let Some(affine) = table.time_affine else {
         return Ok(same);
     };
+    let of = |kind: Kind| Finding::of(kind).in_file(&table.name);
     if table.clock.dates {
-        return Err(Error::usage(format!(
-            "{}: --columns t=…: an expression takes numbers, and the column holds dates or times of day; leave the expression out",
-            table.name
-        )));
+        return Err(Error::usage(of(Kind::ExpressionOfDates)));
     }
     if affine.scale <= 0.0 {
-        return Err(Error::usage(format!(
-            "{}: --columns t=…: a factor of {} lets time stand still or run back; a positive one expected",
-            table.name,
-            figure(affine.scale)
-        )));
+        let backwards = of(Kind::ExpressionBackwards);
+        return Err(Error::usage(
+            backwards.detail("factor", figure(affine.scale)),
+        ));
     }
     Ok(affine)
 }
@@ -100,12 +97,12 @@ fn of_expression(table: &Table, options: &ReadOptions, scale: f64) -> Result<Tim
     let rate = usual_step(table).map(|step| unit.per_second() / (scale * step));
     match rate.filter(|rate| scale > 0.0 && !POSSIBLE.contains(rate)) {
         None => Ok(unit),
-        Some(rate) => Err(Error::usage(format!(
-            "{}: --columns t=…: the expression gives {}, in which the rate would be {} Hz; correct the factor, or say the unit that it gives, as in --time-unit ms",
-            table.name,
-            unit.name(),
-            figure(rate)
-        ))),
+        Some(rate) => Err(Error::usage(
+            Finding::of(Kind::ExpressionUnit)
+                .in_file(&table.name)
+                .detail("unit", unit.name())
+                .detail("rate", figure(rate)),
+        )),
     }
 }
 
@@ -136,12 +133,10 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
                     .unwrap_or(&TimeUnit::Seconds);
                 Err(in_file(
                     &table.name,
-                    format!(
-                        "the file states {} for the time, in which the rate would be {} Hz; say the unit, as in --time-unit {}",
-                        unit.name(),
-                        figure(rate),
-                        other.name()
-                    ),
+                    Finding::of(Kind::TimeUnitStated)
+                        .detail("unit", unit.name())
+                        .detail("rate", figure(rate))
+                        .remedy(Remedy::such_as(OptionName::TimeUnit, other.name())),
                 ))
             }
         };
@@ -187,13 +182,12 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
             let first = samples.into_iter().find_map(|samples| samples.t.first());
             let is_days =
                 first.is_some_and(|first| (1e4..1e6).contains(first)) && plausible(&TimeUnit::Days);
+            let unit = if is_days { "d" } else { "ms" };
             Err(in_file(
                 &table.name,
-                format!(
-                    "the usual step between stamps is {}: say the unit, as in --time-unit {}",
-                    figure(step),
-                    if is_days { "d" } else { "ms" }
-                ),
+                Finding::of(Kind::TimeUnitOpen)
+                    .detail("step", figure(step))
+                    .remedy(Remedy::such_as(OptionName::TimeUnit, unit)),
             ))
         }
     }
@@ -214,10 +208,7 @@ fn unit_of_ones(table: &Table, warnings: &mut Findings) -> Result<TimeUnit, Erro
         warnings.push(Finding::of(Kind::StampsCountRows).in_recording(&table.name));
         return Ok(TimeUnit::Seconds);
     }
-    Err(in_file(
-        &table.name,
-        "stamps go up by 1 from row to row: do they count the rows? Say the rate, as in --rate 100, or the unit, as in --time-unit ms",
-    ))
+    Err(in_file(&table.name, Finding::of(Kind::StampsByOne)))
 }
 
 fn decided(table: &Table, unit: TimeUnit) -> Finding {

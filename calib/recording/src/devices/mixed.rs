@@ -1,5 +1,6 @@
 //! Rows of several devices in a table that has no column to tell them apart.
 
+use findings::{Finding, Kind};
 use nalgebra::Vector3;
 use sensor::Sensor;
 
@@ -29,23 +30,20 @@ pub(crate) fn refuse(name: &str, sensor: Sensor, samples: &Samples) -> Result<()
         return Err(at_line(
             name,
             found.line,
-            format!(
-                "{} rows have the stamp of the row before, and their readings of the {} differ by {} where rows of one device differ by {}: are they of several devices? Export each by itself, or say the rate if all are one sensor's, as in --rate 100",
-                found.count,
-                sensor.name(),
-                rounded(found.apart),
-                rounded(found.usual)
-            ),
+            Finding::of(Kind::RowsOfDevices)
+                .of_sensor(sensor)
+                .count("count", found.count)
+                .detail("apart", rounded(found.apart))
+                .detail("usual", rounded(found.usual)),
         ));
     }
     if let Some(devices) = in_turn(&samples.values) {
         return Err(at_line(
             name,
             samples.line(0),
-            format!(
-                "the readings of the {} repeat every {devices} rows and differ in between: rows of {devices} devices by turns, and no column tells them apart; export each by itself",
-                sensor.name()
-            ),
+            Finding::of(Kind::DevicesByTurns)
+                .of_sensor(sensor)
+                .count("devices", devices),
         ));
     }
     Ok(())

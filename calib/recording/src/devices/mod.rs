@@ -20,12 +20,14 @@ pub(crate) use labels::ALL;
 use labels::{Labelled, Labels};
 use names::Class;
 
+use findings::{Finding, Kind, OptionName, Remedy, Setting};
+
 use crate::Error;
 use crate::header::suggest::quoted;
 use crate::recording::options::ReadOptions;
 use crate::recording::samples::Samples;
 use crate::rows::table::Table;
-use crate::shown::shown_cell;
+use crate::shown::{shown, shown_cell};
 
 /// Rows below which a value is no device's but a fault of the file.
 const FEWEST: usize = 20;
@@ -56,19 +58,12 @@ pub(crate) fn choose(table: &mut Table, options: &ReadOptions) -> Result<(), Err
         };
     };
     let Some(wanted) = wanted else {
-        return Err(Error::usage(format!(
-            "{}; {}",
-            devices.listed(table),
-            devices.asked()
-        )));
+        return Err(Error::usage(devices.asked(table)));
     };
     let is_it = |(value, _): &&(usize, usize)| devices.column.is(*value, &wanted);
     let Some(&(value, _)) = devices.values.iter().find(is_it) else {
-        return Err(Error::usage(format!(
-            "--instance {}: {}",
-            quoted(&wanted),
-            devices.listed(table)
-        )));
+        let missing = devices.found(Kind::DeviceMissing, table);
+        return Err(Error::usage(missing.detail("wanted", quoted(&wanted))));
     };
     let label = |line: u64| devices.column.of_rows.get(labels.row(line));
     let is_of_it = |line: u64| label(line).is_some_and(|label| usize::from(*label) == value);
@@ -86,11 +81,11 @@ fn alone(table: &Table, labels: &Labels, wanted: &str) -> Result<(), Error> {
     if named.any(|column| column.values.len() == 1 && column.is(0, wanted)) {
         return Ok(());
     }
-    Err(Error::usage(format!(
-        "{}: --instance {}: no column tells devices apart; leave the option out, or name the column, as in --columns device=3",
-        table.name,
-        quoted(wanted)
-    )))
+    Err(Error::usage(
+        Finding::of(Kind::DeviceNotTold)
+            .in_file(&table.name)
+            .detail("wanted", quoted(wanted)),
+    ))
 }
 
 /// Several devices in one table.
@@ -133,8 +128,8 @@ impl<'a> Devices<'a> {
         })
     }
 
-    /// The devices, in words.
-    fn listed(&self, table: &Table) -> String {
+    /// A finding about the devices.
+    fn found(&self, kind: Kind, table: &Table) -> Finding {
         let of = |(value, count): &(usize, usize)| {
             format!(
                 "`{}` ({count} rows)",
@@ -148,33 +143,30 @@ impl<'a> Devices<'a> {
         let name = &self.column.name;
         let column = match name.is_empty() {
             true => format!("column {}", self.column.at + 1),
-            false => format!(
-                "column {} (`{}`)",
-                self.column.at + 1,
-                crate::shown::shown(name)
-            ),
+            false => format!("column {} (`{}`)", self.column.at + 1, shown(name)),
         };
-        format!(
-            "{}: rows of {} devices, told apart by {column}: {}",
-            table.name,
-            self.values.len(),
-            listed.join(", ")
-        )
+        Finding::of(kind)
+            .in_file(&table.name)
+            .count("count", self.values.len())
+            .detail("column", column)
+            .detail("listed", listed.join(", "))
     }
 
-    /// What to say next.
-    fn asked(&self) -> String {
+    /// Asks for one of them, or for all where they may be one.
+    fn asked(&self, table: &Table) -> Finding {
         let first = self
             .values
             .first()
             .map(|(value, _)| &self.column.values[*value]);
         let first =
             String::from_utf8_lossy(first.map(Vec::as_slice).unwrap_or_default()).into_owned();
-        let all = match self.certain {
-            true => "",
-            false => ", or --instance all where all rows are of one device",
-        };
-        format!("say which, as in --instance {}{all}", quoted(&first))
+        let mut ways = vec![Remedy::such_as(OptionName::Instance, shown(&first))];
+        if !self.certain {
+            ways.push(Remedy::IfWrong {
+                any_of: vec![Setting::to(OptionName::Instance, ALL)],
+            });
+        }
+        self.found(Kind::DevicesInTable, table).only_remedies(ways)
     }
 }
 

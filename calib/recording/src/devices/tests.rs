@@ -1,5 +1,6 @@
 //! Tables of one device and of several, as users make them.
 
+use findings::Front;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -70,7 +71,7 @@ fn of(device: &str) -> ReadOptions {
 #[track_caller]
 fn asked(text: &str, devices: [&str; 2]) {
     let error = read(text, &ReadOptions::default()).unwrap_err();
-    let words = error.to_string();
+    let words = error.text(Front::CommandLine);
     assert!(matches!(error, Error::Usage(_)), "{words}");
     for device in devices {
         let listed = format!("`{device}` ({ROWS} rows)");
@@ -92,7 +93,7 @@ fn asked(text: &str, devices: [&str; 2]) {
     }
     let none = read(text, &of("no such")).unwrap_err().to_string();
     assert!(
-        none.contains("--instance 'no such'") && none.contains(devices[1]),
+        none.contains("no device 'no such'") && none.contains(devices[1]),
         "{none}"
     );
 }

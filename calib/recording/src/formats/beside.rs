@@ -1,5 +1,6 @@
 //! The files beside those that a format knows by name.
 
+use findings::{Finding, Kind};
 use sensor::Sensor;
 
 use super::known_texts::known_sensors;
@@ -111,15 +112,10 @@ pub(super) fn refuse_unused(files: &Files, used: &[&str]) -> Result<(), Error> {
     let Some((entry, _)) = files.heads().into_iter().find(may_hold_a_sensor) else {
         return Ok(());
     };
-    let unpack = match files.is_archive() {
-        true => "unpack it and ",
-        false => "",
+    let found = Finding::of(Kind::SensorUnused).detail("table", shown(&entry.name));
+    let found = match files.is_archive() {
+        true => found.detail("archive", files.kind()),
+        false => found,
     };
-    Err(in_file(
-        &files.name,
-        format!(
-            "one sensor is missing, and {} is a table that is not used and may hold it; {unpack}name the two files with --accel-file and --gyro-file, or the one there is by itself",
-            shown(&entry.name)
-        ),
-    ))
+    Err(in_file(&files.name, found))
 }

@@ -1,6 +1,7 @@
 //! A folder or an archive with a recording in it.
 
 use file_formats::Entry;
+use findings::{Finding, Kind, OptionName, Remedy};
 use sensor::Sensor;
 
 use super::format::{Format, Recognise};
@@ -35,7 +36,7 @@ impl Format for Bundle {
     }
 
     fn about(&self) -> &'static str {
-        "a folder or zip archive with one recording in it; --entry NAME chooses among several"
+        "a folder or zip archive with one recording in it, or several to choose from"
     }
 
     fn recognises(&self, source: &Source) -> bool {
@@ -45,10 +46,7 @@ impl Format for Bundle {
     fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
         let files = crate::formats::format::files(source, self)?;
         let entry = match &options.entry {
-            Some(name) => files.entry(name).ok_or_else(|| {
-                let words = format!("no entry `{}`; found {}", shown(name), files.listed());
-                in_file(&files.name, words)
-            })?,
+            Some(name) => files.entry(name).ok_or_else(|| files.no_entry(name))?,
             None => {
                 let found = recordings(&files, options);
                 if let Some(pair) = pair(&found) {
@@ -59,7 +57,7 @@ impl Format for Bundle {
         };
         let source = files.source(entry, options)?;
         let format = (self.recognise)(&source)
-            .ok_or_else(|| in_file(&files.called(entry), "of no known format"))?;
+            .ok_or_else(|| in_file(&files.called(entry), Finding::of(Kind::UnknownFormat)))?;
         let mut recording = format.read(source, options)?;
         let whole = recording.accelerometer.is_some() && recording.gyroscope.is_some();
         if !whole && options.entry.is_none() && options.columns.0.is_empty() {
@@ -141,14 +139,7 @@ fn only<'a>(files: &Files, found: &[Found<'a>]) -> Result<&'a Entry, Error> {
     let whole: Vec<&Found<'_>> = found.iter().filter(|f| f.sensors == [true, true]).collect();
     match (found, &whole[..]) {
         ([one], _) => Ok(one.entry),
-        ([], _) => Err(in_file(
-            &files.name,
-            format!(
-                "{}, with neither acc.csv (t,ax,ay,az) nor gyro.csv (t,gx,gy,gz) nor any other recording; found {}; a file per sensor is read with --accel-file and --gyro-file",
-                files.kind(),
-                files.listed()
-            ),
-        )),
+        ([], _) => Err(files.without_recording()),
         (_, [one]) if found.iter().filter(|f| !is_worked_out(f)).count() == 1 => Ok(one.entry),
         ([first, ..], _) => {
             let names: Vec<_> = found.iter().map(|f| shown(&f.entry.name)).collect();
@@ -156,12 +147,13 @@ fn only<'a>(files: &Files, found: &[Found<'a>]) -> Result<&'a Entry, Error> {
             let likely = whole.first().map_or(first, |whole| whole);
             Err(in_file(
                 &files.name,
-                format!(
-                    "{} recordings in it: {}; say which, as in --entry '{}'",
-                    names.len(),
-                    names.join(", "),
-                    shown(&likely.entry.name)
-                ),
+                Finding::of(Kind::EntryOpen)
+                    .count("count", names.len())
+                    .detail("listed", names.join(", "))
+                    .remedy(Remedy::such_as(
+                        OptionName::Entry,
+                        shown(&likely.entry.name),
+                    )),
             ))
         }
     }

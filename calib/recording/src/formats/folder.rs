@@ -11,7 +11,6 @@ use crate::recording::{ReadOptions, Recording, thermometer};
 use crate::rows::table::Table;
 use crate::source::Source;
 use crate::source::files::Files;
-use crate::source::place::in_file;
 
 /// `acc.csv` and `gyro.csv`, each sensor with stamps of its own, and `temp.csv`.
 #[derive(Debug)]
@@ -56,11 +55,7 @@ impl Format for Folder {
             tables.push(part.read(input, origin, options)?);
         }
         if tables.is_empty() {
-            let words = format!(
-                "neither acc.csv (t,ax,ay,az) nor gyro.csv (t,gx,gy,gz) in this folder; found {}",
-                files.listed()
-            );
-            return Err(in_file(&files.name, words));
+            return Err(files.without_recording());
         }
         crate::formats::beside::add_magnetometer(&files, &mut tables, None, options);
         add_thermometer(&files, &mut tables, options)?;
@@ -133,14 +128,7 @@ fn choose<'a>(files: &'a Files, names: &[&str]) -> Result<Option<&'a Entry>, Err
         .iter()
         .filter(|entry| is_called(&entry.name, names, files.are_tables()));
     match (named.next(), named.next()) {
-        (Some(one), Some(two)) => Err(in_file(
-            &files.name,
-            format!(
-                "{} and {} are of one sensor; name the two files with --accel-file and --gyro-file",
-                files.called(one),
-                files.called(two)
-            ),
-        )),
+        (Some(one), Some(two)) => Err(files.of_one_sensor(&files.called(one), &files.called(two))),
         (one, _) => Ok(one),
     }
 }

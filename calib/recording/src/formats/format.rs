@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use findings::{Finding, Kind};
+
 use crate::Error;
 use crate::recording::content::Recording;
 use crate::recording::options::ReadOptions;
@@ -33,7 +35,7 @@ pub(crate) type Recognise = fn(&Source) -> Option<&'static dyn Format>;
 pub(super) fn text(source: Source, format: &dyn Format) -> Result<Input, Error> {
     match source.within() {
         Source::Text(input) => Ok(input),
-        other => Err(mismatch(other.name(), format, "a file of text")),
+        other => Err(mismatch(other.name(), format, "texts")),
     }
 }
 
@@ -41,13 +43,15 @@ pub(super) fn text(source: Source, format: &dyn Format) -> Result<Input, Error> 
 pub(super) fn files(source: Source, format: &dyn Format) -> Result<Files, Error> {
     match source.within() {
         Source::Files(files) => Ok(files),
-        other => Err(mismatch(other.name(), format, "a folder or an archive")),
+        other => Err(mismatch(other.name(), format, "folders and archives")),
     }
 }
 
 pub(super) fn mismatch(name: &str, format: &dyn Format, expected: &str) -> Error {
-    Error::usage(format!(
-        "{name}: --format {} reads {expected}, and this is none",
-        format.name()
-    ))
+    Error::usage(
+        Finding::of(Kind::OtherFormat)
+            .in_file(name)
+            .detail("format", format.name())
+            .detail("expected", expected),
+    )
 }

@@ -4,7 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
 use file_formats::{Content, Quantity, Stream, Wanted};
-use findings::{Finding, Kind};
+use findings::{Finding, Front, Kind, OptionName, Setting};
 
 use crate::Error;
 use crate::recording::content::Recording;
@@ -36,27 +36,37 @@ pub struct LogStream {
     pub rate: f64,
     /// Corrected by the device already.
     pub processed: bool,
-    /// The option that chooses it; none for the only one of its kind.
-    pub option: Option<String>,
+    /// The options that choose it; none for the only one of its kind.
+    pub settings: Vec<Setting>,
 }
 
 impl LogContents {
     /// True where a sensor that is calibrated is there more than once.
     pub fn has_choice(&self) -> bool {
         let mut calibrated = self.streams.iter().filter(|s| s.is_calibrated());
-        calibrated.any(|stream| stream.option.is_some())
+        calibrated.any(LogStream::is_one_of_several)
     }
 
-    /// The option that chooses the first of them.
-    pub fn first_option(&self) -> Option<&str> {
-        let of = |s: &&LogStream| s.is_calibrated() && !s.processed && s.option.is_some();
+    /// The options that choose the first of them, as a front writes them.
+    pub fn first_option(&self, front: Front) -> Option<String> {
+        let of = |s: &&LogStream| s.is_calibrated() && !s.processed && s.is_one_of_several();
         let first = self.streams.iter().find(of);
-        let first = first.or_else(|| self.streams.iter().find(|s| s.option.is_some()));
-        first?.option.as_deref()
+        let first = first.or_else(|| self.streams.iter().find(|s| s.is_one_of_several()));
+        first?.option(front)
     }
 }
 
 impl LogStream {
+    /// The options that choose it, as a front writes them; none for the only one of its kind.
+    pub fn option(&self, front: Front) -> Option<String> {
+        let options: Vec<String> = self.settings.iter().map(|s| s.text(front)).collect();
+        (!options.is_empty()).then(|| options.join(" "))
+    }
+
+    fn is_one_of_several(&self) -> bool {
+        !self.settings.is_empty()
+    }
+
     fn is_calibrated(&self) -> bool {
         matches!(self.sensor, "accelerometer" | "gyroscope")
     }
@@ -117,10 +127,11 @@ fn of(stream: &Stream, all: &[&Stream]) -> LogStream {
     let of_source = alike()
         .filter(|other| other.source == stream.source)
         .count();
-    let instance = (of_source > 1).then(|| format!("--instance {}", stream.instance));
+    let instance = stream.instance.to_string();
+    let instance = (of_source > 1).then(|| Setting::to(OptionName::Instance, instance));
     let sources = alike().any(|other| other.source != stream.source);
-    let topic = sources.then(|| format!("--topic {}", crate::shown::shown(&stream.source)));
-    let options: Vec<String> = topic.into_iter().chain(instance).collect();
+    let topic = crate::shown::shown(&stream.source);
+    let topic = sources.then(|| Setting::to(OptionName::Topic, topic));
     LogStream {
         sensor: match stream.quantity {
             Quantity::SpecificForce => "accelerometer",
@@ -133,7 +144,7 @@ fn of(stream: &Stream, all: &[&Stream]) -> LogStream {
         samples: stream.stamps.len(),
         rate: stream.rate(),
         processed: stream.processed,
-        option: (!options.is_empty()).then(|| options.join(" ")),
+        settings: topic.into_iter().chain(instance).collect(),
     }
 }
 
@@ -166,8 +177,9 @@ mod tests {
         let options: Vec<_> = contents
             .streams
             .iter()
-            .map(|s| s.option.as_deref())
+            .map(|s| s.option(Front::CommandLine))
             .collect();
+        let options: Vec<_> = options.iter().map(Option::as_deref).collect();
         assert_eq!(
             options,
             [
@@ -184,6 +196,9 @@ mod tests {
             stream("/a", 0, Quantity::SpecificForce, false),
             stream("/b", 0, Quantity::SpecificForce, false),
         ]);
-        assert_eq!(bag[1].option.as_deref(), Some("--topic /b"));
+        assert_eq!(
+            bag[1].option(Front::CommandLine).as_deref(),
+            Some("--topic /b")
+        );
     }
 }

@@ -1,7 +1,7 @@
 //! Binary and structured files, read by `stillpoint-formats`: streams to tables, and the choice among several.
 
 use file_formats::{Content, Quantity, Stream, Wanted};
-use findings::Finding;
+use findings::{Finding, Kind, OptionName, Remedy};
 use nalgebra::Vector3;
 use sensor::Sensor;
 
@@ -14,7 +14,7 @@ use crate::recording::samples::{Pushed, Samples};
 use crate::recording::sessions::refuse_part;
 use crate::recording::{AppliedBefore, Magnetometer, ReadOptions, Recording};
 use crate::rows::table::Table;
-use crate::shown::{shown, shown_list};
+use crate::shown::{figure, shown, shown_list};
 use crate::source::Source;
 use crate::source::place::in_file;
 use crate::units::field::FieldUnit;
@@ -50,22 +50,17 @@ impl Format for Measured {
             return Err(crate::formats::format::mismatch(
                 source.name(),
                 self,
-                "a file of that format",
+                "its own files",
             ));
         };
         let name = binary.name.clone();
+        let of = |kind: Kind| Finding::of(kind).in_file(&name);
         if !options.columns.0.is_empty() {
-            let words = format!(
-                "{name}: --columns is for tables of text; --topic and --instance choose in this file"
-            );
-            return Err(Error::usage(words));
+            return Err(Error::usage(of(Kind::ColumnsOfLog)));
         }
         if let (Some(device), None) = (&options.device, options.instance) {
-            let words = format!(
-                "{name}: --instance {}: in this file it takes the number of a sensor, such as 0",
-                shown(device)
-            );
-            return Err(Error::usage(words));
+            let other = of(Kind::InstanceNotNumber).detail("instance", shown(device));
+            return Err(Error::usage(other));
         }
         refuse_part(&name, options)?;
         let wanted = Wanted {
@@ -95,32 +90,35 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
             1..=12 => listed.join(", "),
             more => format!("{} and {} more", listed[..12].join(", "), more - 12),
         };
-        let words = format!(
-            "no accelerometer and no gyroscope in it; it holds {}",
-            shown(&listed)
-        );
+        let found = Finding::of(Kind::LogWithoutSensor).detail("listed", shown(&listed));
         let why = cut.as_ref().or_else(|| warnings.first());
-        let cut = why
-            .map(|why| format!(" ({})", shown(&why.text(findings::Front::Plain))))
-            .unwrap_or_default();
-        return Err(in_file(name, words + &cut));
+        return Err(in_file(
+            name,
+            match why {
+                Some(why) => found.detail("why", shown(&why.to_string())),
+                None => found,
+            },
+        ));
     }
     let all_wanted = options.topics.is_empty() && !unclear.is_empty();
     if all_wanted && (accel.is_none() || gyro.is_none()) {
-        let missing = if accel.is_none() {
-            "accelerometer"
-        } else {
-            "gyroscope"
+        let missing = match accel {
+            None => Sensor::Accelerometer,
+            Some(_) => Sensor::Gyroscope,
         };
-        let words = format!(
-            "no {missing} that is known as one, but {} may be it and is not read; rename it, or go on without by naming what is to be read, as in --topic '{}'",
-            shown_list(unclear.iter()),
-            accel
-                .as_ref()
-                .or(gyro.as_ref())
-                .map_or_else(String::new, |stream| shown(&stream.source))
-        );
-        return Err(in_file(name, words));
+        let found = Finding::of(Kind::LogSensorUnclear)
+            .of_sensor(missing)
+            .detail("unclear", shown_list(unclear.iter()));
+        let known = accel.as_ref().or(gyro.as_ref());
+        return Err(in_file(
+            name,
+            match known {
+                Some(stream) => {
+                    found.remedy(Remedy::such_as(OptionName::Topic, shown(&stream.source)))
+                }
+                None => found,
+            },
+        ));
     }
     let of_accel = |stream: &Stream| {
         accel
@@ -217,11 +215,8 @@ fn table(
         .iter()
         .position(|value| !value.iter().all(|v| v.is_finite() && v.abs() < 1e15));
     if let Some(at) = finite.filter(|_| !options.na_drop) {
-        let words = format!(
-            "record {} holds a number that is not finite; --na drop leaves such records out",
-            at + 1
-        );
-        return Err(in_file(&name, words));
+        let found = Finding::of(Kind::RecordNotFinite).count("record", at + 1);
+        return Err(in_file(&name, found));
     }
     let stamps: Vec<f64> = match options.rate {
         Some(rate) => (0..stream.stamps.len()).map(|k| k as f64 / rate).collect(),
@@ -281,10 +276,11 @@ fn samples(
         if options.sort_time {
             samples.append(t, value, record);
         } else if let Pushed::Backwards(last) = samples.push(t, value, record) {
-            let words = format!(
-                "record {record}: time goes back from {last} to {t} s; --sort-time sorts the records"
-            );
-            return Err(in_file(name, words));
+            let found = Finding::of(Kind::TimeGoesBack)
+                .count("record", record as usize)
+                .detail("from", figure(last))
+                .detail("to", figure(t));
+            return Err(in_file(name, found));
         }
     }
     Ok(samples)
@@ -345,18 +341,17 @@ impl Chooser<'_> {
             return Ok(());
         }
         let instead = processed.filter(|stream| stream.rate() >= SLOW);
-        let instead = instead.map_or_else(String::new, |stream| {
-            format!(
-                ", or take {} at {:.0} Hz, which PX4 has already corrected, as in --topic {}",
-                stream.source,
-                stream.rate(),
-                stream.source
-            )
-        });
-        Err(Error::not_enough(format!(
-            "{}: {} is logged at {rate:.1} Hz only, too slow for a calibration; set SDLOG_PROFILE to 769 (raw FIFO of both sensors) and record again{instead}",
-            self.name, stream.source
-        )))
+        let found = Finding::of(Kind::LoggedSlowly)
+            .in_file(self.name)
+            .detail("stream", shown(&stream.source))
+            .number("rate", rate, "Hz");
+        Err(Error::not_enough(match instead {
+            Some(other) => found
+                .detail("other", shown(&other.source))
+                .number("other_rate", other.rate().round(), "Hz")
+                .remedy(Remedy::such_as(OptionName::Topic, shown(&other.source))),
+            None => found,
+        }))
     }
 
     /// Lists the streams among which the user has to choose.
@@ -375,20 +370,20 @@ impl Chooser<'_> {
             .collect();
         let by_instance = streams.iter().all(|stream| stream.source == first.source);
         let option = match by_instance {
-            true => format!("--instance {}", first.instance),
-            false => format!("--topic {}", shown(&first.source)),
+            true => Remedy::such_as(OptionName::Instance, first.instance.to_string()),
+            false => Remedy::such_as(OptionName::Topic, shown(&first.source)),
         };
-        let what = match first.quantity {
-            Quantity::SpecificForce => "accelerometers",
-            _ => "gyroscopes",
+        let sensor = match first.quantity {
+            Quantity::SpecificForce => Sensor::Accelerometer,
+            _ => Sensor::Gyroscope,
         };
         in_file(
             self.name,
-            format!(
-                "{} {what}: {}; say which, as in {option}",
-                streams.len(),
-                listed.join(", ")
-            ),
+            Finding::of(Kind::LogSensorsOpen)
+                .of_sensor(sensor)
+                .count("count", streams.len())
+                .detail("listed", listed.join(", "))
+                .remedy(option),
         )
     }
 }

@@ -15,6 +15,7 @@ mod tables;
 mod texts;
 
 pub use file_formats::catches_panics;
+use findings::{Finding, Kind};
 pub use log_streams::{LogContents, LogStream};
 use phones::{androsensor, phyphox, physics_toolbox, sensor_logger, sensorlog, sensorstream};
 use robots::{betaflight, kalibr, px4_text, razor, ros_text, serial, trackers, vmu931};
@@ -84,14 +85,15 @@ pub static FORMATS: &[&dyn Format] = &[
 ///
 /// # Errors
 /// The names there are.
-pub fn by_name(name: &str) -> Result<&'static dyn Format, String> {
+pub fn by_name(name: &str) -> Result<&'static dyn Format, Box<Finding>> {
     FORMATS
         .iter()
         .copied()
         .find(|format| format.name() == name)
         .ok_or_else(|| {
             let names: Vec<_> = FORMATS.iter().map(|format| format.name()).collect();
-            format!("no format `{name}`; known: {}", names.join(", "))
+            let found = Finding::of(Kind::NoFormat).detail("format", crate::shown::shown(name));
+            Box::new(found.detail("known", names.join(", ")))
         })
 }
 

@@ -1,6 +1,7 @@
 //! Files of tables, read by `stillpoint-formats` as the texts that they would be.
 
 use file_formats::Tabular;
+use findings::{Finding, Kind};
 
 use super::format::{Format, Recognise};
 use crate::Error;
@@ -38,7 +39,7 @@ impl Format for Tables {
         let source = match source {
             Source::Tables(format, inner) if format.name == self.name => *inner,
             other => {
-                let expected = "a file of that format";
+                let expected = "its own files";
                 return Err(crate::formats::format::mismatch(
                     other.name(),
                     self,
@@ -47,7 +48,8 @@ impl Format for Tables {
             }
         };
         let format = (self.recognise)(&source);
-        let format = format.ok_or_else(|| in_file(source.name(), "of no known format"))?;
+        let format =
+            format.ok_or_else(|| in_file(source.name(), Finding::of(Kind::UnknownFormat)))?;
         let mut recording = format.read(source, options)?;
         let described = &mut recording.description.format;
         if described.is_empty() {

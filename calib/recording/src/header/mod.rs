@@ -15,6 +15,7 @@ pub(crate) mod triads;
 pub(crate) mod unit_row;
 pub(crate) mod unnamed;
 
+use findings::{Finding, Kind, OptionName, Remedy};
 pub(crate) use questions::{suggest, unclear};
 use sensor::Sensor;
 
@@ -54,7 +55,7 @@ pub(crate) struct Layout {
     /// Scales and offsets that the user gave.
     pub affine: Vec<(Role, Affine)>,
     /// What was told by the units in the names, in words.
-    pub by_unit: Option<findings::Finding>,
+    pub by_unit: Option<Finding>,
     /// Columns that may be the time where none is called so for certain.
     pub times: Vec<usize>,
 }
@@ -63,12 +64,12 @@ impl Layout {
     /// The layout of a table whose header holds `names`.
     ///
     /// # Errors
-    /// What is wrong with the names, in words, with the option that would help.
+    /// What is wrong with the names, with the option that would help.
     pub fn of_names(
         names: Vec<String>,
         map: &ColumnMap,
         only: Option<Sensor>,
-    ) -> Result<Self, String> {
+    ) -> Result<Self, Box<Finding>> {
         let mut roles = roles_by_map(&names, map)?;
         roles_by_name(&names, only, &mut roles)?;
         let gravity = gravity::summed(&names, map, only, &mut roles);
@@ -94,7 +95,7 @@ impl Layout {
 
     /// Takes over columns by role; `map` is what was said of them. Triads have to be whole, and there has to be one,
     /// unless the table is a thermometer's.
-    pub fn assign(&mut self, roles: &[(Role, usize)], map: &ColumnMap) -> Result<(), String> {
+    pub fn assign(&mut self, roles: &[(Role, usize)], map: &ColumnMap) -> Result<(), Box<Finding>> {
         let column = |role: Role| {
             roles
                 .iter()
@@ -103,7 +104,7 @@ impl Layout {
         };
         let is_sensor = |role: &Role| matches!(role, Role::Accel(_) | Role::Gyro(_));
         let named = map.0.iter().any(|(role, _)| is_sensor(role));
-        let triad = |axes: [Role; 3]| -> Result<Option<[usize; 3]>, String> {
+        let triad = |axes: [Role; 3]| -> Result<Option<[usize; 3]>, Box<Finding>> {
             match axes.map(column) {
                 [Some(x), Some(y), Some(z)] => Ok(Some([x, y, z])),
                 [None, None, None] => Ok(None),
@@ -118,11 +119,10 @@ impl Layout {
                 some => {
                     let missing: Vec<_> = (0..3).filter(|&i| some[i].is_none()).collect();
                     let missing: Vec<_> = missing.into_iter().map(|i| axes[i].name()).collect();
-                    Err(format!(
-                        "no column for {}; export it too, or {}",
-                        missing.join(" and "),
-                        suggestion(&self.names)
-                    ))
+                    Err(Finding::of(Kind::ColumnMissing)
+                        .detail("missing", missing.join(" and "))
+                        .remedy(suggestion(&self.names))
+                        .into())
                 }
             }
         };
@@ -138,11 +138,10 @@ impl Layout {
         if map.is_of_a_thermometer() || self.has_sensor() {
             return Ok(());
         }
-        Err(format!(
-            "no accelerometer and no gyroscope columns among {}; expected t,ax,ay,az,gx,gy,gz[,temp]; {}",
-            shown_list(self.names.iter()),
-            suggestion(&self.names)
-        ))
+        Err(Finding::of(Kind::NoSensorColumns)
+            .detail("columns", shown_list(self.names.iter()))
+            .remedy(suggestion(&self.names))
+            .into())
     }
 
     /// True if three columns are a sensor's.
@@ -250,7 +249,7 @@ fn roles_by_name(
     names: &[String],
     only: Option<Sensor>,
     roles: &mut Vec<(Role, usize)>,
-) -> Result<(), String> {
+) -> Result<(), Box<Finding>> {
     let given = roles.len();
     // Of a part that one sensor is read from, missing numbers of the other leave no row out.
     let whole = only.filter(|sensor| {
@@ -285,16 +284,15 @@ fn roles_by_name(
             }
             Some(at) => {
                 let other = roles[at].1;
-                return Err(format!(
-                    "columns {} (`{}`) and {} (`{}`) are both {}; say which, by number, as in --columns {}={}",
-                    other + 1,
-                    shown(&names[other]),
-                    index + 1,
-                    shown(name),
-                    role.name(),
-                    role.name(),
-                    other + 1
-                ));
+                let by_number = format!("{}={}", role.name(), other + 1);
+                return Err(Finding::of(Kind::ColumnsAlike)
+                    .count("first", other + 1)
+                    .detail("first_name", shown(&names[other]))
+                    .count("second", index + 1)
+                    .detail("second_name", shown(name))
+                    .detail("role", role.name())
+                    .remedy(Remedy::such_as(OptionName::Columns, by_number))
+                    .into());
             }
         }
     }
@@ -341,21 +339,19 @@ fn likely_times(names: &[String], roles: &[(Role, usize)]) -> Vec<usize> {
 /// Refuses one column for two roles.
 ///
 /// # Errors
-/// Both, in words.
-pub(crate) fn refuse_twins(names: &[String], map: &ColumnMap) -> Result<(), String> {
+/// Both.
+pub(crate) fn refuse_twins(names: &[String], map: &ColumnMap) -> Result<(), Box<Finding>> {
     // A column that is not there is for another to refuse.
     let roles = roles_by_map(names, map).unwrap_or_default();
     for (i, (role, column)) in roles.iter().enumerate() {
         if let Some(other) = roles[..i].iter().position(|(_, other)| other == column) {
             let given = |i: usize| format!("{}={}", map.0[i].0.name(), shown(&map.0[i].1));
-            return Err(format!(
-                "--columns {},{}: column {} for both {} and {}; each has a column of its own",
-                given(other),
-                given(i),
-                column + 1,
-                roles[other].0.name(),
-                role.name()
-            ));
+            return Err(Finding::of(Kind::ColumnForTwo)
+                .detail("given", format!("{},{}", given(other), given(i)))
+                .count("column", column + 1)
+                .detail("first", roles[other].0.name())
+                .detail("second", role.name())
+                .into());
         }
     }
     Ok(())
@@ -385,21 +381,21 @@ pub(crate) fn affines(names: &[String], map: &ColumnMap) -> Vec<(Role, Affine)> 
 pub(crate) fn roles_by_map(
     names: &[String],
     map: &ColumnMap,
-) -> Result<Vec<(Role, usize)>, String> {
+) -> Result<Vec<(Role, usize)>, Box<Finding>> {
     let find = |wanted: &str| {
         column(names, wanted).or_else(|| column(names, affine::take_apart(wanted)?.0))
     };
     let mut roles = Vec::new();
     for (role, wanted) in &map.0 {
         let column = find(wanted).ok_or_else(|| {
-            let nearest = nearest(wanted, names).map(|n| format!("; nearest: `{}`", shown(n)));
-            format!(
-                "--columns {}={}: no such column among {}{}",
-                role.name(),
-                shown(wanted),
-                names.len(),
-                nearest.unwrap_or_default()
-            )
+            let missing = Finding::of(Kind::NoSuchColumn)
+                .detail("role", role.name())
+                .detail("wanted", shown(wanted))
+                .count("count", names.len());
+            match nearest(wanted, names) {
+                Some(nearest) => missing.detail("nearest", shown(nearest)),
+                None => missing,
+            }
         })?;
         roles.push((*role, column));
     }

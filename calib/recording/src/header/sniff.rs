@@ -102,10 +102,7 @@ impl Start {
         let kept = sample(name, head)?;
         let dialect = dialect_of(&kept);
         if kept.iter().all(|k| k.comment) {
-            return Err(in_file(
-                name,
-                "no data: nothing but blank and comment lines",
-            ));
+            return Err(in_file(name, Finding::of(Kind::NoData)));
         }
         let row = first_row(&kept, dialect);
         let finder = Finder {
@@ -164,9 +161,9 @@ impl Start {
         let bytes = without_comment_mark(&header.bytes);
         let at = self.dialect.split(bytes, &mut Vec::new()).err()?;
         let below = kept.iter().filter(|k| k.number > header.number);
-        let words = open_quote(below.map(|k| (k.number, &k.bytes[..])));
+        let found = open_quote(below.map(|k| (k.number, &k.bytes[..])));
         let column = header.bytes.len() - bytes.len() + at + 1;
-        Some(at_column(name, header.number, column, words))
+        Some(at_column(name, header.number, column, found))
     }
 
     /// Takes over the units that stand below the names.
@@ -181,7 +178,7 @@ impl Start {
         };
         let cells = words(&line.bytes, self.dialect);
         let stated = unit_row::stated(&self.layout, &cells, options);
-        self.layout.stated = stated.map_err(|words| at_line(name, line.number, words))?;
+        self.layout.stated = stated.map_err(|found| at_line(name, line.number, *found))?;
         Ok(())
     }
 
@@ -246,7 +243,7 @@ impl Start {
         only: Option<Sensor>,
         options: &ReadOptions,
     ) -> Result<(), Error> {
-        let refuse = |words: String| at_line(name, header.number, words);
+        let refuse = |found: Box<Finding>| at_line(name, header.number, *found);
         let bytes = without_comment_mark(&header.bytes);
         let cells = cells(bytes, self.dialect);
         if std::str::from_utf8(bytes).is_err() {
@@ -263,7 +260,8 @@ impl Start {
         if rows.is_empty() {
             // A wrong header is the better news.
             Layout::of_names(names, &options.columns, only).map_err(refuse)?;
-            return Err(refuse("header found, no data rows".to_owned()));
+            let none = Finding::of(Kind::NoRows).detail("found", "header");
+            return Err(refuse(none.into()));
         }
         if names.len() == width + 1 && names.last().is_some_and(String::is_empty) {
             names.pop();
@@ -275,18 +273,19 @@ impl Start {
         if width != names.len() && !(width == names.len() + 1 && ends_empty(rows, self.dialect)) {
             let doubled = width > names.len() && width <= 2 * names.len();
             if self.dialect.separator == Separator::Byte(b',') && doubled && only_integers(rows) {
-                return Err(refuse(format!(
-                    "{} names but {width} cells in the rows: a comma is both separator and decimal mark, which cannot be undone; export with points or with semicolons",
-                    names.len()
-                )));
+                let twice = Finding::of(Kind::CommaTwice)
+                    .count("names", names.len())
+                    .count("width", width);
+                return Err(refuse(twice.into()));
             }
             if options.columns.0.is_empty() {
                 names.resize(width.max(names.len()), String::new());
-                let line = suggestion(&(1..=width).map(|i| i.to_string()).collect::<Vec<_>>());
-                return Err(refuse(format!(
-                    "the header has {} names, the rows have {width} cells: are two names glued together? {line} (columns by number)",
-                    cells.len(),
-                )));
+                let numbers: Vec<String> = (1..=width).map(|i| i.to_string()).collect();
+                let other = Finding::of(Kind::HeaderWidth)
+                    .count("names", cells.len())
+                    .count("width", width)
+                    .remedy(suggestion(&numbers));
+                return Err(refuse(other.into()));
             }
             names.resize(width, String::new());
         }
@@ -303,7 +302,7 @@ impl Start {
         options: &ReadOptions,
     ) -> Result<(), Error> {
         let first = rows.first().map_or(1, |row| row.number);
-        let refuse = |words: String| at_line(name, first, words);
+        let refuse = |found: Box<Finding>| at_line(name, first, *found);
         let width = usual_width(rows, self.dialect).unwrap_or(0);
         let names: Vec<String> = (1..=width).map(|i| i.to_string()).collect();
         self.layout.width = width;
@@ -315,10 +314,8 @@ impl Start {
             self.undecided = matches!(unnamed.width(), 6..=8) && only.is_none();
             let roles = told.or_else(|| self.undecided.then(|| unnamed.two_triads()));
             let roles = roles.ok_or_else(|| {
-                refuse(format!(
-                    "{width} columns without a header, and gravity does not tell which are which; {}",
-                    suggestion(&names)
-                ))
+                let unknown = Finding::of(Kind::NoHeader).count("width", width);
+                refuse(unknown.remedy(suggestion(&names)).into())
             })?;
             // Four columns of a file that is known to hold one sensor need no comment.
             if only.is_none() && !self.undecided {
@@ -345,8 +342,8 @@ fn sample(name: &str, head: &[u8]) -> Result<Vec<Kept>, Error> {
     let head = Batch::of(head);
     let (mut kept, mut rows) = (Vec::new(), 0);
     for (number, range) in (1..).zip(lines(&head.bytes, 0)) {
-        if let Some(words) = head.fault(&range) {
-            return Err(at_line(name, number, words));
+        if let Some(found) = head.fault(&range) {
+            return Err(at_line(name, number, found));
         }
         let line = &head.bytes[range];
         if !line.trim_ascii().is_empty() {

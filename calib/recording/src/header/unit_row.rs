@@ -2,6 +2,8 @@
 
 use std::str::FromStr;
 
+use findings::{Finding, Kind, OptionName, Remedy};
+
 use crate::header::Layout;
 use crate::recording::options::ReadOptions;
 use crate::shown::shown;
@@ -37,12 +39,12 @@ pub(crate) fn holds_units(cells: &[String]) -> bool {
 /// Units that `layout` states, with those of `cells` below its names; an option says more than either.
 ///
 /// # Errors
-/// In words, a unit that is not known, or not that of the other axes or of the header.
+/// A unit that is not known, or not that of the other axes or of the header.
 pub(crate) fn stated(
     layout: &Layout,
     cells: &[String],
     options: &ReadOptions,
-) -> Result<Stated, String> {
+) -> Result<Stated, Box<Finding>> {
     let row = Row { layout, cells };
     let by_names = layout.stated;
     let axes = |triad: Option<[usize; 3]>| triad.into_iter().flatten().collect::<Vec<_>>();
@@ -52,21 +54,21 @@ pub(crate) fn stated(
             &one(layout.time),
             by_names.time,
             options.time_unit,
-            "--time-unit ms",
+            Some((OptionName::TimeUnit, "ms")),
         )?,
         accel: row.unit(
             &axes(layout.accel),
             by_names.accel,
             options.accel_unit,
-            "--accel-unit g",
+            Some((OptionName::AccelUnit, "g")),
         )?,
         gyro: row.unit(
             &axes(layout.gyro),
             by_names.gyro,
             options.gyro_unit,
-            "--gyro-unit deg/s",
+            Some((OptionName::GyroUnit, "deg/s")),
         )?,
-        temperature: row.unit(&one(layout.temperature), by_names.temperature, None, "")?,
+        temperature: row.unit(&one(layout.temperature), by_names.temperature, None, None)?,
         // A magnetometer is kept whatever its unit is called.
         field: by_names.field.or_else(|| {
             let [x, ..] = layout.field?;
@@ -82,13 +84,13 @@ struct Row<'a> {
 
 impl Row<'_> {
     /// The one unit of `columns`; `given` by an option it need not be understood.
-    fn unit<U: FromStr<Err = String> + PartialEq + Copy>(
+    fn unit<U: FromStr<Err = Box<Finding>> + PartialEq + Copy>(
         &self,
         columns: &[usize],
         by_name: Option<U>,
         given: Option<U>,
-        option: &str,
-    ) -> Result<Option<U>, String> {
+        option: Option<(OptionName, &str)>,
+    ) -> Result<Option<U>, Box<Finding>> {
         let mut unit = by_name;
         for &column in columns {
             let Some(cell) = self.cells.get(column).filter(|cell| !is_blank(cell)) else {
@@ -99,23 +101,29 @@ impl Row<'_> {
                 (Ok(found), None) => unit = Some(found),
                 (Ok(found), Some(unit)) if found == unit => {}
                 _ if given.is_some() => return Ok(unit),
-                (found, _) => return Err(self.refusal(column, found.err(), option)),
+                (found, _) => return Err(self.refusal(column, found.err(), option).into()),
             }
         }
         Ok(unit)
     }
 
-    fn refusal(&self, column: usize, unknown: Option<String>, option: &str) -> String {
-        let why = unknown
-            .unwrap_or_else(|| "not the unit that the header or another axis has".to_owned());
-        let advice = match option {
-            "" => "correct or delete this row".to_owned(),
-            option => format!("correct or delete this row, or say the unit, as in {option}"),
+    fn refusal(
+        &self,
+        column: usize,
+        unknown: Option<Box<Finding>>,
+        option: Option<(OptionName, &str)>,
+    ) -> Finding {
+        let found = match unknown {
+            Some(unknown) => Finding::of(Kind::UnitRowUnknown)
+                .detail("known", unknown.word("known").unwrap_or_default()),
+            None => Finding::of(Kind::UnitRowContradicts),
         };
-        format!(
-            "a row of units under the header: `{}` in {}: {why}; {advice}",
-            shown(self.cells[column].trim()),
-            self.layout.column(column)
-        )
+        let found = found
+            .detail("cell", shown(self.cells[column].trim()))
+            .detail("column", self.layout.column(column));
+        match option {
+            Some((option, value)) => found.remedy(Remedy::such_as(option, value)),
+            None => found,
+        }
     }
 }

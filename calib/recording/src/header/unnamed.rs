@@ -76,7 +76,7 @@ impl Unnamed {
     }
 }
 
-/// A `--columns` line for eight unnamed columns of which the one numbered `slow`, from 1, is no sensor's axis but a
+/// Entries of columns for eight unnamed columns of which the one numbered `slow`, from 1, is no sensor's axis but a
 /// temperature's.
 pub(crate) fn with_temperature(slow: usize) -> String {
     const AXES: [&str; 6] = ["ax", "ay", "az", "gx", "gy", "gz"];
@@ -85,7 +85,7 @@ pub(crate) fn with_temperature(slow: usize) -> String {
     let axes: Vec<String> = axes
         .map(|(axis, column)| format!("{axis}={column}"))
         .collect();
-    format!("--columns 't=1,{},temp={slow}'", axes.join(","))
+    format!("t=1,{},temp={slow}", axes.join(","))
 }
 
 /// The rows of `width` cells that hold numbers in `columns`: those numbers.

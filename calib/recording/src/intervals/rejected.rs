@@ -3,6 +3,8 @@
 use std::fmt;
 use std::mem::discriminant;
 
+use findings::{Finding, Kind};
+
 use super::spans::Span;
 
 /// Stretches that are named one by one; more are counted.
@@ -40,8 +42,8 @@ impl Rejected {
         Self { span, reason }
     }
 
-    /// What a user should know of them: those of one reason in one sentence.
-    pub fn in_words(all: &[Self]) -> Vec<String> {
+    /// What a user should know of them: those of one reason in one finding.
+    pub fn findings(all: &[Self]) -> Vec<Finding> {
         let mut kinds: Vec<Vec<&Self>> = Vec::new();
         for one in all {
             let alike =
@@ -51,29 +53,40 @@ impl Rejected {
                 None => kinds.push(vec![one]),
             }
         }
-        let words = |kind: &Vec<&Self>| match kind.as_slice() {
-            [one] => one.to_string(),
+        let finding = |kind: &Vec<&Self>| match kind.as_slice() {
+            [one] => one.finding(),
             all => several(all),
         };
-        kinds.iter().map(words).collect()
+        kinds.iter().map(finding).collect()
     }
-}
 
-/// Some stretches of one reason in a sentence.
-fn several(all: &[&Rejected]) -> String {
-    let mut named: Vec<String> = all.iter().take(NAMED).map(|one| one.place()).collect();
-    if all.len() > NAMED {
-        named.push(format!("{} more", all.len() - NAMED));
+    /// What is said of this one.
+    pub fn finding(&self) -> Finding {
+        let Span { from, to } = self.span;
+        let found = self.of_reason().between(from, to);
+        match self.reason {
+            Reason::Turning(rate) => found.number("rate", rate.abs(), "rad/s"),
+            Reason::Tilting(angle) => found
+                .number("slope", angle / self.span.length(), "rad/s")
+                .number("angle", angle, "rad"),
+            Reason::Clipped(_) | Reason::Vibrating | Reason::Empty => found,
+        }
     }
-    let (what, to_do) = all[0].what_and_to_do();
-    format!(
-        "{} quiet stretches are no static intervals ({}): {what}; {to_do}",
-        all.len(),
-        named.join(", ")
-    )
-}
 
-impl Rejected {
+    /// A finding of stretches with this reason.
+    fn of_reason(&self) -> Finding {
+        match self.reason {
+            Reason::Turning(_) => Finding::of(Kind::StretchTurns),
+            Reason::Tilting(_) => Finding::of(Kind::StretchTilts),
+            Reason::Vibrating => Finding::of(Kind::StretchVibrates),
+            Reason::Empty => Finding::of(Kind::StretchEmpty),
+            Reason::Clipped(axis) => {
+                let axis = ["x", "y", "z"].get(axis).copied().unwrap_or_default();
+                Finding::of(Kind::StretchClipped).detail("axis", axis)
+            }
+        }
+    }
+
     /// When, and what was measured there.
     fn place(&self) -> String {
         let Span { from, to } = self.span;
@@ -84,63 +97,23 @@ impl Rejected {
         };
         format!("{from:.2} to {to:.2} s{measured}")
     }
+}
 
-    /// What happened in such stretches, and what to do.
-    fn what_and_to_do(&self) -> (String, &'static str) {
-        match self.reason {
-            Reason::Turning(_) => (
-                "the device turned at a constant rate, which no bias explains".into(),
-                "lay the device down where nothing turns",
-            ),
-            Reason::Clipped(axis) => (
-                format!(
-                    "accelerometer {} is cut off at the end of its range",
-                    ["x", "y", "z"].get(axis).copied().unwrap_or_default()
-                ),
-                "set a larger range",
-            ),
-            Reason::Tilting(_) => (
-                "the device tilts steadily".into(),
-                "lay it down on something firm",
-            ),
-            Reason::Vibrating => (
-                "the device lay still and vibrated".into(),
-                "lay it down where nothing runs",
-            ),
-            Reason::Empty => (
-                "a sensor has no samples there".into(),
-                "give stretches in which all sensors were recorded",
-            ),
-        }
+/// Some stretches of one reason in a finding.
+fn several(all: &[&Rejected]) -> Finding {
+    let mut named: Vec<String> = all.iter().take(NAMED).map(|one| one.place()).collect();
+    if all.len() > NAMED {
+        named.push(format!("{} more", all.len() - NAMED));
     }
+    all[0]
+        .of_reason()
+        .count("count", all.len())
+        .detail("listed", named.join(", "))
 }
 
 impl fmt::Display for Rejected {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Span { from, to } = self.span;
-        write!(
-            f,
-            "the quiet stretch from {from:.2} to {to:.2} s is no static interval: "
-        )?;
-        match self.reason {
-            Reason::Turning(rate) => write!(
-                f,
-                "the device turned there at a constant {:.2} °/s, which no bias explains; lay the device down where \
-                 nothing turns",
-                rate.to_degrees().abs()
-            ),
-            Reason::Tilting(angle) => write!(
-                f,
-                "the device tilts steadily, by a slope of {:.3} °/s and {:.2}° in all; lay it down on something \
-                 firm",
-                angle.to_degrees() / self.span.length(),
-                angle.to_degrees()
-            ),
-            Reason::Clipped(_) | Reason::Vibrating | Reason::Empty => {
-                let (what, to_do) = self.what_and_to_do();
-                write!(f, "{what}; {to_do}")
-            }
-        }
+        self.finding().fmt(f)
     }
 }
 
@@ -157,19 +130,21 @@ mod tests {
     }
 
     #[test]
-    fn stretches_of_one_reason_are_one_sentence() {
+    fn stretches_of_one_reason_are_one_finding() {
         let turning = (0..6).map(|k| at(f64::from(k), Reason::Turning(0.5)));
         let all: Vec<Rejected> = turning.chain([at(9.0, Reason::Vibrating)]).collect();
-        let words = Rejected::in_words(&all);
-        let [turned, vibrated] = words.as_slice() else {
+        let found = Rejected::findings(&all);
+        let [turned, vibrated] = found.as_slice() else {
             panic!("two reasons");
         };
+        assert_eq!(turned.value("count"), Some(6.0));
+        let [turned, vibrated] = [turned, vibrated].map(ToString::to_string);
         assert!(turned.starts_with(
             "6 quiet stretches are no static intervals (0.00 to 2.00 s at 28.65 °/s, 1.00"
         ));
         assert!(turned.contains("2 more"), "{turned}");
         assert!(
-            vibrated.starts_with("the quiet stretch from 9.00 to 11.00 s is no static interval")
+            vibrated.starts_with("the quiet stretch at t = 9.00 to 11.00 s is no static interval")
         );
         assert!(vibrated.contains("vibrated"), "{vibrated}");
     }

@@ -2,11 +2,14 @@
 
 use std::path::Path;
 
+use findings::{Finding, Kind};
+
 use super::spans::Span;
 use crate::error::Error;
 use crate::read_text;
 use crate::recording::{Recording, Stream};
-use crate::shown::shown_path;
+use crate::shown::{figure, shown, shown_path};
+use crate::source::place::at_line;
 
 /// How the table gives its rows.
 enum Unit {
@@ -23,17 +26,17 @@ enum Unit {
 /// # Errors
 /// An unreadable table, or rows that do not fit the recording; the message names file and line.
 pub fn read_sections(path: &Path, recording: &Recording) -> Result<Vec<Span>, Error> {
-    let fail =
-        |line: u64, what: String| Error::input(format!("{}:{line}: {what}", shown_path(path)));
+    let fail = |line: u64, found: Finding| at_line(&shown_path(path), line, found);
+    let unreadable = |line: u64, error: &csv::Error| {
+        let found = Finding::of(Kind::SectionsUnreadable);
+        fail(line, found.detail("reason", shown(&error.to_string())))
+    };
     let text = read_text(path)?;
     let mut reader = csv::ReaderBuilder::new()
         .comment(Some(b'#'))
         .trim(csv::Trim::All)
         .from_reader(text.as_bytes());
-    let header = reader
-        .headers()
-        .map_err(|e| fail(1, e.to_string()))?
-        .clone();
+    let header = reader.headers().map_err(|e| unreadable(1, &e))?.clone();
     let find = |names: &[&str]| {
         header
             .iter()
@@ -50,9 +53,9 @@ pub fn read_sections(path: &Path, recording: &Recording) -> Result<Vec<Span>, Er
         _ => {
             return Err(fail(
                 1,
-                format!(
-                    "columns {} found; t0,t1 (seconds) or start,stop (sample numbers) expected",
-                    header.iter().collect::<Vec<_>>().join(",")
+                Finding::of(Kind::SectionsColumns).detail(
+                    "columns",
+                    shown(&header.iter().collect::<Vec<_>>().join(",")),
                 ),
             ));
         }
@@ -64,8 +67,7 @@ pub fn read_sections(path: &Path, recording: &Recording) -> Result<Vec<Span>, Er
     let stream = recording.accelerometer.as_ref();
     let mut spans: Vec<Span> = Vec::new();
     for row in reader.records() {
-        let row =
-            row.map_err(|e| fail(e.position().map_or(0, csv::Position::line), e.to_string()))?;
+        let row = row.map_err(|e| unreadable(e.position().map_or(0, csv::Position::line), &e))?;
         let line = row.position().map_or(0, csv::Position::line);
         if let (Some(k), Some(own)) = (named, &own)
             && row.get(k) != Some(own.as_str())
@@ -77,7 +79,9 @@ pub fn read_sections(path: &Path, recording: &Recording) -> Result<Vec<Span>, Er
             cell.parse::<f64>().map_err(|_| {
                 fail(
                     line,
-                    format!("column {}: number expected, \"{cell}\" found", k + 1),
+                    Finding::of(Kind::NumberExpected)
+                        .detail("cell", shown(cell))
+                        .count("column", k + 1),
                 )
             })
         };
@@ -88,29 +92,34 @@ pub fn read_sections(path: &Path, recording: &Recording) -> Result<Vec<Span>, Er
                 let n = stream.map_or(0, Stream::len);
                 fail(
                     line,
-                    format!("samples {a} to {b} found, within 1 to {n} expected"),
+                    Finding::of(Kind::SamplesOutside)
+                        .detail("from", figure(a))
+                        .detail("to", figure(b))
+                        .count("count", n),
                 )
             })?,
         };
         if span.length() <= 0.0 || span.length().is_nan() {
             return Err(fail(
                 line,
-                format!("the interval {} to {} is empty", span.from, span.to),
+                Finding::of(Kind::IntervalEmpty)
+                    .detail("from", figure(span.from))
+                    .detail("to", figure(span.to)),
             ));
         }
         if let Some(before) = spans.last().filter(|s| s.to > span.from) {
             return Err(fail(
                 line,
-                format!(
-                    "starts at {:.3} s, before the end of the one above ({:.3} s)",
-                    span.from, before.to
-                ),
+                Finding::of(Kind::IntervalsOverlap)
+                    .detail("from", format!("{:.3}", span.from))
+                    .detail("end", format!("{:.3}", before.to)),
             ));
         }
         spans.push(span);
     }
     if spans.is_empty() {
-        return Err(fail(1, format!("no interval for {}", recording.name)));
+        let none = Finding::of(Kind::NoIntervals);
+        return Err(fail(1, none.detail("named", &recording.name)));
     }
     Ok(spans)
 }

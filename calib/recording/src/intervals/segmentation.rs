@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use findings::{Finding, Kind};
 use sensor::Sensor;
 
 use super::moments::Moments;
@@ -69,21 +70,28 @@ pub enum TurnFault {
     Empty,
 }
 
+impl TurnFault {
+    /// What is said of it.
+    pub fn finding(&self) -> Finding {
+        let within = |kind: Kind, span: &Span| {
+            let length = format!("{:.2}", span.length());
+            let found = Finding::of(kind).between(span.from, span.to);
+            found.detail("length", length)
+        };
+        match self {
+            Self::Gap(span) => within(Kind::TurnGap, span),
+            Self::Frozen(span) => within(Kind::TurnFrozen, span),
+            Self::Saturated { samples } => {
+                Finding::of(Kind::TurnSaturated).count("samples", *samples)
+            }
+            Self::Empty => Finding::of(Kind::TurnEmpty),
+        }
+    }
+}
+
 impl std::fmt::Display for TurnFault {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Gap(span) => {
-                write!(f, "gap of {:.2} s at t = {:.2} s", span.length(), span.from)
-            }
-            Self::Frozen(span) => write!(
-                f,
-                "frozen for {:.2} s at t = {:.2} s",
-                span.length(),
-                span.from
-            ),
-            Self::Saturated { samples } => write!(f, "{samples} saturated gyroscope samples"),
-            Self::Empty => write!(f, "no gyroscope samples"),
-        }
+        self.finding().fmt(f)
     }
 }
 
@@ -162,17 +170,15 @@ impl Segmentation {
                 .iter()
                 .min_by(|a, b| away(a).total_cmp(&away(b)));
             if nearest.is_none_or(|rest| away(rest) > 0.0) {
-                let nearest = nearest.map_or_else(String::new, |rest| {
-                    format!(
-                        "; the nearest lasts from {:.2} to {:.2} s",
-                        rest.span.from, rest.span.to
-                    )
-                });
-                return Err(Error::usage(format!(
-                    "{}: no static interval at t = {} s that could be left out{nearest}",
-                    recording.name,
-                    figure(t)
-                )));
+                let none = Finding::of(Kind::NoIntervalThere)
+                    .in_recording(&recording.name)
+                    .detail("instant", figure(t));
+                return Err(Error::usage(match nearest {
+                    Some(rest) => none
+                        .detail("from", format!("{:.2}", rest.span.from))
+                        .detail("to", format!("{:.2}", rest.span.to)),
+                    None => none,
+                }));
             }
         }
         let is_kept = |span: &Span| !instants.iter().any(|t| (span.from..=span.to).contains(t));

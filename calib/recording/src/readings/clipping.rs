@@ -4,8 +4,8 @@ use findings::{Findings, Kind};
 use nalgebra::Vector3;
 
 use super::excursion::Excursion;
-use super::finding::Finding;
 use super::of_sensor::{FIRST_ROW, OfSensor};
+use super::symptom::Symptom;
 
 /// So many equal readings in a row at an extreme are no peak.
 const RUN: usize = 3;
@@ -70,7 +70,7 @@ fn in_runs(values: impl Iterator<Item = f64>, limit: f64) -> usize {
 }
 
 /// The axes that are cut off, those that the reader has named left out.
-pub(super) fn found(of: &OfSensor<'_>, said: &Findings) -> Vec<Finding> {
+pub(super) fn found(of: &OfSensor<'_>, said: &Findings) -> Vec<Symptom> {
     let values = &of.stream.values;
     let one = |axis: usize| {
         let limits = limits(values, axis);
@@ -80,7 +80,7 @@ pub(super) fn found(of: &OfSensor<'_>, said: &Findings) -> Vec<Finding> {
         let at: Vec<usize> = (0..values.len())
             .filter(|&k| limits.reached(values[k][axis]))
             .collect();
-        Some(Finding::Clipped {
+        Some(Symptom::Clipped {
             sensor: of.sensor,
             axis,
             limit,

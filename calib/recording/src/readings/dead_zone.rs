@@ -5,8 +5,8 @@ use std::ops::Range;
 use nalgebra::Vector3;
 use sensor::Sensor;
 
-use super::finding::Finding;
 use super::of_sensor::{OfSensor, least_beside_zero, least_step};
+use super::symptom::Symptom;
 use crate::recording::Stream;
 
 /// Share of zeros in static intervals that a working sensor of any noise does not give.
@@ -29,7 +29,7 @@ const SWEPT: usize = 10;
 const NARROW: f64 = 0.2;
 
 /// The axes of a gyroscope that read zero at rest though their steps are finer than what lies around zero.
-pub(super) fn found(of: &OfSensor<'_>) -> Option<Finding> {
+pub(super) fn found(of: &OfSensor<'_>) -> Option<Symptom> {
     if of.sensor != Sensor::Gyroscope {
         return None;
     }
@@ -42,7 +42,7 @@ pub(super) fn found(of: &OfSensor<'_>) -> Option<Finding> {
         zones.filter_map(|(axis, zone)| zone.map(|zone| (axis, zone)))
     };
     let (_, widest) = dead().max_by(|a, b| a.1.share.total_cmp(&b.1.share))?;
-    Some(Finding::DeadZone {
+    Some(Symptom::DeadZone {
         sensor: of.sensor,
         axes: dead().map(|(axis, _)| axis).collect(),
         share: widest.share,

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::finding::Finding;
+use super::symptom::Symptom;
 use crate::averages::median;
 use crate::recording::{Recording, Stream};
 
@@ -79,9 +79,9 @@ fn is_si(recording: &Recording) -> bool {
     force.is_none_or(|f| (5.0..15.0).contains(&f))
 }
 
-pub(super) fn found(recording: &Recording) -> Option<Finding> {
+pub(super) fn found(recording: &Recording) -> Option<Symptom> {
     let rate = tremor(recording).filter(|&rate| rate < FASTEST_HAND)?;
-    Some(Finding::HandHeld { rate })
+    Some(Symptom::HandHeld { rate })
 }
 
 #[cfg(test)]

@@ -7,7 +7,6 @@
 mod clipping;
 mod dead_zone;
 mod excursion;
-mod finding;
 mod hand;
 mod level;
 mod of_sensor;
@@ -16,13 +15,13 @@ mod quietest;
 mod repeated;
 mod rezeroing;
 mod spikes;
+mod symptom;
 mod vibration;
 
 pub use crate::recording::Frozen;
 pub(crate) use clipping::limits;
 pub use dead_zone::{DeadZone, dead_zones};
 pub(crate) use excursion::Excursion;
-pub use finding::Finding;
 pub use hand::FASTEST_HAND;
 pub use hand::tremor;
 pub(crate) use level::{LevelChange, level_change};
@@ -33,6 +32,7 @@ pub(crate) use repeated::frozen::{frozen, without_frozen};
 pub(crate) use repeated::stopped::refuse_stopped;
 pub(crate) use repeated::stuck::stuck;
 pub use spikes::without_spikes;
+pub use symptom::Symptom;
 
 use sensor::Sensor;
 
@@ -41,13 +41,13 @@ use crate::intervals::Segmentation;
 use crate::recording::Recording;
 
 /// What leaves nothing of a gyroscope's bias to be looked into: a dead zone, a zero that the device sets anew.
-pub fn altered_bias(recording: &Recording, segmentation: &Segmentation) -> Option<Finding> {
+pub fn altered_bias(recording: &Recording, segmentation: &Segmentation) -> Option<Symptom> {
     let of = OfSensor::new(Sensor::Gyroscope, recording, segmentation)?;
     dead_zone::found(&of).or_else(|| rezeroing::found(&of))
 }
 
 /// Everything that the readings show once it is known where the device was still.
-pub fn findings(recording: &Recording, segmentation: &Segmentation) -> Vec<Finding> {
+pub fn symptoms(recording: &Recording, segmentation: &Segmentation) -> Vec<Symptom> {
     let mut all = Vec::new();
     for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
         let Some(of) = OfSensor::new(sensor, recording, segmentation) else {

@@ -1,16 +1,16 @@
 //! Steps of the readings that are wider than the noise.
 
-use super::finding::Finding;
 use super::of_sensor::{OfSensor, least_step};
+use super::symptom::Symptom;
 
 /// Steps wider than so many standard deviations of the readings no longer average out.
 pub const COARSE: f64 = 1.7;
 
 /// The axes whose least step exceeds the spread by far within static intervals; those of a dead zone are named by
 /// that.
-pub(super) fn found(of: &OfSensor<'_>, dead: Option<&Finding>) -> Option<Finding> {
+pub(super) fn found(of: &OfSensor<'_>, dead: Option<&Symptom>) -> Option<Symptom> {
     let in_dead_zone = |axis: &usize| match dead {
-        Some(Finding::DeadZone { axes, .. }) => axes.contains(axis),
+        Some(Symptom::DeadZone { axes, .. }) => axes.contains(axis),
         _ => false,
     };
     let coarse: Vec<(usize, f64, f64)> = (0..3)
@@ -25,7 +25,7 @@ pub(super) fn found(of: &OfSensor<'_>, dead: Option<&Finding>) -> Option<Finding
         })
         .collect();
     let &(_, step, spread) = coarse.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
-    Some(Finding::Quantised {
+    Some(Symptom::Quantised {
         sensor: of.sensor,
         axes: coarse.iter().map(|c| c.0).collect(),
         step,

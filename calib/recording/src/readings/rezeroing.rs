@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::finding::Finding;
 use super::of_sensor::OfSensor;
+use super::symptom::Symptom;
 
 /// Readings are compared as means over so long, s.
 const BATCH: f64 = 0.25;
@@ -54,7 +54,7 @@ const DECAYS: [f64; 3] = [1.0, 3.0, 6.0];
 /// In every static interval but the first, of which nobody knows when the rest began, means over [`BATCH`] are fitted by two
 /// levels that meet at a time that is common to all. What that explains, over the scatter of the means of that interval about
 /// it, is `χ²` of three degrees of freedom for each interval where nothing jumps.
-pub(super) fn found(of: &OfSensor<'_>) -> Option<Finding> {
+pub(super) fn found(of: &OfSensor<'_>) -> Option<Symptom> {
     let rests = batches(of)?;
     let longest = rests.iter().map(|rest| rest.means.len()).max()?;
     let places = BESIDE..longest.saturating_sub(BESIDE) + 1;
@@ -77,7 +77,7 @@ pub(super) fn found(of: &OfSensor<'_>) -> Option<Finding> {
         return None;
     }
     let beats = total(own) > rival(&rests, &all, *place, own) + APART;
-    (beats && common(&all, *place) > COMMON).then(|| Finding::Rezeroed {
+    (beats && common(&all, *place) > COMMON).then(|| Symptom::Rezeroed {
         sensor: of.sensor,
         after: (SETTLING + place) as f64 * BATCH,
         size: size(&rests, *place),

@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 use sensor::Sensor;
 
-use super::finding::Finding;
 use super::of_sensor::{FIRST_ROW, least_beside_zero, least_step};
+use super::symptom::Symptom;
 use crate::averages::median;
 use crate::order_statistic::nth_smallest;
 use crate::recording::{Recording, Stream};
@@ -39,7 +39,7 @@ const MOST: f64 = 0.02;
 
 /// The recording with its spikes replaced by the mean of their neighbours, and what was found; `None` where
 /// there are none.
-pub fn without_spikes(recording: &Recording) -> Option<(Recording, Vec<Finding>)> {
+pub fn without_spikes(recording: &Recording) -> Option<(Recording, Vec<Symptom>)> {
     let found = Sensor::ALL.map(|sensor| found(sensor, recording.stream(sensor)?));
     if found.iter().all(Option::is_none) {
         return None;
@@ -48,7 +48,7 @@ pub fn without_spikes(recording: &Recording) -> Option<(Recording, Vec<Finding>)
     let mut findings = Vec::new();
     for (sensor, finding) in Sensor::ALL.into_iter().zip(found) {
         if let (Some(stream), Some(finding)) = (cleaned.stream_mut(sensor), finding) {
-            if let Finding::Spikes { rows, .. } = &finding {
+            if let Symptom::Spikes { rows, .. } = &finding {
                 replace(&mut stream.values, rows);
             }
             findings.push(finding);
@@ -67,7 +67,7 @@ fn replace(values: &mut [Vector3<f64>], rows: &[usize]) {
     }
 }
 
-fn found(sensor: Sensor, stream: &Stream) -> Option<Finding> {
+fn found(sensor: Sensor, stream: &Stream) -> Option<Symptom> {
     // A hand turns and shoves within one step of slow samples.
     if stream.median_step()? > SLOW {
         return None;
@@ -89,7 +89,7 @@ fn found(sensor: Sensor, stream: &Stream) -> Option<Finding> {
     rows.dedup();
     let certain = || largest > ALONE * extent_without(values, &rows);
     let enough = rows.len() >= FEWEST || certain();
-    (enough && !rows.is_empty() && rows.len() <= most.max(1)).then_some(Finding::Spikes {
+    (enough && !rows.is_empty() && rows.len() <= most.max(1)).then_some(Symptom::Spikes {
         sensor,
         rows,
         axes,
@@ -236,7 +236,7 @@ mod tests {
         let clean = 0.5 * (values[1999] + values[2001]);
         let (cleaned, findings) = without_spikes(&spiked).unwrap();
         assert_eq!(cleaned.accelerometer.unwrap().values[2000], clean);
-        let Finding::Spikes { rows, axes, .. } = &findings[0] else {
+        let Symptom::Spikes { rows, axes, .. } = &findings[0] else {
             panic!("{findings:?}");
         };
         assert_eq!((rows.as_slice(), axes.as_slice()), (&[2002][..], &[1][..]));
@@ -260,7 +260,7 @@ mod tests {
             still.gyroscope.as_mut().unwrap().values[1700 + 200 * k].y = 1.5;
         }
         let (_, findings) = without_spikes(&still).unwrap();
-        let Finding::Spikes { rows, .. } = &findings[0] else {
+        let Symptom::Spikes { rows, .. } = &findings[0] else {
             panic!("{findings:?}");
         };
         assert_eq!(rows.len(), 10);
@@ -274,7 +274,7 @@ mod tests {
             values[1600 + 200 * k].z += 1.5;
         }
         let (_, findings) = without_spikes(&spiked).unwrap();
-        let Finding::Spikes { rows, .. } = &findings[0] else {
+        let Symptom::Spikes { rows, .. } = &findings[0] else {
             panic!("{findings:?}");
         };
         assert_eq!(rows.len(), 10);

@@ -1,7 +1,7 @@
 //! Static intervals that are far noisier than the others.
 
-use super::finding::Finding;
 use super::of_sensor::OfSensor;
+use super::symptom::Symptom;
 
 /// An interval is noisier where its spread is so many times that of the quiet quarter.
 const RATIO: f64 = 1.6;
@@ -29,7 +29,7 @@ fn is_a_change(places: &[usize], spread: &[f64]) -> bool {
 }
 
 /// The intervals with several times the usual spread.
-pub(super) fn found(of: &OfSensor<'_>) -> Option<Finding> {
+pub(super) fn found(of: &OfSensor<'_>) -> Option<Symptom> {
     let spread: Vec<f64> = of.moments.iter().map(|(_, m)| m.std().norm()).collect();
     let mut sorted = spread.clone();
     sorted.sort_by(f64::total_cmp);
@@ -38,7 +38,7 @@ pub(super) fn found(of: &OfSensor<'_>) -> Option<Finding> {
     let loud = |&k: &usize| spread[k] > RATIO * usual;
     let places: Vec<usize> = (0..spread.len()).filter(loud).collect();
     let largest = spread.iter().fold(0.0, |a: f64, &b| a.max(b));
-    (spread.len() >= FEWEST && !places.is_empty()).then(|| Finding::Vibration {
+    (spread.len() >= FEWEST && !places.is_empty()).then(|| Symptom::Vibration {
         sensor: of.sensor,
         intervals: places.iter().map(|&k| of.moments[k].0 + 1).collect(),
         ratio: largest / usual,

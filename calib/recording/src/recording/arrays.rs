@@ -1,5 +1,6 @@
 //! Samples that are in memory already, checked as those of a plain CSV are.
 
+use findings::{Finding, Kind, Remedy};
 use nalgebra::Vector3;
 use sensor::Sensor;
 
@@ -10,7 +11,7 @@ use super::{Recording, Role};
 use crate::Error;
 use crate::rows::table::Table;
 use crate::shown::figure;
-use crate::source::place::{at_column, at_line};
+use crate::source::place::{at_column, at_line, in_file};
 use crate::units::field::FieldUnit;
 
 /// Largest reading and stamp that are numbers of a sensor.
@@ -96,20 +97,19 @@ impl Rows<'_> {
         let stamps = self.t.len();
         let other = arrays.iter().find(|(_, len)| *len != 0 && *len != stamps);
         if let Some((array, len)) = other {
-            let plural = if *len == 1 { "" } else { "s" };
-            return Err(Error::input(format!(
-                "{name}: {array} has {len} row{plural}, t has {stamps}"
-            )));
+            let lengths = Finding::of(Kind::ArrayLengths)
+                .detail("array", *array)
+                .count("rows", *len)
+                .count("stamps", stamps);
+            return Err(in_file(name, lengths));
         }
         if self.accel.is_empty() && self.gyro.is_empty() {
-            return Err(Error::input(format!(
-                "{name}: neither accel nor gyro has a row; give at least one of them"
-            )));
+            return Err(in_file(name, Finding::of(Kind::ArraysEmpty)));
         }
         if stamps < 2 {
-            return Err(Error::not_enough(format!(
-                "{name}: one sample is no recording; record for a minute or more"
-            )));
+            return Err(Error::not_enough(
+                Finding::of(Kind::OneSample).in_file(name),
+            ));
         }
         Ok(())
     }
@@ -129,12 +129,11 @@ impl Rows<'_> {
             }
             let line = k as u64 + 1;
             if let Pushed::Backwards(last) = samples.push(t - zero, Vector3::from(*value), line) {
-                let words = format!(
-                    "time goes back from {} to {}; sort the rows, or split the recording here",
-                    figure(last + zero),
-                    figure(t)
-                );
-                return Err(at_line(name, line, words));
+                let back = Finding::of(Kind::TimeGoesBack)
+                    .detail("from", figure(last + zero))
+                    .detail("to", figure(t))
+                    .only_remedies([Remedy::SortRows, Remedy::Split]);
+                return Err(at_line(name, line, back));
             }
         }
         Ok(samples)
@@ -153,9 +152,8 @@ fn check(name: &str, row: usize, array: &str, value: f64, column: usize) -> Resu
     if value.is_finite() && value.abs() < LARGEST {
         return Ok(());
     }
-    let words = format!(
-        "{array} is {} here, a finite number expected; leave such rows out",
-        figure(value)
-    );
-    Err(at_column(name, row as u64 + 1, column, words))
+    let found = Finding::of(Kind::ArrayNotFinite)
+        .detail("array", array)
+        .detail("value", figure(value));
+    Err(at_column(name, row as u64 + 1, column, found))
 }

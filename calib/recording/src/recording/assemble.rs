@@ -1,6 +1,6 @@
 //! Tables to a recording: seconds, SI units, order, and what is worth a warning.
 
-use findings::{Findings, Kind};
+use findings::{Finding, Findings, Kind};
 use std::collections::HashSet;
 
 use sensor::Sensor;
@@ -14,7 +14,7 @@ use crate::clock::{held, time};
 use crate::devices::mixed;
 use crate::formats::robots::ardupilot_text;
 use crate::header::unclear;
-use crate::readings::{Finding, frozen, without_frozen};
+use crate::readings::{Symptom, frozen, without_frozen};
 use crate::recording::{checks, packets, sessions, thermometer};
 use crate::rows::table::Table;
 use crate::shown::figure;
@@ -56,7 +56,7 @@ pub(crate) fn assemble(
         }
         in_seconds?;
     } else if tables.iter().any(|table| table.has_time) {
-        let ignored = findings::Finding::of(Kind::StampsIgnored);
+        let ignored = Finding::of(Kind::StampsIgnored);
         recording
             .warnings
             .push(ignored.in_recording(&recording.name));
@@ -132,7 +132,7 @@ pub(crate) fn assemble(
         recording.warnings.push(found);
     }
     crate::readings::refuse_stopped(&recording)?;
-    if let Some(found) = Finding::of_frozen(&recording.frozen) {
+    if let Some(found) = Symptom::of_frozen(&recording.frozen) {
         let found = found.in_recording(&recording);
         recording.warnings.push(found);
     }
@@ -141,7 +141,7 @@ pub(crate) fn assemble(
     thermometer::check_clock(&mut recording);
     let sensors = [&recording.accelerometer, &recording.gyroscope].map(Option::is_some);
     let only = |missing: &str, only: &str| {
-        findings::Finding::of(Kind::OneSensorOnly)
+        Finding::of(Kind::OneSensorOnly)
             .detail("missing", missing)
             .detail("only", only)
     };
@@ -149,8 +149,10 @@ pub(crate) fn assemble(
         ([true, true], _) => None,
         ([true, false], _) => Some(only("gyroscope", "accelerometer")),
         ([false, true], _) => Some(only("accelerometer", "gyroscope")),
-        ([false, false], true) => Some(only("accelerometer and no gyroscope", "magnetometer")),
-        ([false, false], false) => Some(findings::Finding::of(Kind::NoSensor)),
+        ([false, false], true) => {
+            Some(only("accelerometer", "magnetometer").detail("neither", "gyroscope"))
+        }
+        ([false, false], false) => Some(Finding::of(Kind::NoSensor)),
     };
     let missing = missing.map(|missing| match unused.is_empty() {
         true => missing,
@@ -276,11 +278,7 @@ fn describe(recording: &mut Recording, table: &Table, options: &ReadOptions) {
 }
 
 /// What is said where an option contradicts the unit in the file.
-fn overridden(
-    name: &str,
-    stated: Stated,
-    options: &ReadOptions,
-) -> impl Iterator<Item = findings::Finding> {
+fn overridden(name: &str, stated: Stated, options: &ReadOptions) -> impl Iterator<Item = Finding> {
     let time = options.time_unit.map(TimeUnit::name);
     let accel = options.accel_unit.map(AccelUnit::name);
     let gyro = options.gyro_unit.map(GyroUnit::name);
@@ -299,7 +297,7 @@ fn overridden(
         .into_iter()
         .filter_map(move |(quantity, given, said)| {
             let (given, said) = given.zip(said).filter(|(given, said)| given != said)?;
-            let found = findings::Finding::of(Kind::UnitOverridden).in_recording(name);
+            let found = Finding::of(Kind::UnitOverridden).in_recording(name);
             let found = found.detail("quantity", quantity).detail("given", given);
             Some(found.detail("stated", said))
         })
@@ -324,10 +322,7 @@ fn finish<U>(
         return Ok(None);
     }
     if !samples.t.windows(2).all(|pair| pair[0] < pair[1]) {
-        return Err(in_file(
-            name,
-            "time stamps too large to tell apart in seconds",
-        ));
+        return Err(in_file(name, Finding::of(Kind::StampsTooLarge)));
     }
     let mut warnings = Findings::new();
     repeated::refuse(name, sensor, &samples)?;
@@ -383,13 +378,11 @@ fn overlap(recording: &Recording) -> Result<(), Error> {
     match (accel.span(), gyro.span()) {
         (Some((a0, a1)), Some((g0, g1))) if a1 < g0 || g1 < a0 => Err(in_file(
             &recording.name,
-            format!(
-                "the accelerometer was on from {} to {} s, the gyroscope from {} to {} s: they never overlap; are both stamps of one clock, in one unit?",
-                figure(a0),
-                figure(a1),
-                figure(g0),
-                figure(g1)
-            ),
+            Finding::of(Kind::NeverOverlap)
+                .detail("accel_from", figure(a0))
+                .detail("accel_to", figure(a1))
+                .detail("gyro_from", figure(g0))
+                .detail("gyro_to", figure(g1)),
         )),
         _ => Ok(()),
     }

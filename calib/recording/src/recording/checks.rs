@@ -29,19 +29,14 @@ pub(crate) fn order(name: &str, samples: &Samples, warnings: &mut Findings) -> R
     }
     let merged = samples.other_twins().count();
     if samples.t.len() < 2 && merged + repeats.count > 0 {
-        return Err(in_file(
-            name,
-            "every time stamp is the same; --rate HZ reads the rows as evenly spaced",
-        ));
+        return Err(in_file(name, Finding::of(Kind::StampsAllEqual)));
     }
     if merged > samples.t.len() {
         return Err(in_file(
             name,
-            format!(
-                "{} of {} rows share their stamp with another: stamps are too coarse; --rate HZ reads the rows as evenly spaced",
-                merged,
-                merged + samples.t.len()
-            ),
+            Finding::of(Kind::StampsTooCoarse)
+                .count("merged", merged)
+                .count("all", merged + samples.t.len()),
         ));
     }
     if merged > 0 {

@@ -9,7 +9,7 @@ use crate::intervals::Span;
 pub struct Frozen {
     /// The sensor.
     pub sensor: Sensor,
-    /// The first row that repeats the one before, counted as in [`Finding`](crate::readings::Finding).
+    /// The first row that repeats the one before, counted as in [`Symptom`](crate::readings::Symptom).
     pub first_row: usize,
     /// How many do.
     pub rows: usize,

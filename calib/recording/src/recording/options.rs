@@ -3,11 +3,12 @@
 use std::fmt;
 use std::str::FromStr;
 
+use findings::{Finding, Kind};
 use sensor::Sensor;
 
 use crate::Error;
 use crate::header::affine;
-use crate::shown::figure;
+use crate::shown::{figure, shown};
 use crate::units::field::FieldUnit;
 use crate::units::{AccelUnit, GyroUnit, TimeUnit};
 
@@ -94,10 +95,9 @@ impl ReadOptions {
     /// [`Error::Usage`] for a rate that no recording has.
     pub(crate) fn check(&self) -> Result<(), Error> {
         match self.rate {
-            Some(rate) if !(1e-3..=1e7).contains(&rate) => Err(Error::usage(format!(
-                "--rate {}: a sampling rate is from 0.001 to 1e7 Hz, such as --rate 100",
-                figure(rate)
-            ))),
+            Some(rate) if !(1e-3..=1e7).contains(&rate) => Err(Error::usage(
+                Finding::of(Kind::RateImpossible).detail("rate", figure(rate)),
+            )),
             _ => Ok(()),
         }
     }
@@ -214,28 +214,27 @@ impl fmt::Display for ColumnMap {
 }
 
 impl FromStr for ColumnMap {
-    type Err = String;
+    type Err = Box<Finding>;
 
-    fn from_str(text: &str) -> Result<Self, String> {
+    fn from_str(text: &str) -> Result<Self, Box<Finding>> {
+        let of = |kind: Kind, entry: &str| Finding::of(kind).detail("entry", shown(entry));
         let mut map: Vec<(Role, String)> = Vec::new();
         for entry in text.split(',') {
-            let (role, column) = entry.split_once('=').ok_or_else(|| {
-                format!("`{entry}` is not of the form ROLE=COLUMN, such as ax=acc_x")
-            })?;
+            let (role, column) = entry
+                .split_once('=')
+                .ok_or_else(|| of(Kind::ColumnEntry, entry))?;
             let role = Role::from_name(role.trim()).ok_or_else(|| {
-                format!(
-                    "`{}` is none of t, ax, ay, az, gx, gy, gz, temp, mx, my, mz, ta, tg, tm, device",
-                    role.trim()
-                )
+                Finding::of(Kind::ColumnRole)
+                    .detail("role", shown(role.trim()))
+                    .detail("known", Role::ALL.map(Role::name).join(", "))
             })?;
             if map.iter().any(|(other, _)| *other == role) {
-                return Err(format!("`{}` is given twice", role.name()));
+                let twice = Finding::of(Kind::ColumnTwice);
+                return Err(twice.detail("role", role.name()).into());
             }
             let column = column.trim().to_owned();
             if column.is_empty() {
-                return Err(format!(
-                    "`{entry}` names no column, as ax=acc_x or ax=2 does"
-                ));
+                return Err(of(Kind::ColumnUnnamed, entry).into());
             }
             map.push((role, column));
         }

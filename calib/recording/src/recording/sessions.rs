@@ -61,9 +61,11 @@ pub(crate) fn take_one(
 pub(crate) fn refuse_part(name: &str, options: &ReadOptions) -> Result<(), Error> {
     match options.part {
         None | Some(1) => Ok(()),
-        Some(part) => Err(Error::usage(format!(
-            "{name}: --part {part}: there is one recording in it; leave the option out"
-        ))),
+        Some(part) => Err(Error::usage(
+            Finding::of(Kind::PartMissing)
+                .in_file(name)
+                .count("part", part),
+        )),
     }
 }
 
@@ -90,9 +92,7 @@ fn only_part(
     if let Some((table, _)) = with_sensor().find(|(_, of)| count(of) != most) {
         return Err(in_file(
             &table.name,
-            format!(
-                "the clock of one sensor begins again and that of the other does not as often ({most} recordings in all): are both of one recording? Split both files there"
-            ),
+            Finding::of(Kind::ClocksRestartApart).count("most", most),
         ));
     }
     let Some((first, sessions)) = with_sensor().next() else {
@@ -141,18 +141,19 @@ fn several(table: &Table, sessions: &[Session], long: &[usize], given: Option<us
         .collect();
     let again = &sessions[long.get(1).copied().unwrap_or(0)];
     let before = long.first().map_or(again, |&at| &sessions[at]);
-    let given = given.map_or_else(String::new, |part| format!("--part {part}: "));
-    let message = format!(
-        "{}:{}: {given}the clock begins again, from {} to {}: {} recordings in one file, of {} rows; say which, as in --part 1",
-        table.name,
-        again.first,
-        figure(before.to),
-        figure(again.from),
-        long.len(),
-        rows.join(" and ")
-    );
+    let found = Finding::of(Kind::PartOpen)
+        .in_file(&table.name)
+        .at_line(again.first)
+        .detail("from", figure(before.to))
+        .detail("to", figure(again.from))
+        .count("count", long.len())
+        .detail("rows", rows.join(" and "));
+    let found = match given {
+        Some(part) => found.count("part", part),
+        None => found,
+    };
     Error::Parts {
-        finding: message.into(),
+        finding: found.into(),
         count: long.len(),
     }
 }
@@ -166,18 +167,16 @@ fn time_is_first(table: &Table) -> bool {
 
 fn backwards(name: &str, origin: Option<i64>, time_first: bool, back: Backwards) -> Error {
     let Backwards { line, last, t } = back;
-    let origin = match origin {
-        None | Some(0) => String::new(),
-        Some(origin) => format!(" (counted from {origin})"),
+    let found = Finding::of(Kind::TimeGoesBack)
+        .detail("from", figure(last))
+        .detail("to", figure(t));
+    let found = match origin {
+        None | Some(0) => found,
+        Some(origin) => found.detail("origin", origin.to_string()),
     };
-    let words = format!(
-        "time goes back from {} to {}{origin}; --sort-time sorts the rows, or split the file here",
-        figure(last),
-        figure(t)
-    );
     match time_first {
-        true => at_column(name, line, 1, words),
-        false => at_line(name, line, words),
+        true => at_column(name, line, 1, found),
+        false => at_line(name, line, found),
     }
 }
 
@@ -242,7 +241,7 @@ mod tests {
         let Err(Error::Parts { finding, count }) = read(&text, &ReadOptions::default()) else {
             panic!("two recordings read as one");
         };
-        let message = finding.to_string();
+        let message = finding.text(findings::Front::CommandLine);
         assert_eq!(count, 2);
         assert!(
             message.starts_with("r.csv:502: the clock begins again"),

@@ -17,8 +17,8 @@ const SHARE: f64 = 0.5;
 /// The sum at the stamps that both have.
 ///
 /// # Errors
-/// In words, where they share less than half of the stamps.
-pub(crate) fn sum(linear: &Samples, gravity: &Samples) -> Result<Samples, String> {
+/// A finding where they share less than half of the stamps.
+pub(crate) fn sum(linear: &Samples, gravity: &Samples) -> Result<Samples, Box<Finding>> {
     if linear.t == gravity.t {
         let mut sum = linear.clone();
         let values = sum.values.iter_mut().zip(&gravity.values);
@@ -36,10 +36,7 @@ pub(crate) fn sum(linear: &Samples, gravity: &Samples) -> Result<Samples, String
         }
     }
     if 2 * sum.t.len() < linear.t.len() {
-        return Err(
-            "the acceleration without gravity and gravity have other stamps, so that their sum is not what the sensor reads"
-                .to_owned(),
-        );
+        return Err(Finding::of(Kind::SumOfOtherStamps).into());
     }
     Ok(sum)
 }
@@ -70,7 +67,7 @@ pub(crate) fn of_columns(table: &mut Table, split: &Split) -> Result<(), Error> 
     }
     let added = of(Kind::GravityAdded);
     let sum = sum(&table.accel, &gravity);
-    table.accel = sum.map_err(|words| in_file(&table.name, words))?;
+    table.accel = sum.map_err(|found| in_file(&table.name, *found))?;
     table.negated = split.is_apples || level < LESS_THAN_IN_SI;
     table.warnings.push(added);
     if table.negated {
@@ -96,6 +93,7 @@ mod tests {
         let both = sum(&linear, &gravity).unwrap();
         assert_eq!((both.t, both.values), (vec![0.0, 2.0], x(&[11.0, 23.0])));
         let late = Samples::of(vec![0.5, 1.5, 2.5], x(&[1.0, 2.0, 3.0]));
-        assert!(sum(&linear, &late).unwrap_err().contains("other stamps"));
+        let apart = sum(&linear, &late).unwrap_err();
+        assert_eq!(apart.kind, Kind::SumOfOtherStamps);
     }
 }

@@ -1,5 +1,6 @@
 //! One row, cell by cell.
 
+use findings::{Finding, Kind};
 use nalgebra::Vector3;
 
 use super::{Others, Rows, Trouble, cell_of};
@@ -15,14 +16,14 @@ impl Rows<'_> {
     pub(super) fn row(&mut self, line: Line<'_>) -> Result<(), Trouble> {
         let layout = &self.start.layout;
         if self.start.header.as_deref() == Some(line.bytes) {
-            return Err(Trouble::Refused(self.at(
-                line,
-                0,
-                format!(
-                    "the header of line {} again: two tables in one file; split it here",
-                    self.start.header_line
+            return Err(Trouble::Refused(
+                self.at(
+                    line,
+                    0,
+                    Finding::of(Kind::HeaderAgain)
+                        .count("header_line", self.start.header_line as usize),
                 ),
-            )));
+            ));
         }
         self.start
             .dialect
@@ -53,8 +54,8 @@ impl Rows<'_> {
         // A file of a thermometer has no others.
         let alone = temperature.filter(|_| !layout.has_sensor());
         if accel.is_none() && gyro.is_none() && field.is_none() && alone.is_none() {
-            let words = "every cell of the sensors is empty; --na drop leaves such rows out";
-            return Err(Trouble::Missing(self.at(line, 0, words.to_owned())));
+            let empty = Finding::of(Kind::RowEmpty);
+            return Err(Trouble::Missing(self.at(line, 0, empty)));
         }
         let t = self.stamp(line)?;
         let others = Others {
@@ -74,7 +75,12 @@ impl Rows<'_> {
     /// The magnetometer's reading; `None` where a number is missing, which is no reason to leave the row out.
     fn field(&mut self, line: Line<'_>) -> Option<Vector3<f64>> {
         let [x, y, z] = self.start.layout.field?;
-        let mut number = |column: usize| self.number(line, column).ok();
+        let decimal_comma = self.start.dialect.decimal_comma;
+        let mut number = |column: usize| {
+            let cell = &line.bytes[self.cells[column].clone()];
+            let read = number::parse(cell, decimal_comma, &mut self.spellings).ok();
+            read.filter(|value| value.abs() < LARGEST)
+        };
         Some(Vector3::new(number(x)?, number(y)?, number(z)?))
     }
 
@@ -88,13 +94,12 @@ impl Rows<'_> {
         if !is_cut(content, self.start.dialect.mark(), usual) {
             return Ok(());
         }
-        let words = format!(
-            "`{}` in {}: the text ends here, within a number that has {} characters from its decimal mark on in every other row",
-            shown_cell(content),
-            self.start.layout.column(self.start.layout.width - 1),
-            usual
-        );
-        Err(Trouble::Broken(self.at(line, cell.start, words)))
+        let column = self.start.layout.column(self.start.layout.width - 1);
+        let cut = Finding::of(Kind::NumberCut)
+            .detail("cell", shown_cell(content))
+            .detail("column", column)
+            .count("digits", usual);
+        Err(Trouble::Broken(self.at(line, cell.start, cut)))
     }
 
     fn stamp(&mut self, line: Line<'_>) -> Result<f64, Trouble> {
@@ -154,11 +159,10 @@ impl Rows<'_> {
         let cell = self.cells[column].clone();
         let content = shown_cell(&line.bytes[cell.clone()]);
         let column = self.start.layout.column(column);
-        let error = self.at(
-            line,
-            cell.start,
-            format!("`{content}` in {column}: {}", fault.advice()),
-        );
+        let found = Finding::of(fault.kind())
+            .detail("cell", content)
+            .detail("column", column);
+        let error = self.at(line, cell.start, found);
         match fault {
             Fault::Missing | Fault::NotFinite => Trouble::Missing(error),
             Fault::Text => Trouble::Broken(error),
@@ -168,9 +172,9 @@ impl Rows<'_> {
 
     fn ragged(&self, line: Line<'_>) -> Error {
         let (found, expected) = (self.cells.len(), self.start.layout.width);
-        let words = format!(
-            "{found} cells, {expected} expected; --skip-bad-rows N leaves up to N such rows out"
-        );
-        self.at(line, 0, words)
+        let ragged = Finding::of(Kind::RowRagged)
+            .count("found", found)
+            .count("expected", expected);
+        self.at(line, 0, ragged)
     }
 }

@@ -113,8 +113,8 @@ impl<'a> Rows<'a> {
         let name = &self.table.name;
         match stop {
             Stop::End => self.finish(),
-            Stop::Line(words) => Err(at_line(name, self.lines + 1, words)),
-            Stop::Text(words) => Err(in_file(name, words)),
+            Stop::Line(found) => Err(at_line(name, self.lines + 1, *found)),
+            Stop::Text(found) => Err(in_file(name, *found)),
         }
     }
 
@@ -208,8 +208,8 @@ impl<'a> Rows<'a> {
     fn line(&mut self, batch: &Batch, range: Range<usize>) -> Result<(), Error> {
         self.lines += 1;
         let number = self.lines;
-        if let Some(words) = batch.fault(&range) {
-            return Err(at_line(&self.table.name, number, words));
+        if let Some(found) = batch.fault(&range) {
+            return Err(at_line(&self.table.name, number, found));
         }
         let behind = &batch.bytes[range.end..];
         let end = end_of_line(behind);
@@ -236,9 +236,9 @@ impl<'a> Rows<'a> {
             Err(Trouble::Refused(error)) => return Err(error),
         }
         if self.rows > self.options.max_rows {
-            let limit = self.options.max_rows;
-            let words = format!("more than {limit} rows; --max-rows raises the limit");
-            return Err(at_line(&self.table.name, line, words));
+            let limit = self.options.max_rows as usize;
+            let found = Finding::of(Kind::TooManyRows).count("limit", limit);
+            return Err(at_line(&self.table.name, line, found));
         }
         Ok(())
     }
@@ -295,10 +295,7 @@ impl<'a> Rows<'a> {
                 table.temperature.push(temperature);
             }
         }
-        room.map_err(|()| {
-            let words = "not enough memory for more rows; cut the recording here, or raise the limit (ulimit -v)".to_owned();
-            Trouble::Refused(self.at(line, 0, words))
-        })
+        room.map_err(|()| Trouble::Refused(self.at(line, 0, Finding::of(Kind::OutOfMemory))))
     }
 
     /// The stamp of a row without one: rows so far, or their time at the given rate.
@@ -306,8 +303,8 @@ impl<'a> Rows<'a> {
         self.rows as f64 / self.options.rate.unwrap_or(1.0)
     }
 
-    fn at(&self, line: Line<'_>, byte: usize, words: String) -> Error {
-        at_column(&self.table.name, line.number, byte + 1, words)
+    fn at(&self, line: Line<'_>, byte: usize, found: Finding) -> Error {
+        at_column(&self.table.name, line.number, byte + 1, found)
     }
 
     fn finish(self) -> Result<(), Error> {
@@ -316,7 +313,7 @@ impl<'a> Rows<'a> {
         if self.rows == 0 {
             return Err(self
                 .pending
-                .unwrap_or_else(|| in_file(name, "no data rows")));
+                .unwrap_or_else(|| in_file(name, Finding::of(Kind::NoRows))));
         }
         let spelt = |spelling: &str, read_as: &str| {
             Finding::of(Kind::NumberSpelling)

@@ -2,6 +2,8 @@
 
 use std::borrow::Cow;
 
+use findings::Kind;
+
 /// Readings from here on are absurd, whatever the sensor and its unit.
 pub(crate) const LARGEST: f64 = 1e15;
 
@@ -32,22 +34,18 @@ pub(crate) enum Fault {
 }
 
 impl Fault {
-    /// What to say after the cell's content.
-    pub fn advice(self) -> &'static str {
+    /// The finding of a cell that has it.
+    pub fn kind(self) -> Kind {
         match self {
-            Self::Missing => "no number; --na drop leaves such rows out",
-            Self::NotFinite => "not finite; --na drop leaves such rows out",
-            Self::Thousands => "thousands separators; export the file without digit grouping",
-            Self::DecimalComma => {
-                "a comma as decimal mark in a file of points; export with one decimal mark"
-            }
-            Self::Hexadecimal => "hexadecimal; export in decimal notation",
-            Self::Absurd => "no sensor and no clock reads that; wrong column, or wrong unit?",
-            Self::Date => {
-                "not an ISO 8601 date (2026-11-21T03:04:05.123Z); say the pattern, as in --time-format '%d.%m.%Y %H:%M:%S%.f'"
-            }
-            Self::OtherDate => "not of the pattern in --time-format",
-            Self::Text => "not a number; --skip-bad-rows N leaves up to N such rows out",
+            Self::Missing => Kind::NumberMissing,
+            Self::NotFinite => Kind::NumberNotFinite,
+            Self::Thousands => Kind::ThousandsSeparators,
+            Self::DecimalComma => Kind::DecimalComma,
+            Self::Hexadecimal => Kind::Hexadecimal,
+            Self::Absurd => Kind::NumberAbsurd,
+            Self::Date => Kind::DateUnknown,
+            Self::OtherDate => Kind::DateOther,
+            Self::Text => Kind::NotANumber,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Which part of which text holds which sensor: what a format knows and the text does not say.
 
-use findings::{Finding, Kind};
+use findings::{Finding, Kind, OptionName, Remedy};
 use std::io::Read;
 
 use sensor::Sensor;
@@ -116,10 +116,12 @@ impl Part {
             ..options.clone()
         };
         if let (Some(usual), None) = (self.usual_rate, options.rate) {
-            return Err(Error::usage(format!(
-                "{}: its rows have no time; say the sampling rate in Hz, as in --rate {usual}, which its program has unless it was changed",
-                input.name
-            )));
+            return Err(Error::usage(
+                Finding::of(Kind::RowsWithoutTime)
+                    .in_file(&input.name)
+                    .number("rate", usual, "Hz")
+                    .remedy(Remedy::such_as(OptionName::Rate, usual.to_string())),
+            ));
         }
         let mut table = Table::read(input, self.only, origin, &options)?;
         if let Some(sensor) = self.only {

@@ -1,6 +1,6 @@
 //! A text into its table.
 
-use findings::{Finding, Kind};
+use findings::{Finding, Kind, OptionName, Remedy};
 use sensor::Sensor;
 
 use crate::Error;
@@ -79,12 +79,10 @@ impl Table {
             table.decide_roles(&start)?;
         } else if start.told_by_norm && rests::at_one_reading(&table.accel.values) {
             let names: Vec<String> = (1..=start.layout.width).map(|i| i.to_string()).collect();
-            let words = format!(
-                "{} columns without a header that rest at one reading in all attitudes, as a gyroscope does and no accelerometer; {}",
-                start.layout.width,
-                suggestion(&names)
-            );
-            return Err(at_line(&table.name, start.after + 1, words));
+            let found = Finding::of(Kind::NoHeaderNoForce)
+                .count("width", start.layout.width)
+                .remedy(suggestion(&names));
+            return Err(at_line(&table.name, start.after + 1, found));
         }
         memory::room_to_work(&table.name, table.accel.t.len() + table.gyro.t.len())?;
         Ok(table)
@@ -103,11 +101,12 @@ impl Table {
             if start.layout.width > 8 || !(0..7).all(|column| start.layout.is_read(column)) {
                 return Err(self.unknown_columns(start));
             }
-            let words = format!(
-                "8 columns without a header, of which {slow} hardly changes beside the others: a temperature? Say which is which, as in {}",
-                with_temperature(slow)
-            );
-            return Err(at_line(&self.name, start.after + 1, words));
+            let columns = with_temperature(slow);
+            let found = Finding::of(Kind::NoHeaderSlow)
+                .count("width", start.layout.width)
+                .count("slow", slow)
+                .remedy(Remedy::such_as(OptionName::Columns, columns));
+            return Err(at_line(&self.name, start.after + 1, found));
         }
         let triads = [&self.accel.values[..], &self.gyro.values[..]];
         let by_rests = rests::accelerometer(triads);
@@ -146,12 +145,10 @@ impl Table {
     /// What is said where nothing tells the columns apart.
     fn unknown_columns(&self, start: &Start) -> Error {
         let names: Vec<String> = (1..=start.layout.width).map(|i| i.to_string()).collect();
-        let words = format!(
-            "{} columns without a header, and neither gravity nor what changes between rests tells which are the accelerometer's; {}",
-            start.layout.width,
-            suggestion(&names)
-        );
-        at_line(&self.name, start.after + 1, words)
+        let found = Finding::of(Kind::NoHeaderUndecided)
+            .count("width", start.layout.width)
+            .remedy(suggestion(&names));
+        at_line(&self.name, start.after + 1, found)
     }
 
     /// The column, numbered from 1, of eight without names that is no axis: it keeps within a small part of the range of
@@ -185,17 +182,18 @@ impl Table {
 fn no_time(name: &str, start: &Start) -> Error {
     let names = &start.layout.names;
     let likely = start.layout.times.iter().map(|&at| &names[at]);
-    let column = match start.layout.times.first() {
-        None => "name the column with --columns t=…".to_owned(),
-        Some(&first) => format!(
-            "name the column, which may be {}, as in --columns 't={}'",
-            shown_list(likely),
-            entry(names, first)
-        ),
-    };
-    Error::usage(format!(
-        "{name}: no time column; say the sampling rate in Hz, as in --rate 100, or {column}"
-    ))
+    let first = start.layout.times.first();
+    let column = first.map_or("t=1".to_owned(), |&at| format!("t={}", entry(names, at)));
+    let none = Finding::of(Kind::NoTime)
+        .in_file(name)
+        .only_remedies([Remedy::examples([
+            (OptionName::Rate, "100".to_owned()),
+            (OptionName::Columns, column),
+        ])]);
+    Error::usage(match first {
+        Some(_) => none.detail("likely", shown_list(likely)),
+        None => none,
+    })
 }
 
 /// About how many rows a text of `size` bytes has that begins with `head`. Of one that is compressed fewer.

@@ -1,6 +1,6 @@
 //! What one text holds, in its own units.
 
-use findings::Findings;
+use findings::{Finding, Findings, Kind};
 use sensor::Sensor;
 
 use crate::Error;
@@ -161,7 +161,7 @@ impl Table {
         if kept.t.is_empty() {
             return Err(in_file(
                 &self.name,
-                format!("no columns {role}; are the two files swapped?"),
+                Finding::of(Kind::OtherSensor).detail("columns", role),
             ));
         }
         *other = Samples::default();

@@ -3,6 +3,7 @@
 use std::io::{ErrorKind, Read};
 use std::ops::Range;
 
+use findings::{Finding, Kind};
 use memchr::{memchr, memrchr, memrchr2};
 
 /// Bytes asked from the reader at a time: little of a short text, whose buffer would cost more than its content.
@@ -45,18 +46,16 @@ impl Batch {
     }
 
     /// What is wrong with `line`, before its content is looked at.
-    pub fn fault(&self, line: &Range<usize>) -> Option<String> {
+    pub fn fault(&self, line: &Range<usize>) -> Option<Finding> {
         match self.nul {
-            Some(nul) if nul < self.before + line.end as u64 => Some(format!(
-                "binary data at byte {nul}: truncated or wrong format?"
-            )),
-            _ if is_too_long(line.len()) => Some(TOO_LONG.to_owned()),
+            Some(nul) if nul < self.before + line.end as u64 => {
+                Some(Finding::of(Kind::BinaryData).count("at_byte", nul as usize))
+            }
+            _ if is_too_long(line.len()) => Some(Finding::of(Kind::LineTooLong)),
             _ => None,
         }
     }
 }
-
-const TOO_LONG: &str = "a line of more than 1 MiB: this is no recording in text";
 
 /// True for a number of bytes that no line of a recording has.
 pub(crate) fn is_too_long(line: usize) -> bool {
@@ -69,9 +68,9 @@ pub enum Stop {
     /// The text ended.
     End,
     /// The line after the last one is at fault, for this reason.
-    Line(String),
+    Line(Box<Finding>),
     /// The text is at fault, for this reason.
-    Text(String),
+    Text(Box<Finding>),
 }
 
 /// Batches of a text.
@@ -125,7 +124,7 @@ impl<R: Read> Batches<R> {
                     return None;
                 }
                 if is_too_long(bytes.len()) {
-                    self.stop = Some(Stop::Line(TOO_LONG.to_owned()));
+                    self.stop = Some(Stop::Line(Finding::of(Kind::LineTooLong).into()));
                     return None;
                 }
             }
@@ -174,15 +173,20 @@ impl<R: Read> Batches<R> {
         };
         bytes.truncate(old + read.as_ref().map_or(0, |&read| read));
         match read {
-            Err(error) => self.stop = Some(Stop::Line(format!("reading stopped here: {error}"))),
+            Err(error) => {
+                let stopped = Finding::of(Kind::ReadingStopped);
+                let stopped = stopped.detail("reason", error.to_string());
+                self.stop = Some(Stop::Line(stopped.into()));
+            }
             Ok(0) => self.stop = Some(Stop::End),
             Ok(read) if read == self.ask => self.ask = CHUNK.min(2 * self.ask),
             Ok(_) => {}
         }
         if self.before + bytes.len() as u64 > self.max_bytes {
-            let limit = self.max_bytes;
-            let words = format!("more than {limit} bytes of text; --max-bytes raises the limit");
-            self.stop = Some(Stop::Text(words));
+            let found = Finding::of(Kind::TooManyBytes)
+                .count("limit", self.max_bytes as usize)
+                .detail("what", "text");
+            self.stop = Some(Stop::Text(found.into()));
             bytes.truncate(old);
         }
         if self.nul.is_none() {

@@ -3,102 +3,81 @@
 use std::io::{self, BufRead, BufReader, Cursor, Read};
 
 use encoding_rs_io::DecodeReaderBytesBuilder;
+use findings::{Finding, Findings, Kind};
 
 use super::bounded::Bounded;
 use super::place::in_file;
 use crate::Error;
 use crate::source::head::take_head;
 
-/// A format that is recognised but not read: first bytes, name, what to do.
-type Signature = (&'static [u8], &'static str, &'static str);
+/// A format that is recognised but not read: first bytes, finding, its name, the command that unpacks it or another detail.
+type Signature = (&'static [u8], Kind, &'static str, Option<Named>);
+
+/// A detail of a finding.
+type Named = (&'static str, &'static str);
 
 const GZIP: [&[u8]; 1] = [b"\x1f\x8b"];
 const ZSTD: [&[u8]; 1] = [b"\x28\xb5\x2f\xfd"];
 
-const EXPORT: &str =
-    "export the accelerometer and gyroscope as CSV with the header t,ax,ay,az,gx,gy,gz";
 const SIGNATURES: &[Signature] = &[
-    (b"\xfd7zXZ\0", "an xz archive", "unpack it first: unxz FILE"),
-    (b"BZh", "a bzip2 archive", "unpack it first: bunzip2 FILE"),
+    (
+        b"\xfd7zXZ\0",
+        PACKED,
+        "an xz archive",
+        Some(("command", "unxz FILE")),
+    ),
+    (
+        b"BZh",
+        PACKED,
+        "a bzip2 archive",
+        Some(("command", "bunzip2 FILE")),
+    ),
     (
         b"\x04\x22\x4d\x18",
+        PACKED,
         "an lz4 archive",
-        "unpack it first: unlz4 FILE",
+        Some(("command", "unlz4 FILE")),
     ),
-    (b"7z\xbc\xaf\x27\x1c", "a 7z archive", "unpack it first"),
-    (b"Rar!", "a rar archive", "unpack it first"),
-    (
-        b"PK\x03\x04",
-        "a zip archive or Excel workbook within a recording",
-        "unpack it, or save the sheet as CSV, and name the folder or file",
-    ),
-    (
-        b"\xd0\xcf\x11\xe0",
-        "an old Excel or Word document",
-        "save the sheet as CSV",
-    ),
-    (
-        b"\x1f\x8b",
-        "a gzip archive in an archive",
-        "unpack it first: gunzip FILE",
-    ),
-    (
-        b"\x28\xb5\x2f\xfd",
-        "a zstd archive in an archive",
-        "unpack it first: unzstd FILE",
-    ),
-    (b"MATLAB 5.0 MAT-file", "a MATLAB file", EXPORT),
-    (b"#ROSBAG V", "a ROS 1 bag", EXPORT),
-    (b"\x89MCAP0\r\n", "an MCAP file", EXPORT),
+    (b"7z\xbc\xaf\x27\x1c", PACKED, "a 7z archive", None),
+    (b"Rar!", PACKED, "a rar archive", None),
+    (b"PK\x03\x04", Kind::ZipWithin, "", None),
+    (b"\xd0\xcf\x11\xe0", Kind::OldOffice, "", None),
+    (b"\x1f\x8b", PACKED, "a gzip archive", IN_ARCHIVE),
+    (b"\x28\xb5\x2f\xfd", PACKED, "a zstd archive", IN_ARCHIVE),
+    (b"MATLAB 5.0 MAT-file", FOREIGN, "a MATLAB file", None),
+    (b"#ROSBAG V", FOREIGN, "a ROS 1 bag", None),
+    (b"\x89MCAP0\r\n", FOREIGN, "an MCAP file", None),
     (
         b"SQLite format 3\0",
-        "an SQLite database (a ROS 2 bag?)",
-        EXPORT,
+        FOREIGN,
+        "an SQLite database",
+        Some(("perhaps", "a ROS 2 bag")),
     ),
-    (b"ULog\x01\x12\x35", "a PX4 log", EXPORT),
-    (b"\xa3\x95", "an ArduPilot log", EXPORT),
-    (b"ARROW1", "an Arrow file", EXPORT),
-    (b"\x93NUMPY", "a NumPy array", EXPORT),
-    (b"%PDF-", "a PDF document", EXPORT),
-    (b"\x89PNG", "a picture", EXPORT),
-    (
-        b"version https://git-lfs",
-        "a git-lfs pointer, not the data",
-        "fetch the data: git lfs pull",
-    ),
-    (
-        b"<!DOCTYPE",
-        "an HTML page, perhaps of a failed download",
-        "download the file itself",
-    ),
-    (
-        b"<html",
-        "an HTML page, perhaps of a failed download",
-        "download the file itself",
-    ),
-    (b"<?xml", "an XML file", EXPORT),
-    (
-        b"header:",
-        "what `ros2 topic echo` prints",
-        "record it as a table, `ros2 topic echo --csv TOPIC > imu.csv`, or as a bag",
-    ),
-    (
-        b"FMT, 128,",
-        "an ArduPilot log that was made a text",
-        "name the .BIN that it was made of",
-    ),
-    (
-        b"H Product:Blackbox",
-        "a Blackbox log of Betaflight or INAV",
-        "decode it, `blackbox_decode FILE`, and name the .csv",
-    ),
+    (b"ULog\x01\x12\x35", FOREIGN, "a PX4 log", None),
+    (b"\xa3\x95", FOREIGN, "an ArduPilot log", None),
+    (b"ARROW1", FOREIGN, "an Arrow file", None),
+    (b"\x93NUMPY", FOREIGN, "a NumPy array", None),
+    (b"%PDF-", FOREIGN, "a PDF document", None),
+    (b"\x89PNG", FOREIGN, "a picture", None),
+    (b"version https://git-lfs", Kind::GitPointer, "", None),
+    (b"<!DOCTYPE", Kind::HtmlPage, "", None),
+    (b"<html", Kind::HtmlPage, "", None),
+    (b"<?xml", FOREIGN, "an XML file", None),
+    (b"header:", Kind::RosEcho, "", None),
+    (b"FMT, 128,", Kind::ArdupilotText, "", None),
+    (b"H Product:Blackbox", Kind::BlackboxLog, "", None),
     // The last one, which an array of them is refused as.
     (
         b"{",
+        FOREIGN,
         "a JSON file",
-        "export the accelerometer and gyroscope as CSV with the header t,ax,ay,az,gx,gy,gz, as `pandas.read_json(FILE).to_csv(OUT)` does of an array of rows",
+        Some(("example", "`pandas.read_json(FILE).to_csv(OUT)`")),
     ),
 ];
+
+const PACKED: Kind = Kind::PackedFile;
+const FOREIGN: Kind = Kind::ForeignFile;
+const IN_ARCHIVE: Option<Named> = Some(("within", "an archive"));
 
 /// True for a MAT file of level 4, which has no signature: type, rows, columns, imaginary part, length of a name that ends
 /// in NUL (MathWorks, "MAT-File Format", R2024, appendix).
@@ -163,8 +142,8 @@ pub(crate) fn unpacked(name: &str, reader: Box<dyn Read + Send>) -> Result<Unpac
 }
 
 /// The text in UTF-8 without byte order mark, and what was noticed.
-pub(crate) fn text(name: &str, unpacked: Unpacked) -> (Box<dyn Read + Send>, findings::Findings) {
-    let mut warnings = findings::Findings::new();
+pub(crate) fn text(name: &str, unpacked: Unpacked) -> (Box<dyn Read + Send>, Findings) {
+    let mut warnings = Findings::new();
     let Unpacked { head, reader, .. } = unpacked;
     let encoding = match &head[..] {
         [0xff, 0xfe, ..] => Some(encoding_rs::UTF_16LE),
@@ -173,7 +152,7 @@ pub(crate) fn text(name: &str, unpacked: Unpacked) -> (Box<dyn Read + Send>, fin
     };
     if let Some(encoding) = encoding {
         warnings.push(
-            findings::Finding::of(findings::Kind::TextEncoding)
+            Finding::of(Kind::TextEncoding)
                 .in_recording(name)
                 .detail("part", "the text")
                 .detail("encoding", encoding.name()),
@@ -191,27 +170,33 @@ pub(crate) fn text(name: &str, unpacked: Unpacked) -> (Box<dyn Read + Send>, fin
 /// Refuses formats that are known but not read.
 pub(crate) fn refuse_other_formats(name: &str, head: &[u8]) -> Result<(), Error> {
     if is_mat4(head) {
-        let words = "this is a MATLAB file of version 4; save it again in MATLAB with `save -v7`";
-        return Err(in_file(name, words));
+        return Err(in_file(name, Finding::of(Kind::OldMatlab)));
     }
     if head.get(257..262) == Some(b"ustar") {
-        let words = "this is a tar archive; unpack it first: tar -xf FILE, and name the folder";
-        return Err(in_file(name, words));
+        let packed = Finding::of(PACKED)
+            .detail("what", "a tar archive")
+            .detail("command", "tar -xf FILE")
+            .detail("result", "the folder");
+        return Err(in_file(name, packed));
     }
     let known = SIGNATURES
         .iter()
         .find(|(magic, ..)| head.starts_with(magic))
         .or_else(|| SIGNATURES.last().filter(|_| is_array_of_objects(head)));
-    known.map_or(Ok(()), |(_, what, advice)| {
-        Err(in_file(name, format!("this is {what}; {advice}")))
-    })
+    let Some((_, kind, what, more)) = known else {
+        return Ok(());
+    };
+    let found = Finding::of(*kind).detail("what", *what);
+    let more = more.iter();
+    let found = more.fold(found, |found, (of, value)| found.detail(of, *value));
+    Err(in_file(name, found))
 }
 
 fn empty(name: &str) -> Error {
     if name == "<stdin>" {
-        return Error::usage("standard input is empty: pipe a recording into it".to_owned());
+        return Error::usage(Finding::of(Kind::EmptyInput));
     }
-    in_file(name, "file is empty")
+    in_file(name, Finding::of(Kind::EmptyFile))
 }
 
 /// The first bytes, and a reader that still has them.

@@ -1,12 +1,13 @@
 //! A folder or an archive as files that can be opened by name.
 
-use findings::Finding;
+use findings::{Finding, Kind};
 use std::io::Read;
 use std::path::Path;
 use std::sync::Arc;
 
 use file_formats::{Container, Entry, Limits};
 
+use super::place::in_file;
 use crate::Error;
 use crate::recording::options::ReadOptions;
 use crate::shown::shown;
@@ -124,6 +125,30 @@ impl Files {
     pub(crate) fn open(&self, entry: &Entry) -> Result<Box<dyn Read + Send>, Error> {
         let opened = self.container.open(entry);
         opened.map_err(|error| Error::input(error.finding().in_file(self.called(entry))))
+    }
+
+    /// What is said where they have no entry called `name`.
+    pub(crate) fn no_entry(&self, name: &str) -> Error {
+        let found = Finding::of(Kind::NoEntry)
+            .detail("entry", shown(name))
+            .detail("listed", self.listed());
+        in_file(&self.name, found)
+    }
+
+    /// What is said where none of them is a recording.
+    pub(crate) fn without_recording(&self) -> Error {
+        let found = Finding::of(Kind::NoRecordingInFolder)
+            .detail("holder", self.kind())
+            .detail("listed", self.listed());
+        in_file(&self.name, found)
+    }
+
+    /// What is said of two that hold one sensor.
+    pub(crate) fn of_one_sensor(&self, first: &str, second: &str) -> Error {
+        let found = Finding::of(Kind::FilesOfOneSensor)
+            .detail("first", first)
+            .detail("second", second);
+        in_file(&self.name, found)
     }
 
     /// The names of the entries, for messages.

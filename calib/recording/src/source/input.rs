@@ -138,8 +138,7 @@ fn take_preface(name: &str, reader: &mut dyn Read, head: &mut Vec<u8>) -> Result
             break;
         }
         if head.len() > LONGEST_PREFACE {
-            let words = "64 MiB of comments and no row: delete them, or is this no recording?";
-            return Err(in_file(name, words));
+            return Err(in_file(name, Finding::of(Kind::OnlyComments)));
         }
         let more = take_head(name, reader)?;
         length = more.len() as u64;

@@ -20,6 +20,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use file_formats::{Container, Entry, Tabular};
+use findings::{Finding, Kind, OptionName, Remedy};
 
 use crate::Error;
 use crate::header::sniff::Start;
@@ -29,7 +30,7 @@ use crate::source::files::{Files, limits};
 pub use crate::source::input::Input;
 use crate::source::input::Origin;
 use crate::source::on_disk::{Unchanged, explained};
-use crate::source::place::in_file;
+use crate::source::place::{in_file, of_format};
 
 /// What a path leads to.
 #[derive(Debug)]
@@ -82,14 +83,15 @@ impl Source {
         if metadata.is_file() && metadata.len() > options.max_bytes {
             return Err(in_file(
                 &name,
-                format!(
-                    "{}, about {:.0} rows that need {} of memory; the limit is {}; --max-bytes {} raises it",
-                    bytes(metadata.len() as f64),
-                    metadata.len() as f64 / 70.0,
-                    bytes(metadata.len() as f64 / 70.0 * 128.0),
-                    bytes(options.max_bytes as f64),
-                    metadata.len()
-                ),
+                Finding::of(Kind::FileTooLarge)
+                    .detail("size", bytes(metadata.len() as f64))
+                    .number("rows", metadata.len() as f64 / 70.0, "count")
+                    .detail("memory", bytes(metadata.len() as f64 / 70.0 * 128.0))
+                    .detail("limit", bytes(options.max_bytes as f64))
+                    .remedy(Remedy::set_to(
+                        OptionName::MaxBytes,
+                        metadata.len().to_string(),
+                    )),
             ));
         }
         let unchanged = metadata.is_file().then(|| Unchanged::new(path, &metadata));
@@ -116,8 +118,7 @@ impl Source {
 
     fn standard_input(options: &ReadOptions) -> Result<Self, Error> {
         if io::stdin().is_terminal() {
-            let words = "`-` is standard input, and that is a terminal: pipe a recording into it";
-            return Err(Error::usage(words.to_owned()));
+            return Err(Error::usage(Finding::of(Kind::InputIsTerminal)));
         }
         Self::of(
             "<stdin>".to_owned(),
@@ -206,14 +207,10 @@ impl Source {
         match self.within() {
             Self::Text(input) => Ok(input),
             Self::Files(files) => {
-                let words = format!("{}, where one table was expected", files.kind());
-                Err(in_file(&files.name, words))
+                let several = Finding::of(Kind::SeveralFiles).detail("holder", files.kind());
+                Err(in_file(&files.name, several))
             }
-            Self::Binary(binary) => {
-                let words =
-                    "no text, where a table of one sensor was expected; name the file by itself";
-                Err(in_file(&binary.name, words))
-            }
+            Self::Binary(binary) => Err(in_file(&binary.name, Finding::of(Kind::NoText))),
             Self::Tables(_, inner) => inner.into_text(),
         }
     }
@@ -316,10 +313,10 @@ fn place<'o>(
     let mut bytes = Vec::new();
     let read = (&mut unpacked.reader).take(limit.saturating_add(1));
     let read = { read }.read_to_end(&mut bytes);
-    read.map_err(|error| in_file(name, format!("reading stopped: {error}")))?;
+    read.map_err(|error| head::stopped(name, &error))?;
     if bytes.len() as u64 > limit {
-        let words = format!("a file of more than {limit} bytes");
-        return Err(in_file(name, words));
+        let found = Finding::of(Kind::TooManyBytes).count("limit", limit as usize);
+        return Err(in_file(name, found.only_remedies([])));
     }
     Ok((None, bytes.into()))
 }

@@ -4,6 +4,8 @@ use std::fs::Metadata;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use findings::{Finding, Kind};
+
 use super::place::in_file;
 use crate::Error;
 use crate::shown::{shown, shown_path};
@@ -39,7 +41,7 @@ impl Unchanged {
         }
         Err(in_file(
             &shown_path(&self.path),
-            "changed while it was read; wait until it is complete, or copy it first",
+            Finding::of(Kind::FileChanged),
         ))
     }
 }
@@ -47,18 +49,20 @@ impl Unchanged {
 /// The system's error, and what is there instead of a file that is not.
 pub(crate) fn explained(path: &Path, error: io::Error) -> Error {
     let source = if error.kind() == io::ErrorKind::NotFound {
-        let mut words = error.to_string();
+        let kind = match path.is_symlink() {
+            true => Kind::LinkToNothing,
+            false => Kind::FileMissing,
+        };
+        let mut found = Finding::of(kind).detail("reason", error.to_string());
         if path.is_relative()
             && let Ok(here) = std::env::current_dir()
         {
-            words += &format!(", in {}", shown_path(&here));
+            found = found.detail("folder", shown_path(&here));
         }
-        if path.is_symlink() {
-            words += "; it is a link to nothing";
-        } else if let Some(neighbour) = nearest(path) {
-            words += &format!("; nearest: {}", shown(&neighbour));
+        if let (Kind::FileMissing, Some(neighbour)) = (kind, nearest(path)) {
+            found = found.detail("nearest", shown(&neighbour));
         }
-        io::Error::new(error.kind(), words)
+        io::Error::new(error.kind(), found)
     } else {
         error
     };

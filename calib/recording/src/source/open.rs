@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use file_formats::Entry;
+use findings::{Finding, Kind};
 
 use super::Source;
 use super::files::Files;
@@ -28,10 +29,7 @@ impl Input {
             Origin::Memory(bytes) => {
                 Source::of_bytes(&self.name, bytes.clone(), options)?.into_text()
             }
-            Origin::Stream => Err(in_file(
-                &self.name,
-                "its sensors have clocks of their own, so that it is read twice; save it to a file and name that",
-            )),
+            Origin::Stream => Err(in_file(&self.name, Finding::of(Kind::ReadTwice))),
         }
     }
 }

@@ -6,7 +6,7 @@ use super::turn_unit::{turn_unit, wrong_by};
 use crate::Error;
 use crate::order_statistic::nth_smallest;
 use crate::recording::Stream;
-use crate::shown::shown;
+use crate::shown::{shown, significant};
 use crate::source::place::in_file;
 use crate::units::{AccelUnit, GyroUnit, STANDARD_GRAVITY, values};
 use findings::{Finding, Findings, Kind, OptionName, Remedy};
@@ -82,20 +82,17 @@ pub(crate) fn accel_unit(
     }
     let by_rests = by_rests.filter(|_| stated.is_none());
     if by_rests.is_some_and(|level| !KNOWN.iter().any(|range| range.contains(&level))) {
-        return Err(in_file(
-            name,
-            format!(
-                "at rest the accelerometer's readings lie on a sphere of radius {norm:.3}, which is gravity in no unit that is known; say the unit, as in --accel-unit m/s^2, or --accel-unit counts to keep them"
-            ),
-        ));
+        let found = Finding::of(Kind::GravityOfNoUnit);
+        return Err(in_file(name, found.detail("radius", significant(norm, 4))));
     }
     let is_gravity = KNOWN[..2].iter().any(|range| range.contains(&norm));
     if let Some(strange) = said.strange.filter(|_| stated.is_none() && !is_gravity) {
+        let unit = (OptionName::AccelUnit, "cm/s^2");
         return Err(unknown_unit(
             name,
-            "accelerometer",
+            Sensor::Accelerometer,
             strange,
-            "--accel-unit cm/s^2",
+            unit,
             "ax",
         ));
     }
@@ -120,17 +117,15 @@ pub(crate) fn accel_unit(
         }
     }
     if unit != AccelUnit::Counts && norm * unit.scale() < LEAST && stream.len() >= values::ENOUGH {
+        let removed = Finding::of(Kind::GravityRemoved)
+            .detail("norm", format!("{norm:.3}"))
+            .detail("unit", unit.name());
         return Err(in_file(
             name,
-            format!(
-                "the accelerometer's median length is {norm:.3} {}: gravity has been removed, and calibration needs it; record the accelerometer with gravity (\"total\", \"uncalibrated\" or \"with g\"){}",
-                unit.name(),
-                if stated.is_none() {
-                    ", or state its unit with --accel-unit"
-                } else {
-                    ""
-                }
-            ),
+            match stated {
+                None => removed.remedy(Remedy::set(OptionName::AccelUnit)),
+                Some(_) => removed,
+            },
         ));
     }
     Ok(unit)
@@ -144,10 +139,7 @@ fn refuse_direction(name: &str, stream: &Stream) -> Result<(), Error> {
     }
     Err(in_file(
         name,
-        format!(
-            "the accelerometer's readings have the same length, {:.4}, in every row, while the device turns too: they were normalised to a direction, and no force is left in them; record the accelerometer before it is normalised (\"raw\" or \"uncalibrated\")",
-            median_norm(stream)
-        ),
+        Finding::of(Kind::Normalised).detail("length", format!("{:.4}", median_norm(stream))),
     ))
 }
 
@@ -171,25 +163,23 @@ fn refuse_other_gravity(
     let right = AccelUnit::PHYSICAL
         .into_iter()
         .find(|unit| NEAR_GRAVITY.contains(&share(unit)));
-    let by = if given { "--accel-unit" } else { "the file" };
-    let (found, so) = match right {
-        Some(right) => (
-            format!("gravity in {}, not in", right.name()),
-            format!("--accel-unit {}", right.name()),
-        ),
+    let found = match right {
+        Some(right) => Finding::of(Kind::GravityInOtherUnit)
+            .detail("right", right.name())
+            .remedy(Remedy::set_to(OptionName::AccelUnit, right.name())),
         // Readings about zero are those of a sensor without gravity, which is said elsewhere.
         None if by_rests.is_none() || in_unit < LEAST / 4.0 => return Ok(()),
-        None => (
-            format!("{:.2} times gravity in", in_unit / STANDARD_GRAVITY),
-            "--accel-unit counts, which takes the scale from gravity".to_owned(),
-        ),
+        None => {
+            let ratio = in_unit / STANDARD_GRAVITY;
+            Finding::of(Kind::GravityOff).detail("ratio", format!("{ratio:.2}"))
+        }
     };
     Err(in_file(
         name,
-        format!(
-            "at rest the accelerometer reads {radius:.4} in all directions, which is {found} {}, as {by} says; read it with {so}",
-            unit.name()
-        ),
+        found
+            .detail("radius", format!("{radius:.4}"))
+            .detail("unit", unit.name())
+            .detail("by", if given { "the option" } else { "the file" }),
     ))
 }
 
@@ -203,13 +193,23 @@ fn keeps_its_length(stream: &Stream) -> bool {
 }
 
 /// Refuses a unit that is written in the file and not known, where the samples do not tell it either.
-fn unknown_unit(name: &str, sensor: &str, unit: &str, option: &str, column: &str) -> Error {
+fn unknown_unit(
+    name: &str,
+    sensor: Sensor,
+    unit: &str,
+    (option, example): (OptionName, &str),
+    column: &str,
+) -> Error {
+    let factor = format!("{column}=NAME*0.001");
     in_file(
         name,
-        format!(
-            "the file states {} for the {sensor}, which is no known unit, and the readings do not tell it; say the unit, as in {option}, or what one of it is, as in --columns {column}=NAME*0.001",
-            shown(unit)
-        ),
+        Finding::of(Kind::UnitStrange)
+            .of_sensor(sensor)
+            .detail("unit", shown(unit))
+            .remedy(Remedy::examples([
+                (option, example),
+                (OptionName::Columns, &factor),
+            ])),
     )
 }
 
@@ -236,7 +236,7 @@ pub(crate) fn gyro_unit(
     let by_turns = accel.and_then(|accel| turn_unit(accel, stream));
     if let Some(unit) = stated {
         let by = match said.given {
-            Some(_) => "--gyro-unit says",
+            Some(_) => "the option says",
             None => "the file states",
         };
         refuse_other_turns(name, stream, accel, by_turns, (unit, by))?;
@@ -252,21 +252,15 @@ pub(crate) fn gyro_unit(
             true => Ok(unit),
             false => Err(in_file(
                 name,
-                format!(
-                    "the file states {} for the gyroscope, and it would turn faster than {FASTEST:.0} rad/s again and again; say the unit, as in --gyro-unit counts",
-                    unit.name()
-                ),
+                Finding::of(Kind::TurnsImpossible)
+                    .detail("unit", unit.name())
+                    .detail("fastest", format!("{FASTEST} rad/s")),
             )),
         };
     }
     if let Some(strange) = said.strange.filter(|_| by_turns.is_none()) {
-        return Err(unknown_unit(
-            name,
-            "gyroscope",
-            strange,
-            "--gyro-unit deg/s",
-            "gx",
-        ));
+        let unit = (OptionName::GyroUnit, "deg/s");
+        return Err(unknown_unit(name, Sensor::Gyroscope, strange, unit, "gx"));
     }
     let fastest = stream
         .values
@@ -325,24 +319,18 @@ fn refuse_other_turns(
     let Some(accel) = accel.filter(|_| unit.is_told()) else {
         return Ok(());
     };
-    let why = match by_turns {
+    let found = match by_turns {
         Some(told) if told == unit => return Ok(()),
-        Some(told) => format!(
-            "its turns are those that the accelerometer saw in {}; say the unit, as in --gyro-unit {}",
-            told.name(),
-            told.name()
-        ),
+        Some(told) => Finding::of(Kind::TurnsInOtherUnit)
+            .detail("told", told.name())
+            .remedy(Remedy::such_as(OptionName::GyroUnit, told.name())),
         None => match wrong_by(accel, stream, unit) {
             None => return Ok(()),
-            Some(factor) => format!(
-                "its turns went about {factor:.2} times as far by what the accelerometer saw: the unit is another, or that of the time; say which, as in --time-unit us, --gyro-unit counts, or --columns t=NAME for another clock"
-            ),
+            Some(factor) => Finding::of(Kind::TurnsOff).number("factor", factor, "1"),
         },
     };
-    Err(in_file(
-        name,
-        format!("{by} {} for the gyroscope, but {why}", unit.name()),
-    ))
+    let found = found.detail("by", by).detail("unit", unit.name());
+    Err(in_file(name, found))
 }
 
 /// Whether an accelerometer rests from beginning to end, its noise a small part of gravity.
@@ -382,13 +370,11 @@ fn refuse_restless_rest(
     };
     Err(in_file(
         name,
-        format!(
-            "the gyroscope rests throughout, so that no turn tells its unit, and in {} its noise would be {:.1} and its bias {:.1} deg/s, as no gyroscope has; say the unit, as in --gyro-unit {}",
-            unit.name(),
-            noise.to_degrees(),
-            bias.to_degrees(),
-            other.name()
-        ),
+        Finding::of(Kind::RestlessRest)
+            .detail("unit", unit.name())
+            .number("noise", noise, "rad/s")
+            .number("bias", bias, "rad/s")
+            .remedy(Remedy::such_as(OptionName::GyroUnit, other.name())),
     ))
 }
 

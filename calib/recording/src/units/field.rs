@@ -2,6 +2,8 @@
 
 use std::str::FromStr;
 
+use findings::{Finding, Kind};
+
 /// Unit of a magnetic field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FieldUnit {
@@ -53,10 +55,13 @@ impl FieldUnit {
     }
 }
 
-impl FromStr for FieldUnit {
-    type Err = String;
+/// The usual spellings.
+const KNOWN: &str = "T, mT, µT, uT, nT, G, gauss, mG, mgauss, counts";
 
-    fn from_str(text: &str) -> Result<Self, String> {
+impl FromStr for FieldUnit {
+    type Err = Box<Finding>;
+
+    fn from_str(text: &str) -> Result<Self, Box<Finding>> {
         match text.trim().replace('μ', "µ").to_lowercase().as_str() {
             "t" | "tesla" => Ok(Self::Tesla),
             "mt" | "millitesla" => Ok(Self::Millitesla),
@@ -65,9 +70,7 @@ impl FromStr for FieldUnit {
             "gauss" | "g" | "gs" => Ok(Self::Gauss),
             "mgauss" | "mg" | "milligauss" => Ok(Self::Milligauss),
             "counts" | "lsb" | "raw" | "adc" => Ok(Self::Counts),
-            _ => Err(
-                "unknown unit; known: T, mT, µT, uT, nT, G, gauss, mG, mgauss, counts".to_owned(),
-            ),
+            _ => Err(Finding::of(Kind::UnitUnknown).detail("known", KNOWN).into()),
         }
     }
 }

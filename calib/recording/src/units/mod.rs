@@ -11,6 +11,8 @@ pub(crate) mod values;
 
 use std::str::FromStr;
 
+use findings::{Finding, Kind};
+
 use self::field::FieldUnit;
 
 /// Standard acceleration of free fall, m/s² (exact by definition, 3rd CGPM, 1901).
@@ -35,11 +37,14 @@ macro_rules! unit {
         }
 
         impl FromStr for $name {
-            type Err = String;
+            type Err = Box<Finding>;
 
-            fn from_str(text: &str) -> Result<Self, String> {
-                let known = [$($spelling),*].join(", ");
-                Self::spelled(&normal(text)).ok_or_else(|| format!("unknown unit; known: {known}"))
+            fn from_str(text: &str) -> Result<Self, Box<Finding>> {
+                let unknown = || {
+                    let known = [$($spelling),*].join(", ");
+                    Finding::of(Kind::UnitUnknown).detail("known", known).into()
+                };
+                Self::spelled(&normal(text)).ok_or_else(unknown)
             }
         }
     };

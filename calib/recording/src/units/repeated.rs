@@ -1,5 +1,6 @@
 //! Two axes of a sensor that hold the same readings: one of them is lost.
 
+use findings::{Finding, Kind, OptionName, Remedy};
 use nalgebra::Vector3;
 use sensor::Sensor;
 
@@ -45,21 +46,20 @@ pub(crate) fn refuse(name: &str, sensor: Sensor, samples: &Samples) -> Result<()
             format!("{} is {times}{}", called(repeat.axis), called(repeat.of))
         })
         .collect();
+    let axes: Vec<&str> = found.iter().map(|repeat| called(repeat.axis)).collect();
+    let verb = if found.len() > 1 { "are" } else { "is" };
+    let axes = format!("{} {verb}", axes.join(" and "));
     Err(at_line(
         name,
         samples.line(0),
-        format!(
-            "the {}'s {} in every row: {} not measured, but repeated; correct the program that wrote the file, or name the column that holds it, as in --columns {}=NAME",
-            sensor.name(),
-            said.join(" and "),
-            found
-                .iter()
-                .map(|repeat| called(repeat.axis))
-                .collect::<Vec<_>>()
-                .join(" and ")
-                + if found.len() > 1 { " are" } else { " is" },
-            called(first.axis)
-        ),
+        Finding::of(Kind::AxisRepeated)
+            .of_sensor(sensor)
+            .detail("repeated", said.join(" and "))
+            .detail("axes", axes)
+            .remedy(Remedy::such_as(
+                OptionName::Columns,
+                format!("{}=NAME", called(first.axis)),
+            )),
     ))
 }
 

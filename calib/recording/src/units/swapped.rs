@@ -1,5 +1,6 @@
 //! Accelerometer and gyroscope under each other's names.
 
+use findings::{Finding, Kind, OptionName, Remedy};
 use nalgebra::Vector3;
 
 use super::rests;
@@ -41,15 +42,15 @@ pub(crate) fn refuse(tables: &[Table]) -> Result<(), Error> {
         return Ok(());
     }
     let one_table = std::ptr::eq(of_accel, of_gyro);
+    let swapped = Finding::of(Kind::SensorsSwapped);
     Err(in_file(
         &of_gyro.name,
-        format!(
-            "the columns of the gyroscope turn with gravity from rest to rest, and those of the accelerometer do not: their names are swapped; {}",
-            match exchanged(of_accel).filter(|_| one_table) {
-                Some(columns) => format!("read them with --columns '{columns}'"),
-                None => "give the files the other way round, or say which column is which with --columns".to_owned(),
-            }
-        ),
+        match exchanged(of_accel).filter(|_| one_table) {
+            Some(columns) => swapped.remedy(Remedy::set_to(OptionName::Columns, columns)),
+            None => swapped
+                .detail("files", "the files")
+                .remedy(Remedy::set(OptionName::Columns)),
+        },
     ))
 }
 

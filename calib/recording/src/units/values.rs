@@ -46,29 +46,29 @@ pub(crate) fn check(
     let unsigned = !sixteen_bits && are_unsigned(samples.values.iter());
     let ranges = ranges(&samples.values);
     for (axis, (low, high)) in ranges.into_iter().enumerate() {
-        let called = format!("{} {}", sensor.name(), ["x", "y", "z"][axis]);
+        let of = |kind: Kind| {
+            let found = Finding::of(kind).of_sensor(sensor);
+            found.detail("axis", ["x", "y", "z"][axis])
+        };
         if samples.t.len() >= ENOUGH && low == high {
-            return Err(stuck(name, &called, samples, low));
+            return Err(stuck(name, of(Kind::AxisConstant), samples, low));
         }
         if let Some(run) = stuck_within(samples, axis) {
-            return Err(stopped(
-                name,
-                &called,
-                column(sensor, axis),
-                samples,
-                axis,
-                run,
-            ));
+            let found = of(Kind::AxisStuck).detail("column", column(sensor, axis));
+            return Err(stopped(name, found, samples, axis, run));
         }
         let peak = high.max(-low);
         if peak > 0.0 && peak < TINIEST {
-            return Err(in_file(
-                name,
-                format!("{called} never exceeds {peak:e}: wrong unit?"),
-            ));
+            let tiny = of(Kind::ReadingsTiny).detail("peak", format!("{peak:e}"));
+            return Err(in_file(name, tiny));
         }
         if sixteen_bits || unsigned {
-            refuse_overflow(name, &called, samples, axis, unsigned)?;
+            let kind = if unsigned {
+                Kind::SignLost
+            } else {
+                Kind::Overflow
+            };
+            refuse_overflow(name, of(kind), samples, axis)?;
         }
         if !is_full_scale(sensor, peak, sixteen_bits) {
             continue;
@@ -111,8 +111,8 @@ fn ranges(values: &[Vector3<f64>]) -> [(f64, f64); 3] {
     ranges
 }
 
-fn stuck(name: &str, called: &str, samples: &Samples, value: f64) -> Error {
-    let why = if value == 0.0 {
+fn stuck(name: &str, found: Finding, samples: &Samples, value: f64) -> Error {
+    let doubt = if value == 0.0 {
         "disconnected?"
     } else {
         "stuck?"
@@ -121,10 +121,10 @@ fn stuck(name: &str, called: &str, samples: &Samples, value: f64) -> Error {
     at_line(
         name,
         samples.line(0),
-        format!(
-            "{called} is {} in every row up to line {last}: {why} Record again, or leave the sensor out",
-            figure(value)
-        ),
+        found
+            .detail("value", figure(value))
+            .count("last", last as usize)
+            .detail("doubt", doubt),
     )
 }
 
@@ -137,23 +137,14 @@ fn stuck_within(samples: &Samples, axis: usize) -> Option<Range<usize>> {
     (samples.t.len() >= ENOUGH).then(|| crate::readings::stuck(&samples.values, axis))?
 }
 
-fn stopped(
-    name: &str,
-    called: &str,
-    column: &str,
-    samples: &Samples,
-    axis: usize,
-    run: Range<usize>,
-) -> Error {
+fn stopped(name: &str, found: Finding, samples: &Samples, axis: usize, run: Range<usize>) -> Error {
     at_line(
         name,
         samples.line(run.start),
-        format!(
-            "{called} ({column}) is stuck at {} from here to line {} ({} rows) while the other axes go on; cut these rows out, or record again",
-            figure(samples.values[run.start][axis]),
-            samples.line(run.end - 1),
-            run.len()
-        ),
+        found
+            .detail("value", figure(samples.values[run.start][axis]))
+            .count("last", samples.line(run.end - 1) as usize)
+            .count("rows", run.len()),
     )
 }
 
@@ -161,52 +152,44 @@ fn of_another_level(name: &str, samples: &Samples, change: &LevelChange) -> Erro
     let ratio = change.before / change.after;
     let is = |factor: f64| (ratio / factor - 1.0).abs() < 0.1;
     let g = crate::units::STANDARD_GRAVITY;
-    let why = [
-        (g, "from m/s² to g"),
-        (1.0 / g, "from g to m/s²"),
-        (1e-3 * g, "from m/s² to mg"),
-        (1e3 / g, "from mg to m/s²"),
-        (1e-3, "from g to mg"),
-        (1e3, "from mg to g"),
+    let units = [
+        (g, "m/s²", "g"),
+        (1.0 / g, "g", "m/s²"),
+        (1e-3 * g, "m/s²", "mg"),
+        (1e3 / g, "mg", "m/s²"),
+        (1e-3, "g", "mg"),
+        (1e3, "mg", "g"),
     ];
-    let why = why.into_iter().find(|(factor, _)| is(*factor));
+    let found = match units.into_iter().find(|(factor, ..)| is(*factor)) {
+        Some((_, from, to)) => Finding::of(Kind::UnitChanges)
+            .detail("from", from)
+            .detail("to", to),
+        None => Finding::of(Kind::NormChanges),
+    };
     at_line(
         name,
         samples.line(change.at),
-        format!(
-            "the accelerometer's norm is {:.3} up to here and {:.3} from here on: {}; split the file here, or record again",
-            change.before,
-            change.after,
-            why.map_or(
-                "another unit, another range or other columns".to_owned(),
-                |(_, why)| { format!("the unit changes {why}") }
-            )
-        ),
+        found
+            .detail("before", format!("{:.3}", change.before))
+            .detail("after", format!("{:.3}", change.after)),
     )
 }
 
 fn refuse_overflow(
     name: &str,
-    called: &str,
+    found: Finding,
     samples: &Samples,
     axis: usize,
-    unsigned: bool,
 ) -> Result<(), Error> {
     let jump = |w: &[Vector3<f64>]| (w[1][axis] - w[0][axis]).abs() > OVERFLOW;
     let Some(at) = samples.values.windows(2).position(jump) else {
         return Ok(());
     };
     let (from, to) = (samples.values[at][axis], samples.values[at + 1][axis]);
-    let why = match unsigned {
-        false => "a 16-bit overflow; record with a larger range",
-        true => {
-            "16 bits without their sign, in which -1 is 65535; print them as int16_t, or subtract 65536 from those above 32767"
-        }
-    };
     Err(at_line(
         name,
         samples.line(at + 1),
-        format!("{called} jumps from {from} to {to}: {why}"),
+        found.detail("from", figure(from)).detail("to", figure(to)),
     ))
 }
 

@@ -1,6 +1,7 @@
 //! Formats of programs met in the field.
 
 use file_formats::make::{Rows, ulog};
+use findings::Front;
 use nalgebra::Vector3;
 use stillpoint_recording::{FieldUnit, ReadOptions, Recording};
 
@@ -18,7 +19,7 @@ fn razor_ahrs_is_read_with_its_sign_and_its_rate() {
     });
     let asked = read_as(&text, &ReadOptions::default())
         .unwrap_err()
-        .to_string();
+        .text(Front::CommandLine);
     assert!(asked.contains("--rate 50"), "{asked}");
     let rate = ReadOptions {
         rate: Some(50.0),
@@ -146,11 +147,12 @@ fn a_log_of_several_sensors_is_listed_with_the_options_that_choose() {
         .unwrap()
         .unwrap();
     assert!(contents.has_choice());
-    assert_eq!(contents.first_option(), Some("--instance 0"));
+    let first = contents.first_option(Front::CommandLine);
+    assert_eq!(first.as_deref(), Some("--instance 0"));
     let options: Vec<_> = contents
         .streams
         .iter()
-        .map(|s| (s.sensor, s.option.clone().unwrap_or_default()))
+        .map(|s| (s.sensor, s.option(Front::CommandLine).unwrap_or_default()))
         .collect();
     assert!(
         options.contains(&("gyroscope", "--instance 1".to_owned())),

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use calib::Recording;
 use calib::recording::formats::LogContents;
+use findings::Front;
 use serde_json::{Value, json};
 
 use crate::exit::Failure;
@@ -31,7 +32,9 @@ impl Log {
         let next = format!(
             "stillpoint calibrate {} {} -o cal.json",
             crate::show::command_line(path),
-            contents.first_option().unwrap_or_default()
+            contents
+                .first_option(Front::CommandLine)
+                .unwrap_or_default()
         );
         Ok(Self {
             name: show::path(path),
@@ -50,7 +53,7 @@ impl Log {
                 "samples": stream.samples,
                 "rate": stream.rate,
                 "corrected_by_the_device": stream.processed,
-                "option": stream.option,
+                "option": stream.option(Front::CommandLine),
             })
         });
         json!({
@@ -78,7 +81,7 @@ impl Log {
                 ),
                 stream.samples.to_string(),
                 format!("{:.2}", stream.rate),
-                stream.option.clone().unwrap_or_default(),
+                stream.option(Front::CommandLine).unwrap_or_default(),
             ]);
         }
         format!(

@@ -26,7 +26,7 @@ pub(super) use unknowable::{refuse_attitude, refuse_unknowable};
 
 use ::findings::{Finding, Kind};
 use nalgebra::Vector3;
-use recording::readings::{Quiet, findings, quietest};
+use recording::readings::{Quiet, quietest, symptoms};
 use recording::{Error, Recording, Stream};
 use sensor::{AnyEffect, Quantity};
 
@@ -43,7 +43,7 @@ const QUIETEST: usize = 3;
 
 /// What a user should know of how a recording was cut.
 pub(super) fn of_the_detector(recording: &Recording, choice: &Choice) -> Vec<Finding> {
-    let found = findings(recording, &choice.segmentation);
+    let found = symptoms(recording, &choice.segmentation);
     let found = found.iter().map(|found| found.in_recording(recording));
     let all = choice.remarks().into_iter().chain(found);
     let all = all.chain(fast_sampling(recording));

@@ -13,7 +13,7 @@ mod trial;
 pub use several::cut_several;
 pub use trial::Trial;
 
-use findings::{Finding, Kind, Level};
+use findings::{Finding, Kind};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 use recording::intervals::{Detector, Rejected, Segmentation, Span, Survey};
@@ -66,10 +66,7 @@ impl Choice {
         let shortened = self
             .shortened
             .map(|length| Finding::of(Kind::ShortIntervals).number("least", length, "s"));
-        let rejected = Rejected::in_words(&self.segmentation.rejected);
-        let rejected = rejected
-            .into_iter()
-            .map(|text| Finding::from(text).at_level(Level::Remark));
+        let rejected = Rejected::findings(&self.segmentation.rejected);
         shortened.into_iter().chain(rejected).collect()
     }
 }

@@ -15,6 +15,7 @@ mod other;
 mod part_way;
 mod reading;
 mod stamps;
+mod stretches;
 mod units;
 
 use super::entry::Entry;
@@ -34,6 +35,7 @@ pub fn entries() -> impl Iterator<Item = &'static Entry> {
         clocks::ENTRIES,
         device::ENTRIES,
         intervals::ENTRIES,
+        stretches::ENTRIES,
         magnetic::ENTRIES,
         part_way::ENTRIES,
         discovery::ENTRIES,
@@ -50,7 +52,15 @@ pub fn entries() -> impl Iterator<Item = &'static Entry> {
         errors::files::live::ENTRIES,
         errors::files::batches::ENTRIES,
         errors::files::notes::ENTRIES,
-        errors::recordings::ENTRIES,
+        errors::recordings::columns::ENTRIES,
+        errors::recordings::folders::ENTRIES,
+        errors::recordings::foreign::ENTRIES,
+        errors::recordings::intervals::ENTRIES,
+        errors::recordings::opening::ENTRIES,
+        errors::recordings::readings::ENTRIES,
+        errors::recordings::rows::ENTRIES,
+        errors::recordings::stamps::ENTRIES,
+        errors::recordings::units::ENTRIES,
         errors::requests::ENTRIES,
         other::ENTRIES,
     ]

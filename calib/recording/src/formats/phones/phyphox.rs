@@ -12,6 +12,7 @@ use crate::recording::content::Recording;
 use crate::recording::options::ReadOptions;
 use crate::rows::parts::Part;
 use crate::rows::table::Table;
+use crate::shown::shown;
 use crate::source::Source;
 use crate::source::files::Files;
 use crate::source::place::in_file;
@@ -61,17 +62,11 @@ impl Format for Phyphox {
         let accel: Vec<_> = of(Holds::Sensor(Sensor::Accelerometer)).collect();
         let gyro: Vec<_> = of(Holds::Sensor(Sensor::Gyroscope)).collect();
         if let (true, Some(Found { name, .. })) = (accel.is_empty(), of(Holds::Linear).next()) {
-            let words = format!(
-                "{name} is linear acceleration: phyphox has taken gravity off, and calibration needs it; record again with the experiment \"Acceleration with g\", or add the sensor \"Accelerometer\" instead of \"Linear accelerometer\""
-            );
-            return Err(in_file(&files.name, words));
+            let linear = Finding::of(Kind::PhyphoxLinear).detail("file", shown(name));
+            return Err(in_file(&files.name, linear));
         }
         if let Some([one, two]) = [&accel, &gyro].iter().find_map(|found| found.get(..2)) {
-            let words = format!(
-                "{} and {} are of one sensor; name the two files with --accel-file and --gyro-file",
-                one.name, two.name
-            );
-            return Err(in_file(&files.name, words));
+            return Err(files.of_one_sensor(&shown(&one.name), &shown(&two.name)));
         }
         if accel.is_empty() || gyro.is_empty() {
             let used: Vec<&str> = found.iter().map(|table| table.name.as_str()).collect();
@@ -96,11 +91,8 @@ impl Format for Phyphox {
             read.push(part.read(files.text(entry, options)?, origin, options)?);
         }
         if read.is_empty() {
-            let words = format!(
-                "no accelerometer with gravity and no gyroscope in this phyphox export; found {}; record both sensors, as \"Acceleration with g\" and \"Gyroscope\"",
-                files.listed()
-            );
-            return Err(in_file(&files.name, words));
+            let empty = Finding::of(Kind::PhyphoxEmpty).detail("listed", files.listed());
+            return Err(in_file(&files.name, empty));
         }
         crate::formats::beside::add_magnetometer(&files, &mut read, None, options);
         let warnings = count_pauses(&files, &mut read);

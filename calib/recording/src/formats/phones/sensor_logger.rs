@@ -22,6 +22,8 @@ pub(crate) struct SensorLogger;
 /// Files of an accelerometer with gravity, and of a gyroscope: unprocessed before processed.
 const ACCEL: [&str; 2] = ["AccelerometerUncalibrated", "TotalAcceleration"];
 const GYRO: [&str; 2] = ["GyroscopeUncalibrated", "Gyroscope"];
+/// What the app calls those of an accelerometer with gravity.
+const WITH_GRAVITY: [&str; 2] = ["Total Acceleration", "Accelerometer (Uncalibrated)"];
 /// Files that make an accelerometer with gravity together.
 const PARTS: [&str; 2] = ["Accelerometer", "Gravity"];
 
@@ -116,10 +118,7 @@ fn find<'a>(files: &'a Files, name: &str) -> Option<&'a file_formats::Entry> {
 }
 
 fn without_gravity(files: &Files) -> Error {
-    in_file(
-        &files.name,
-        "Accelerometer.csv of Sensor Logger is without gravity, and calibration needs it; record again with \"Total Acceleration\" or \"Accelerometer (Uncalibrated)\" switched on, or add \"Gravity\"",
-    )
+    in_file(&files.name, Finding::of(Kind::SensorLoggerLinear))
 }
 
 /// What the app was set to.
@@ -163,7 +162,7 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     fn table(&self, name: &str, sensor: Sensor, origin: Option<i64>) -> Result<Table, Error> {
-        let missing = || in_file(&self.files.name, format!("no {name}.csv"));
+        let missing = || self.files.no_entry(&format!("{name}.csv"));
         let entry = find(self.files, name).ok_or_else(missing)?;
         let part = Part {
             negated: self.negated && sensor == Sensor::Accelerometer,
@@ -177,9 +176,12 @@ impl Reader<'_> {
         let mut linear = self.table(PARTS[0], Sensor::Accelerometer, None)?;
         let gravity = self.table(PARTS[1], Sensor::Accelerometer, linear.clock.origin)?;
         let sum = with_gravity::sum(&linear.accel, &gravity.accel);
-        let sum = sum.map_err(|words| {
-            let advice = "record again with \"Total Acceleration\" or \"Accelerometer (Uncalibrated)\" switched on";
-            in_file(&self.files.name, format!("{words}; {advice}"))
+        let streams = WITH_GRAVITY
+            .map(|stream| format!("\"{stream}\""))
+            .join(" or ");
+        let sum = sum.map_err(|found| {
+            let found = found.detail("streams", streams);
+            in_file(&self.files.name, found)
         })?;
         linear.accel = sum;
         Ok(linear)

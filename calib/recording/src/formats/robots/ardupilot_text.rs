@@ -10,7 +10,7 @@ pub(crate) fn corrected() -> Finding {
     Finding::of(Kind::CorrectedBySystem)
         .detail("system", "ArduPilot")
         .detail("columns", "IMU")
-        .detail("raw", "The .BIN log, with the parameters,")
+        .detail("raw", "The .BIN log")
 }
 
 /// Whether columns of these names are those of the message.

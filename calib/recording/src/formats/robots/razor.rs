@@ -17,7 +17,7 @@ use crate::units::{AccelUnit, GyroUnit, TimeUnit};
 /// A log of Razor AHRS.
 pub(crate) static RAZOR: TextFormat = TextFormat {
     name: "razor_ahrs",
-    about: "lines of Razor AHRS: `#YPRAG=..`, or `#A-R=..`, `#M-R=..`, `#G-R=..` for each sensor; --rate",
+    about: "lines of Razor AHRS: `#YPRAG=..`, or `#A-R=..`, `#M-R=..`, `#G-R=..` for each sensor; the rate has to be given",
     parts,
 };
 

@@ -15,14 +15,14 @@ use crate::units::{AccelUnit, GyroUnit, TimeUnit};
 /// Numbers behind names or a label.
 pub(crate) static SERIAL: TextFormat = TextFormat {
     name: "serial",
-    about: "a serial log: `ax:-9 ay:..`, `a/g: -9 ..`, `22:13:01.123 -> -9,..`; without stamps: --rate",
+    about: "a serial log: `ax:-9 ay:..`, `a/g: -9 ..`, `22:13:01.123 -> -9,..`; without stamps the rate has to be given",
     parts: labelled,
 };
 
 /// Adafruit's example programs.
 pub(crate) static ADAFRUIT: TextFormat = TextFormat {
     name: "adafruit",
-    about: "what Adafruit's examples print: `Acceleration X: .., Y: .., Z: .. m/s^2`, `Rotation X: ..`; --rate",
+    about: "what Adafruit's examples print: `Acceleration X: .., Y: .., Z: .. m/s^2`, `Rotation X: ..`; the rate has to be given",
     parts: blocks,
 };
 

@@ -29,7 +29,7 @@ pub(crate) static GNSS_LOGGER: TextFormat = TextFormat {
 /// VectorNav's ASCII output.
 pub(crate) static VECTORNAV: TextFormat = TextFormat {
     name: "vectornav",
-    about: "VectorNav's `$VNIMU,mag,accel,gyro,temp,pressure*checksum`, `$VNYMR`, `$VNQMR`, `$VNMAR`; they have no stamps: --rate",
+    about: "VectorNav's `$VNIMU,mag,accel,gyro,temp,pressure*checksum`, `$VNYMR`, `$VNQMR`, `$VNMAR`; they have no stamps: the rate has to be given",
     parts: vectornav,
 };
 

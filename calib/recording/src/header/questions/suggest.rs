@@ -1,5 +1,6 @@
 //! What to propose where column names are not understood.
 
+use findings::{OptionName, Remedy};
 use sensor::Sensor;
 
 use crate::header::names::{is_like_time, role_of, take_apart};
@@ -8,15 +9,14 @@ use crate::recording::options::Role;
 use crate::shown::shown;
 use crate::units::TimeUnit;
 
-/// What is said of a table of `width` columns where nothing better is known.
-fn by_number(width: usize) -> &'static str {
-    match width {
-        0..4 => "say which is which: --columns t=..,ax=.. takes names and numbers of columns",
-        4..7 => "say which is which by number or name, as in --columns 't=1,ax=2,ay=3,az=4'",
-        _ => {
-            "say which is which by number or name, as in --columns 't=1,ax=2,ay=3,az=4,gx=5,gy=6,gz=7'"
-        }
-    }
+/// An example for a table of `width` columns where nothing better is known.
+fn by_number(width: usize) -> Remedy {
+    let example = match width {
+        0..4 => "t=1,ax=2",
+        4..7 => "t=1,ax=2,ay=3,az=4",
+        _ => "t=1,ax=2,ay=3,az=4,gx=5,gy=6,gz=7",
+    };
+    Remedy::such_as(OptionName::Columns, example)
 }
 
 /// The name most like `wanted`, if one is.
@@ -35,7 +35,7 @@ pub(crate) fn completed(
     names: &[String],
     unclear: &[String],
     missing: Sensor,
-) -> Option<String> {
+) -> Option<Remedy> {
     let found = triads(unclear);
     let named = found.iter().find(|t| t.sensor() == Some(missing));
     let triad = match (named, found.iter().find(|t| !t.is_of_another()), unclear) {
@@ -63,7 +63,7 @@ pub(crate) fn completed(
 }
 
 /// A `--columns` line ready to paste, as far as words in the names tell what is what.
-pub(crate) fn suggestion(names: &[String]) -> String {
+pub(crate) fn suggestion(names: &[String]) -> Remedy {
     let found = triads(names);
     let first = |sensor| found.iter().find(|t| t.sensor() == Some(sensor));
     let accel = first(Sensor::Accelerometer);
@@ -103,7 +103,7 @@ pub(crate) fn suggestion(names: &[String]) -> String {
         }
     }
     match (accel, gyro) {
-        (None, None) => by_number(names.len()).to_owned(),
+        (None, None) => by_number(names.len()),
         _ => asked(&entries),
     }
 }
@@ -122,8 +122,8 @@ fn time(names: &[String]) -> Option<usize> {
         .or_else(|| names.iter().position(in_time))
 }
 
-fn asked(entries: &[String]) -> String {
-    format!("say which is which: --columns '{}'", entries.join(","))
+fn asked(entries: &[String]) -> Remedy {
+    Remedy::set_to(OptionName::Columns, entries.join(","))
 }
 
 /// A word as a shell takes it.
@@ -153,7 +153,10 @@ mod tests {
 
     fn of(names: &[&str]) -> String {
         let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
-        suggestion(&names)
+        match suggestion(&names) {
+            Remedy::Set { any_of } | Remedy::Example { any_of } => any_of[0].value.clone().unwrap(),
+            other => panic!("{other:?}"),
+        }
     }
 
     #[test]
@@ -169,7 +172,7 @@ mod tests {
             "lin_acc_z",
         ];
         assert!(of(&names).ends_with(
-            "'t=timestamp,ax=lin_acc_x,ay=lin_acc_y,az=lin_acc_z,gx=ang_vel_x,gy=ang_vel_y,gz=ang_vel_z'"
+            "t=timestamp,ax=lin_acc_x,ay=lin_acc_y,az=lin_acc_z,gx=ang_vel_x,gy=ang_vel_y,gz=ang_vel_z"
         ));
         // Two devices: the gyroscope of the one whose accelerometer is taken.
         let names = [
@@ -179,12 +182,11 @@ mod tests {
         assert!(of(&names).contains("gx=l_gyr_x"), "{}", of(&names));
         // Temperature and status are no time, and an accelerometer that lacks an axis is none.
         let names = ["Tmp", "ax", "ay", "gx", "gy", "gz"];
-        assert!(
-            of(&names).ends_with("'gx=gx,gy=gy,gz=gz'"),
-            "{}",
-            of(&names)
+        assert!(of(&names).ends_with("gx=gx,gy=gy,gz=gz"), "{}", of(&names));
+        assert_eq!(
+            of(&["1", "2", "3", "4", "5", "6", "7"]),
+            "t=1,ax=2,ay=3,az=4,gx=5,gy=6,gz=7"
         );
-        assert_eq!(of(&["1", "2", "3", "4", "5", "6", "7"]), by_number(7));
         assert!(!of(&["sensor", "t", "x", "y", "z"]).contains("gy="));
     }
 }

@@ -91,11 +91,9 @@ pub(crate) fn refuse(tables: &[Table]) -> Result<(), Error> {
             if !accel && !gyro {
                 return Err(in_file(
                     file,
-                    format!(
-                        "no accelerometer and no gyroscope by name, but the columns {} change and are not used; {}",
-                        shown_list(unclear.iter()),
-                        suggestion(&tables[0].names)
-                    ),
+                    Finding::of(Kind::ColumnsUnclear)
+                        .detail("columns", shown_list(unclear.iter()))
+                        .remedy(suggestion(&tables[0].names)),
                 ));
             }
             // Parts of a text have its columns under other numbers.
@@ -104,12 +102,10 @@ pub(crate) fn refuse(tables: &[Table]) -> Result<(), Error> {
             let proposed = completed.filter(|_| alone);
             return Err(in_file(
                 file,
-                format!(
-                    "no {} by name, but the columns {} change and are not used: one of them may be it; {}, or name only those of the sensor there is to go on without",
-                    missing.name(),
-                    shown_list(unclear.iter()),
-                    proposed.unwrap_or_else(|| suggestion(&tables[0].names))
-                ),
+                Finding::of(Kind::SensorUnclear)
+                    .of_sensor(missing)
+                    .detail("columns", shown_list(unclear.iter()))
+                    .remedy(proposed.unwrap_or_else(|| suggestion(&tables[0].names))),
             ));
         }
     }
@@ -182,12 +178,10 @@ fn refuse_others(tables: &[Table]) -> Result<(), Error> {
                 .collect();
             return Err(in_file(
                 &table.name,
-                format!(
-                    "more than one {}: {} are there as well; say which are meant, as in --columns '{}'",
-                    sensor.name(),
-                    shown_list(others),
-                    taken.join(",")
-                ),
+                Finding::of(Kind::SensorTwice)
+                    .of_sensor(sensor)
+                    .detail("columns", shown_list(others))
+                    .remedy(Remedy::such_as(OptionName::Columns, taken.join(","))),
             ));
         }
     }
@@ -204,10 +198,7 @@ fn refuse_without_gravity(tables: &[Table]) -> Result<(), Error> {
         let columns = linear.columns.iter().map(|&at| &table.unclear[at]);
         return Err(in_file(
             &table.name,
-            format!(
-                "{} are acceleration without gravity, and calibration needs it; record the accelerometer with gravity (\"total\", \"raw\", \"uncalibrated\" or \"with g\"), or name only the gyroscope's columns with --columns to go on without it",
-                shown_list(columns)
-            ),
+            Finding::of(Kind::ColumnsWithoutGravity).detail("columns", shown_list(columns)),
         ));
     }
     Ok(())

@@ -2,13 +2,13 @@
 
 pub(crate) mod options;
 
+use findings::{Finding, Kind, OptionName, Remedy};
 use nalgebra::Vector3;
 
 use super::spans::{Span, union};
 use crate::error::Error;
 use crate::order_statistic::nth_smallest;
 use crate::recording::{Recording, Stream, is_before};
-use crate::shown::figure;
 
 /// The share of windows that are taken to be at rest in any recording that can be calibrated.
 const QUIET_SHARE: f64 = 0.1;
@@ -88,25 +88,27 @@ impl<'a> Level<'a> {
     /// A stream without samples or shorter than the window.
     pub fn measure(stream: &'a Stream, detector: &Detector) -> Result<Self, Error> {
         let (Some(&first), Some(&last)) = (stream.t.first(), stream.t.last()) else {
-            return Err(Error::not_enough("a sensor has no samples"));
+            return Err(Error::not_enough(Finding::of(Kind::NoSamples)));
         };
         if last - first < detector.window {
-            return Err(Error::not_enough(format!(
-                "{:.2} s of samples: the detector looks at windows of {} s; record longer",
-                last - first,
-                figure(detector.window)
-            )));
+            return Err(Error::not_enough(
+                Finding::of(Kind::TooShort)
+                    .number("length", last - first, "s")
+                    .number("window", detector.window, "s"),
+            ));
         }
         let step = stream.median_step().unwrap_or(0.0);
         if step * MIN_SAMPLES > detector.window {
-            return Err(Error::not_enough(format!(
-                "a sample every {step:.3} s ({:.1} Hz): too few to follow a turn, and the detector's window of \
-                 {} s holds fewer than {MIN_SAMPLES}; record faster, or use --window {:.0} for the \
-                 accelerometer alone",
-                step.recip(),
-                figure(detector.window),
-                (step * MIN_SAMPLES).ceil()
-            )));
+            let mut slow = Finding::of(Kind::SampledSlowly)
+                .number("step", step, "s")
+                .number("rate", step.recip(), "Hz")
+                .number("window", detector.window, "s")
+                .count("least", MIN_SAMPLES as usize);
+            // The accelerometer alone needs no turns.
+            let window = (step * MIN_SAMPLES).ceil().to_string();
+            slow.remedies
+                .push(Remedy::set_to(OptionName::Window, window));
+            return Err(Error::not_enough(slow));
         }
         let extent = Extent::of(&stream.values);
         let statistic = statistic(stream, detector.window, &extent.mean);

@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use crate::averages::median;
-use crate::readings::finding::Finding;
 use crate::readings::of_sensor::FIRST_ROW;
+use crate::readings::symptom::Symptom;
 use crate::recording::{Recording, Stream};
 
 /// Fewest rows of a tail in both sensors; alone, a sensor needs more.
@@ -16,7 +16,7 @@ const NOT_GRAVITY: f64 = 3.0;
 
 /// Cuts the rows at the end of which every sensor repeats one reading that no gravity gives: the same number
 /// on all axes, or a norm far from the usual.
-pub(crate) fn cut_erased_tail(recording: &mut Recording) -> Option<Finding> {
+pub(crate) fn cut_erased_tail(recording: &mut Recording) -> Option<Symptom> {
     let force = recording.accelerometer.as_ref()?;
     let tail = tail(&force.values);
     let start = force.len() - tail;
@@ -45,7 +45,7 @@ pub(crate) fn cut_erased_tail(recording: &mut Recording) -> Option<Finding> {
     };
     cut(&mut recording.accelerometer);
     cut(&mut recording.gyroscope);
-    Some(Finding::ErasedTail {
+    Some(Symptom::ErasedTail {
         first_row: start + FIRST_ROW,
         rows: tail,
         time: from,
@@ -96,7 +96,7 @@ mod tests {
         for value in [Vector3::repeat(-0.0012), Vector3::zeros()] {
             let mut cut = recording(value);
             let found = cut_erased_tail(&mut cut);
-            let expected = Finding::ErasedTail {
+            let expected = Symptom::ErasedTail {
                 first_row: 502,
                 rows: 20,
                 time: 5.0,

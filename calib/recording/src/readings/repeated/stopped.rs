@@ -1,10 +1,12 @@
 //! A sensor that stops to read while the other goes on.
 
+use findings::{Finding, Kind};
 use nalgebra::Vector3;
 use sensor::Sensor;
 
 use crate::Error;
 use crate::recording::{Recording, Stream};
+use crate::shown::significant;
 use crate::source::place::in_file;
 
 /// Samples of one reading at the end that make a sensor stopped ...
@@ -32,22 +34,23 @@ pub(crate) fn refuse_stopped(recording: &Recording) -> Result<(), Error> {
         if !changes_after(other, from) {
             continue;
         }
-        let all_zero = stream.values.last().is_some_and(|v| *v == Vector3::zeros());
-        return Err(in_file(
-            &recording.name,
-            format!(
-                "the {} {} from t = {from:.2} s to the end ({count} samples) while the other sensor goes on: disconnected? Cut the \
-                 recording there, or record again",
-                sensor.name(),
-                if all_zero {
-                    "reads 0 on all axes"
-                } else {
-                    "repeats one reading"
-                }
-            ),
-        ));
+        let found = Finding::of(Kind::SensorStopped)
+            .of_sensor(sensor)
+            .from_time(from)
+            .count("count", count)
+            .detail("reading", in_words(&stream.values[stream.len() - 1]));
+        return Err(in_file(&recording.name, found));
     }
     Ok(())
+}
+
+/// One number where all axes have it.
+fn in_words(reading: &Vector3<f64>) -> String {
+    let axes: Vec<String> = reading.iter().map(|v| significant(*v, 3)).collect();
+    match axes.iter().all(|axis| *axis == axes[0]) {
+        true => axes[0].clone(),
+        false => axes.join(", "),
+    }
 }
 
 /// How many samples at the end are the same on all axes, where that is more than chance.

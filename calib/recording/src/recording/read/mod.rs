@@ -98,7 +98,8 @@ impl Recording {
             Some(name) => Some(formats::by_name(name).map_err(Error::usage)?),
             None => formats::recognise(&source),
         };
-        let format = format.ok_or_else(|| in_file(source.name(), "of no known format"))?;
+        let format =
+            format.ok_or_else(|| in_file(source.name(), Finding::of(Kind::UnknownFormat)))?;
         let mut recording = format.read(source, options)?;
         let described = &mut recording.description.format;
         if described.is_empty() {
@@ -126,17 +127,12 @@ impl Recording {
 /// Refuses options that choose among what a file of this kind holds only one of.
 fn refuse_choice(source: &Source, options: &ReadOptions) -> Result<(), Error> {
     let (has_entry, has_topic) = (options.entry.is_some(), !options.topics.is_empty());
-    let why = match source {
-        Source::Text(_) | Source::Binary(_) if has_entry => {
-            "--entry names a file within a folder or an archive, and this is one file"
-        }
-        Source::Text(_) if has_topic => "--topic chooses within a log or a bag, and this is a text",
+    let kind = match source {
+        Source::Text(_) | Source::Binary(_) if has_entry => Kind::EntryOfOneFile,
+        Source::Text(_) if has_topic => Kind::TopicOfText,
         _ => return Ok(()),
     };
-    Err(Error::usage(format!(
-        "{}: {why}; leave it out",
-        source.name()
-    )))
+    Err(Error::usage(Finding::of(kind).in_file(source.name())))
 }
 
 /// The recordings of a file one by one, the first of which says that there are several.

@@ -1,5 +1,7 @@
 //! What a recording takes in memory, asked of the system before it is needed.
 
+use findings::{Finding, Kind};
+
 use crate::Error;
 use crate::source::place::in_file;
 
@@ -34,12 +36,11 @@ fn room(name: &str, rows: u64, bytes: u64) -> Result<(), Error> {
     if is_granted(bytes) {
         return Ok(());
     }
-    let words = format!(
-        "about {rows} rows need {:.0} MB of memory, more than the system grants; cut the recording into parts, or \
-         raise the limit (ulimit -v)",
-        (bytes as f64 / 1e6).ceil()
-    );
-    Err(in_file(name, words))
+    let size = format!("{:.0} MB", (bytes as f64 / 1e6).ceil());
+    let found = Finding::of(Kind::TooLargeForMemory)
+        .count("rows", rows as usize)
+        .detail("size", size);
+    Err(in_file(name, found))
 }
 
 /// Room for one more in `vector`, by an eighth of what it holds: doubling would ask for half as much again as is

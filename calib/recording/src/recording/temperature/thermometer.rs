@@ -32,10 +32,7 @@ pub(crate) fn join(tables: &mut Vec<Table>) -> Result<(), Error> {
         return Ok(());
     };
     let Some(first) = tables.iter_mut().find(|table| table.has_sensor()) else {
-        return Err(in_file(
-            &table.name,
-            "no accelerometer and no gyroscope, only a temperature",
-        ));
+        return Err(in_file(&table.name, Finding::of(Kind::OnlyTemperature)));
     };
     first.warnings.append(&mut table.warnings);
     first.temperature_t = table.temperature_t;

@@ -111,5 +111,10 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
         "",
         Vec::new,
     ),
-    Entry::error(Kind::FileMissing, "missing", "", Vec::new),
+    Entry::error(
+        Kind::PieceMissing,
+        "this file is missing in the folder",
+        "",
+        Vec::new,
+    ),
 ];

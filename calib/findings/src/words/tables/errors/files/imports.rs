@@ -61,7 +61,7 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
         Vec::new,
     ),
     Entry::error(
-        Kind::NumberExpected,
+        Kind::MatrixNumberExpected,
         "{of}, line {line}: a number expected: 9 of the misalignment matrix, 9 of the scale matrix, 3 of \
          the bias",
         "",

@@ -24,7 +24,7 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
         Vec::new,
     ),
     Entry::error(
-        Kind::LineTooLong,
+        Kind::LineWithoutEnd,
         "a line of more than {limit:byte} comes",
         "send lines of text",
         Vec::new,

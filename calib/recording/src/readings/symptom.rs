@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use findings::{Front, Kind};
+use findings::{Finding, Kind};
 use sensor::Sensor;
 use serde::Serialize;
 
@@ -21,7 +21,7 @@ const IN_TURNS: f64 = 0.005;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 #[non_exhaustive]
-pub enum Finding {
+pub enum Symptom {
     /// All readings from a row on repeat one pattern: memory that was never written.
     ErasedTail {
         /// The first such row.
@@ -123,7 +123,7 @@ pub enum Finding {
     },
 }
 
-impl Finding {
+impl Symptom {
     /// What is said of readings that repeat one; `None` of none.
     pub(crate) fn of_frozen(frozen: &[Frozen]) -> Option<Self> {
         let mut sensors: Vec<&str> = frozen.iter().map(|f| f.sensor.name()).collect();
@@ -191,9 +191,9 @@ fn listed(numbers: &[usize]) -> String {
     }
 }
 
-impl Finding {
+impl Symptom {
     /// The finding with its place and in the unit of a recording's readings.
-    pub fn in_recording(&self, recording: &Recording) -> findings::Finding {
+    pub fn in_recording(&self, recording: &Recording) -> Finding {
         let unit = |sensor: Sensor| match recording.is_in_counts(sensor) {
             true => "counts",
             false => si(sensor),
@@ -202,15 +202,14 @@ impl Finding {
     }
 
     /// The finding where `unit` is that of a sensor's readings.
-    fn typed(&self, unit: impl Fn(Sensor) -> &'static str) -> findings::Finding {
-        use findings::Finding as Typed;
-        let of = |kind: Kind, sensor: Sensor| Typed::of(kind).of_sensor(sensor);
+    fn typed(&self, unit: impl Fn(Sensor) -> &'static str) -> Finding {
+        let of = |kind: Kind, sensor: Sensor| Finding::of(kind).of_sensor(sensor);
         match self {
             Self::ErasedTail {
                 first_row,
                 rows,
                 time,
-            } => Typed::of(Kind::ErasedTail)
+            } => Finding::of(Kind::ErasedTail)
                 .from_time(*time)
                 .count("rows", *rows)
                 .count("first_row", *first_row),
@@ -218,7 +217,7 @@ impl Finding {
                 sensors,
                 rows,
                 places,
-            } => Typed::of(Kind::Frozen)
+            } => Finding::of(Kind::Frozen)
                 .count("rows", *rows)
                 .count("places", places.len())
                 .detail("sensors", sensors.join(" and the "))
@@ -298,7 +297,7 @@ impl Finding {
                     .number("ratio", *ratio, "1")
                     .detail("intervals", called)
             }
-            Self::HandHeld { rate } => Typed::of(Kind::HandHeld).number("rate", *rate, "rad/s"),
+            Self::HandHeld { rate } => Finding::of(Kind::HandHeld).number("rate", *rate, "rad/s"),
         }
     }
 }
@@ -312,16 +311,16 @@ fn si(sensor: Sensor) -> &'static str {
     }
 }
 
-impl From<&Finding> for findings::Finding {
+impl From<&Symptom> for Finding {
     /// The finding of readings in m/s² and rad/s.
-    fn from(finding: &Finding) -> Self {
-        finding.typed(si)
+    fn from(symptom: &Symptom) -> Self {
+        symptom.typed(si)
     }
 }
 
-impl fmt::Display for Finding {
+impl fmt::Display for Symptom {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&findings::Finding::from(self).text(Front::CommandLine))
+        Finding::from(self).fmt(f)
     }
 }
 
@@ -332,7 +331,7 @@ mod tests {
 
     #[test]
     fn steps_are_shown_in_the_unit_of_the_readings() {
-        let found = Finding::Quantised {
+        let found = Symptom::Quantised {
             sensor: Sensor::Gyroscope,
             axes: vec![0, 2],
             step: 0.0349,

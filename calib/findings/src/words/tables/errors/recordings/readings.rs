@@ -1,0 +1,123 @@
+//! Words of readings that no working sensor gives.
+
+use crate::kind::Kind;
+use crate::remedy::{OptionName, Remedy};
+use crate::words::entry::Entry;
+
+pub(in super::super::super) const ENTRIES: &[Entry] = &[
+    Entry::error(
+        Kind::AxisRepeated,
+        "the {sensor}'s {repeated} in every row: {axes} not measured, but repeated",
+        "correct the program that wrote the file",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::AxisConstant,
+        "{sensor} {axis} is {value} in every row up to line {last}: {doubt}",
+        "record again, or leave the sensor out",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::AxisStuck,
+        "{sensor} {axis} ({column}) is stuck at {value} from here to line {last} ({rows} rows) while the other axes go on",
+        "cut these rows out, or record again",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::ReadingsTiny,
+        "{sensor} {axis} never exceeds {peak}: wrong unit?",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::UnitChanges,
+        "the accelerometer's norm is {before} up to here and {after} from here on: the unit changes from {from} to {to}",
+        "split the file here, or record again",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::NormChanges,
+        "the accelerometer's norm is {before} up to here and {after} from here on: another unit, another range or other columns",
+        "split the file here, or record again",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::Overflow,
+        "{sensor} {axis} jumps from {from} to {to}: a 16-bit overflow",
+        "",
+        || vec![Remedy::LargerRange],
+    ),
+    Entry::error(
+        Kind::SignLost,
+        "{sensor} {axis} jumps from {from} to {to}: 16 bits without their sign, in which -1 is 65535",
+        "print them as int16_t, or subtract 65536 from those above 32767",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::SensorStopped,
+        "the {sensor} reads {reading} on all axes from t = {t0} to the end ({count} samples) while the other sensor goes on: disconnected?",
+        "cut the recording there, or record again",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::RowsOfDevices,
+        "{count} rows have the stamp of the row before, and their readings of the {sensor} differ by {apart} where rows of one device differ by {usual}: are they of several devices?",
+        "export each by itself",
+        || vec![Remedy::such_as(OptionName::Rate, "100")],
+    ),
+    Entry::error(
+        Kind::DevicesByTurns,
+        "the readings of the {sensor} repeat every {devices} rows and differ in between: rows of {devices} devices by turns, and no column tells them apart",
+        "export each by itself",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::DevicesInTable,
+        "rows of {count} devices, told apart by {column}: {listed}",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::DeviceMissing,
+        "no device {wanted} among rows of {count} devices, told apart by {column}: {listed}",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::DeviceNotTold,
+        "device {wanted} is asked for, and no column tells devices apart",
+        "",
+        || {
+            vec![
+                Remedy::Omit {
+                    option: OptionName::Instance,
+                },
+                Remedy::such_as(OptionName::Columns, "device=3"),
+            ]
+        },
+    ),
+    Entry::error(
+        Kind::ArrayLengths,
+        "{array} has {rows:row}, t has {stamps}",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::ArraysEmpty,
+        "neither accel nor gyro has a row",
+        "give at least one of them",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::ArrayNotFinite,
+        "{array} is {value} here, a finite number expected",
+        "leave such rows out",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::OneSample,
+        "one sample is no recording",
+        "record for a minute or more",
+        Vec::new,
+    ),
+];

@@ -1,0 +1,89 @@
+//! Words of quiet stretches that are no static intervals, and of turns that cannot be integrated.
+
+use crate::kind::Kind;
+use crate::level::Level;
+use crate::words::entry::Entry;
+
+pub(super) const ENTRIES: &[Entry] = &[
+    Entry {
+        kind: Kind::StretchTurns,
+        level: Level::Remark,
+        severity: 0.02,
+        reason: "a quiet stretch turns at a constant rate",
+        text: "[the quiet stretch at {at} is no static interval][{count} quiet stretches are no static intervals ({listed})]: the device turned at a constant rate[ of {rate}], which no bias explains",
+        advice: "lay the device down where nothing turns",
+        remedies: Vec::new,
+    },
+    Entry {
+        kind: Kind::StretchClipped,
+        level: Level::Remark,
+        severity: 0.02,
+        reason: "the accelerometer is cut off in a quiet stretch",
+        text: "[the quiet stretch at {at} is no static interval][{count} quiet stretches are no static intervals ({listed})]: accelerometer {axis} is cut off at the end of its range",
+        advice: "set a larger range",
+        remedies: Vec::new,
+    },
+    Entry {
+        kind: Kind::StretchTilts,
+        level: Level::Remark,
+        severity: 0.02,
+        reason: "the device tilts in a quiet stretch",
+        text: "[the quiet stretch at {at} is no static interval][{count} quiet stretches are no static intervals ({listed})]: the device tilts steadily[, by a slope of {slope} and {angle} in all]",
+        advice: "lay it down on something firm",
+        remedies: Vec::new,
+    },
+    Entry {
+        kind: Kind::StretchVibrates,
+        level: Level::Remark,
+        severity: 0.02,
+        reason: "the device vibrates in a quiet stretch",
+        text: "[the quiet stretch at {at} is no static interval][{count} quiet stretches are no static intervals ({listed})]: the device lay still and vibrated",
+        advice: "lay it down where nothing runs",
+        remedies: Vec::new,
+    },
+    Entry {
+        kind: Kind::StretchEmpty,
+        level: Level::Remark,
+        severity: 0.02,
+        reason: "a sensor has no samples in a quiet stretch",
+        text: "[the quiet stretch at {at} is no static interval][{count} quiet stretches are no static intervals ({listed})]: a sensor has no samples there",
+        advice: "give stretches in which all sensors were recorded",
+        remedies: Vec::new,
+    },
+    Entry {
+        kind: Kind::TurnGap,
+        level: Level::Remark,
+        severity: 0.02,
+        reason: "samples are missing in a turn",
+        text: "gap of {length} s at t = {t0}",
+        advice: "",
+        remedies: Vec::new,
+    },
+    Entry {
+        kind: Kind::TurnFrozen,
+        level: Level::Remark,
+        severity: 0.02,
+        reason: "the gyroscope is frozen in a turn",
+        text: "frozen for {length} s at t = {t0}",
+        advice: "",
+        remedies: Vec::new,
+    },
+    Entry {
+        kind: Kind::TurnSaturated,
+        level: Level::Remark,
+        severity: 0.02,
+        reason: "the gyroscope is saturated in a turn",
+        text: "{samples} saturated gyroscope samples",
+        advice: "",
+        remedies: Vec::new,
+    },
+    Entry {
+        kind: Kind::TurnEmpty,
+        level: Level::Remark,
+        severity: 0.02,
+        reason: "a turn has no samples",
+        text: "no gyroscope samples",
+        advice: "",
+        remedies: Vec::new,
+    },
+];
