@@ -44,6 +44,8 @@ pub enum OptionName {
     Method,
     /// Shortest static interval.
     MinStatic,
+    /// Motion of a track.
+    Motion,
     /// Threshold of the static detector.
     Multiplier,
     /// Missing values.
@@ -168,9 +170,40 @@ pub enum Remedy {
         /// Name of the method.
         method: String,
     },
+    /// Take the name that is nearest to a misspelled one.
+    Nearest {
+        /// Such names, the likeliest first.
+        names: Vec<String>,
+    },
+    /// See which effects there are.
+    ListEffects,
+    /// Calibrate again.
+    CalibrateAgain,
+    /// Look whether two files were swapped.
+    SwapFiles,
+    /// Look whether two sensors were swapped.
+    SwapSensors,
+    /// Turn the axes of a recording back.
+    TurnBack {
+        /// The recording.
+        recording: String,
+        /// Its columns as they should be read.
+        columns: String,
+    },
+    /// Turn the device about each axis.
+    TurnEachAxis,
+    /// Record without losing samples.
+    LoseNoSamples,
+    /// Record without frozen rows.
+    FreezeNoRows,
+    /// Record both sensors at the same time.
+    BothSensors,
     /// Report a bug.
     Report,
 }
+
+/// A misspelling has at most this many edits, and one more for every third letter.
+const EDITS: usize = 1;
 
 impl Remedy {
     /// An option without a value.
@@ -205,6 +238,24 @@ impl Remedy {
         Self::IfWrong {
             any_of: without_values(options),
         }
+    }
+
+    /// The known name that `name` is most likely a misspelling of; none where no name is near.
+    ///
+    /// # Examples
+    /// ```
+    /// use stillpoint_findings::Remedy;
+    /// let names = vec!["rate".to_owned()];
+    /// assert_eq!(Remedy::nearest("rtae", ["gravity", "rate"]), Some(Remedy::Nearest { names }));
+    /// assert_eq!(Remedy::nearest("zzzzzz", ["gravity", "rate"]), None);
+    /// ```
+    pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<Self> {
+        let all = known.into_iter();
+        let all = all.map(|known| (strsim::damerau_levenshtein(name, known), known));
+        let (edits, nearest) = all.min()?;
+        (edits <= EDITS + name.len() / 3).then(|| Self::Nearest {
+            names: vec![nearest.to_owned()],
+        })
     }
 
     /// Whether it is a step only for who knows better.

@@ -4,6 +4,7 @@ use crate::remedy::{OptionName, Remedy, Setting};
 
 use super::entry::Front;
 use super::shell::quoted;
+use super::turns;
 
 /// An option's name in plain English, on the command line, in Rust and in Python.
 pub(super) fn names(option: OptionName) -> [&'static str; 4] {
@@ -113,6 +114,7 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
             "DetectorOptions::min_static",
             "min_static",
         ],
+        O::Motion => ["when the motion was", "--motion", "motion", "motion"],
         O::Multiplier => [
             "the threshold of the detector",
             "--multiplier",
@@ -177,17 +179,17 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
 /// A remedy in words, an imperative.
 pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
     let fixed = match remedy {
-        Remedy::Set { any_of } => return format!("give {}", settings(any_of, front)),
+        Remedy::Set { any_of } => return given(any_of, front),
         Remedy::IfWrong { any_of } => {
-            return format!("if that is wrong, give {}", settings(any_of, front));
+            return format!("if that is wrong, {}", given(any_of, front));
         }
         Remedy::NameUnit { example } => {
             return format!("write the unit into the column's name, as `{example}`");
         }
         Remedy::AddPlacements { placements } => {
-            return format!("add placements: {}", placements.join(", "));
+            return turns::add_placements(placements);
         }
-        Remedy::AddTurns { turns } => return format!("add turns: {}", turns.join(", ")),
+        Remedy::AddTurns { turns } => return turns::add_turns(turns),
         Remedy::OtherMethod { method } => return format!("use the method {method}"),
         Remedy::Discover => "search for the missing effect",
         Remedy::Plan => "plan the next recording",
@@ -215,6 +217,18 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         Remedy::LookInto => "look into the file",
         Remedy::ExportAgain => "export the file again",
         Remedy::OwnCalibration => "use the calibration of this device",
+        Remedy::Nearest { names } => return format!("did you mean `{}`?", names.join("` or `")),
+        Remedy::ListEffects => "see which effects there are",
+        Remedy::CalibrateAgain => "calibrate again",
+        Remedy::SwapFiles => "check whether the two files are swapped",
+        Remedy::SwapSensors => "check whether the two sensors are swapped",
+        Remedy::TurnBack { recording, columns } => return turn_back(recording, columns, front),
+        Remedy::TurnEachAxis => {
+            "turn the device about each axis both ways, still before and after each turn"
+        }
+        Remedy::LoseNoSamples => "record without losing samples",
+        Remedy::FreezeNoRows => "record without frozen rows",
+        Remedy::BothSensors => "record both sensors at the same time",
         Remedy::Report => "report it as a bug of ours",
     };
     let command = match (front, remedy) {
@@ -222,6 +236,8 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         (Front::CommandLine, Remedy::Plan) => " (`stillpoint plan`)",
         (Front::CommandLine, Remedy::UpdateBias) => " (`stillpoint bias`)",
         (Front::CommandLine, Remedy::Validate) => " (`stillpoint evaluate`)",
+        (Front::CommandLine, Remedy::ListEffects) => " (`stillpoint effects`)",
+        (Front::Python | Front::Rust, Remedy::ListEffects) => " (`Catalogue::names`)",
         (Front::CommandLine, Remedy::LookInto) => " (`stillpoint info`)",
         (Front::CommandLine, Remedy::LeaveOut) => " (--leave-out)",
         (Front::CommandLine, Remedy::WriteFolder) => " (-o FOLDER)",
@@ -231,9 +247,37 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
     format!("{fixed}{command}")
 }
 
-fn settings(any_of: &[Setting], front: Front) -> String {
+/// `turn its axes back (…) and use what comes out`.
+fn turn_back(recording: &str, columns: &str, front: Front) -> String {
+    let how = match front {
+        Front::Plain => columns.to_owned(),
+        Front::CommandLine => format!("`{}`", turning_back(recording, columns)),
+        Front::Rust | Front::Python => {
+            let option = OptionName::Columns;
+            let value = Some(columns.to_owned());
+            return format!(
+                "turn its axes back by {}",
+                setting(&Setting { option, value }, front)
+            );
+        }
+    };
+    format!("turn its axes back ({how}) and use that")
+}
+
+/// The command that turns the axes of a recording back.
+pub(super) fn turning_back(recording: &str, columns: &str) -> String {
+    let (recording, columns) = (quoted(recording), quoted(columns));
+    format!("stillpoint convert {recording} --columns {columns} -o turned.csv")
+}
+
+/// `give the local gravity (--gravity)`, or `say that the device is the same (--force-device)`.
+fn given(any_of: &[Setting], front: Front) -> String {
     let all: Vec<String> = any_of.iter().map(|s| setting(s, front)).collect();
-    all.join(" or ")
+    let all = all.join(" or ");
+    match all.starts_with("that ") {
+        true => format!("say {all}"),
+        false => format!("give {all}"),
+    }
 }
 
 /// `the local gravity (--gravity 9.81)`.
