@@ -335,6 +335,8 @@ kinds! {
     HeadingDisagrees = "heading_disagrees",
     /// The magnetometer is not calibrated.
     MagnetometerNotCalibrated = "magnetometer_not_calibrated",
+    /// Signs of the magnetometer's axes are wrong by the latitude.
+    FieldSignsWrong = "field_signs_wrong",
     /// The axes of the magnetometer are turned or mirrored.
     FieldTurned = "field_turned",
     /// The unit of the magnetometer is known on one side only.

@@ -3,6 +3,7 @@
 pub(crate) mod command;
 mod entry;
 mod human;
+pub mod names;
 pub(crate) mod remedies;
 mod shell;
 mod tables;

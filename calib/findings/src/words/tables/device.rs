@@ -138,7 +138,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Bad,
         severity: 20.0,
         reason: "the {sensor} is not calibrated",
-        text: "the {sensor} is not calibrated: {why}[ ({kept})]",
+        text: "the {sensor} is not calibrated: {why}[ (its bias {kept} is kept)]",
         advice: "",
         remedies: || vec![Remedy::set_to(OptionName::Sensor, "accelerometer")],
     },
