@@ -94,9 +94,8 @@ impl Curve {
             .map(String::as_str)
             .collect();
         let parsed = |text: &str, names: &[&str]| {
-            let error = |e: sensor::expression::ParseError| {
-                refuse(format!("column {}: {}", e.column, e.what))
-            };
+            let error =
+                |e: sensor::expression::ParseError| refuse(findings::Finding::from(e).to_string());
             Expression::parse(text.trim(), names).map_err(error)
         };
         Ok(Self {

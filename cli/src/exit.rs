@@ -1,7 +1,7 @@
 //! Exit statuses and the messages that go with them.
 
+use crate::message::{Place, advice};
 use calib::Error;
-use calib::message::{Place, advice};
 use findings::{Finding, Front};
 use serde_json::{Value, json};
 

@@ -10,6 +10,7 @@ mod exit;
 mod interrupt;
 #[cfg(doc)]
 pub mod manual;
+mod message;
 mod output;
 mod pages;
 mod quoted;

@@ -19,10 +19,11 @@
 
 use std::path::Path;
 
+use findings::{Finding, Kind};
 use recording::Error;
 use recording::shown::shown_path;
-use recording::toml_place::{explain_toml, key_position, place};
-use sensor::{AnyEffect, Definition};
+use recording::toml_place::{at_key, not_toml};
+use sensor::{AnyEffect, Definition, DefinitionError, DefinitionFault};
 use serde::{Deserialize, Serialize};
 
 use crate::catalogue;
@@ -50,12 +51,12 @@ pub fn read_effects(path: &Path) -> Result<Vec<&'static dyn AnyEffect>, Error> {
 /// As [`read_effects`].
 pub fn parse_effects(text: &str, name: &str) -> Result<Vec<&'static dyn AnyEffect>, Error> {
     let file: EffectFile = toml::from_str(text).map_err(|e| {
-        let at = place(text, e.span().map_or(0, |span| span.start));
-        Error::input(format!("{name}:{at}: {}", explain_toml(e.message())))
+        let found = not_toml(name, text, &e);
+        Error::input(found)
     })?;
-    effects_of(&file.definitions).map_err(|(key, what)| {
-        let at = place(text, key_position(text, &key).unwrap_or(0));
-        Error::input(format!("{name}:{at}: {key}: {what}"))
+    effects_of(&file.definitions).map_err(|error| {
+        let key = error.key.clone();
+        Error::input(at_key(error.into(), name, text, &key))
     })
 }
 
@@ -66,23 +67,28 @@ pub fn parse_effects(text: &str, name: &str) -> Result<Vec<&'static dyn AnyEffec
 pub fn to_toml(definitions: &[Definition]) -> Result<String, Error> {
     let definitions = definitions.to_vec();
     toml::to_string(&EffectFile { definitions })
-        .map_err(|e| Error::usage(format!("effects cannot be written: {e}")))
+        .map_err(|e| Error::usage(Finding::of(Kind::Unwritable).detail("reason", e.to_string())))
 }
 
-/// The effects of `definitions`, with names that are neither in the catalogue nor there twice; or the
-/// key of what is wrong, and what.
+/// The effects of `definitions`, with names that are neither in the catalogue nor there twice.
+///
+/// # Errors
+/// The key of what is wrong, and what.
 pub fn effects_of(
     definitions: &[Definition],
-) -> Result<Vec<&'static dyn AnyEffect>, (String, String)> {
+) -> Result<Vec<&'static dyn AnyEffect>, DefinitionError> {
     let mut effects: Vec<&'static dyn AnyEffect> = Vec::new();
     for (k, definition) in definitions.iter().enumerate() {
-        let effect = definition
-            .effect()
-            .map_err(|e| (format!("definitions.{k}.{}", e.key), e.what))?;
+        let effect = definition.effect().map_err(|e| DefinitionError {
+            key: format!("definitions.{k}.{}", e.key),
+            fault: e.fault,
+        })?;
         let taken = catalogue_with(&effects).any(|other| other.name() == effect.name());
         if taken {
-            let what = format!("`{}` is another effect already", effect.name());
-            return Err((format!("definitions.{k}.name"), what));
+            return Err(DefinitionError {
+                key: format!("definitions.{k}.name"),
+                fault: DefinitionFault::EffectTaken(effect.name().to_owned()),
+            });
         }
         effects.push(effect);
     }
@@ -131,7 +137,7 @@ parameters = [{ name = "k", unit = "1/(m/s^2)", typical = 1e-4 }]
         let place = "a.toml:5:1: definitions.0.x: `k * fq * fz`, column 5: there is no `fq`";
         assert!(message.starts_with(place), "{message}");
         let message = refused(&SWIRL.replace("accel_swirl", "accel_cubic"));
-        let place = "a.toml:3:1: definitions.0.name: `accel_cubic` is another effect already";
+        let place = "a.toml:3:1: definitions.0.name: `accel_cubic` is another effect already; choose another name";
         assert_eq!(message, place);
         assert!(
             refused(&format!("{SWIRL}{SWIRL}")).starts_with("a.toml:9:1: definitions.1.name: ")

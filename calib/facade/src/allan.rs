@@ -4,6 +4,9 @@ use calib::document::to_json;
 use calib::intervals::Span;
 use calib::noise::{AtRest, NoiseSummary, RecordingCurves};
 
+use findings::{Finding, Front, Kind};
+
+use crate::request::backwards;
 use crate::{Error, ErrorKind, Recording};
 
 /// Allan deviations and noise terms of the sensors, as the file of `allan -o` has them.
@@ -39,7 +42,7 @@ impl Noise {
     /// # Ok::<(), stillpoint::Error>(())
     /// ```
     pub fn warnings(&self) -> Vec<String> {
-        crate::words::all_of_the_library(&self.0.warnings)
+        self.0.warnings.texts(Front::Rust)
     }
 }
 
@@ -70,7 +73,7 @@ pub fn allan(recording: &Recording, rest: Option<(f64, f64)>) -> Result<Noise, E
     let noise = |curves: &RecordingCurves| Ok(Noise(NoiseSummary::of(curves)?));
     if let Some((from, to)) = rest {
         if from >= to || from.is_nan() || to.is_nan() {
-            return Err(Error::usage("rest: begin before end expected"));
+            return Err(Error::usage(backwards(from, to).detail("key", "rest")));
         }
         return noise(&curves(Some(Span { from, to })));
     }
@@ -79,22 +82,14 @@ pub fn allan(recording: &Recording, rest: Option<(f64, f64)>) -> Result<Noise, E
         AtRest::Throughout => noise(&all),
         AtRest::For(rest) => {
             let mut found = noise(&curves(Some(rest)))?;
-            let warning = format!(
-                "the device moved: only the longest static interval, t = {:.2} to {:.2} s, is analysed",
-                rest.from, rest.to
-            );
-            found.0.warnings.push_first(warning);
+            let said = Finding::of(Kind::OnlyRestAnalysed).between(rest.from, rest.to);
+            found.0.warnings.push_first(said);
             Ok(found)
         }
         AtRest::TooShort(longest) => {
             let length = longest.map_or(0.0, |rest| rest.length());
-            Err(Error::new(
-                ErrorKind::NotEnoughInformation,
-                format!(
-                    "the device moved, and its longest static interval lasts {length:.0} s: an Allan deviation needs a \
-                     recording at rest; leave the device alone for an hour, or name a stretch by `rest`"
-                ),
-            ))
+            let found = Finding::of(Kind::NeverAtRest).number("length", length, "s");
+            Err(Error::of(ErrorKind::NotEnoughInformation, &found))
         }
     }
 }

@@ -3,6 +3,7 @@
 use calib::calibrate::calibrate as calibrate_all;
 use calib::limits::built_in;
 use calib::methods::six_position;
+use findings::{Finding, Kind, Level};
 
 use crate::watch::under;
 use crate::{Calibration, Error, Method, Recording, Request};
@@ -32,7 +33,7 @@ use crate::{Calibration, Error, Method, Recording, Request};
 /// ```
 pub fn calibrate(recordings: &[Recording], request: &Request) -> Result<Calibration, Error> {
     if recordings.is_empty() {
-        return Err(Error::usage("no recording given; give one or more"));
+        return Err(Error::usage(Finding::of(Kind::RecordingsMissing)));
     }
     let how = request.for_calibration(recordings.len())?;
     let slow = |all: &[Recording]| all.iter().map(Recording::at_hand_speed).collect();
@@ -54,12 +55,10 @@ pub fn calibrate(recordings: &[Recording], request: &Request) -> Result<Calibrat
         calibrate_all(&all, &turned, &how)
     })?;
     if let Some(own) = outcome.calibration.not_calibrated.first() {
-        let words = format!(
-            "the {} is not calibrated: {}; for the accelerometer alone give its readings alone",
-            own.sensor.name(),
-            own.text
-        );
-        return Err(calib::Error::not_enough(words).into());
+        let found = Finding::of(Kind::NotCalibrated)
+            .of_sensor(own.sensor)
+            .detail("why", own.text.clone());
+        return Err(calib::Error::not_enough(found.at_level(Level::Error)).into());
     }
     let limits = built_in(&outcome.calibration);
     outcome.calibration.state_limits(limits);
@@ -76,9 +75,11 @@ fn refuse_for_six_positions(request: &Request) -> Result<(), Error> {
         ("nominal_rate", request.nominal_rate.is_some()),
     ];
     match ignored.iter().find(|(_, given)| *given) {
-        Some((name, _)) => Err(Error::usage(format!(
-            "{name} means nothing with six positions; leave it out"
-        ))),
+        Some((name, _)) => Err(Error::usage(
+            Finding::of(Kind::NotOfThisMethod)
+                .detail("setting", *name)
+                .detail("method", "six-position"),
+        )),
         None => Ok(()),
     }
 }

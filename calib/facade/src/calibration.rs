@@ -1,6 +1,6 @@
 //! The result, and what it makes of readings.
 
-use findings::{Findings, Verdict};
+use findings::{Finding, Findings, Front, Kind, Verdict};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 use sensor::{PLACES, Sensor, base_names};
 
 use crate::watch::under;
-use crate::{Catalogue, Error, Recording, Watch, words};
+use crate::{Catalogue, Error, Recording, Watch};
 
 /// A parameter of a calibration.
 #[derive(Clone, Debug, PartialEq)]
@@ -194,22 +194,19 @@ impl Calibration {
         corrected: &mut [[f64; 3]],
     ) -> Result<(), Error> {
         if raw.len() != corrected.len() {
-            return Err(Error::usage(format!(
-                "{} rows to correct into {}: as many expected",
-                raw.len(),
-                corrected.len()
-            )));
+            return Err(Error::usage(
+                Finding::of(Kind::CountOther)
+                    .detail("key", "corrected")
+                    .detail("found", format!("{} rows", corrected.len()))
+                    .detail("expected", raw.len().to_string()),
+            ));
         }
         let Some(triad) = self.inner.triad(sensor) else {
-            return Err(Error::usage(format!(
-                "the calibration has no {}",
-                sensor.name()
-            )));
+            let found = Finding::of(Kind::SensorNotInCalibration);
+            return Err(Error::usage(found.of_sensor(sensor)));
         };
         if !self.is_base_only() {
-            return Err(Error::usage(
-                "the calibration has effects, which look at more than one reading; use `apply`",
-            ));
+            return Err(Error::usage(Finding::of(Kind::EffectsLookFurther)));
         }
         let base = triad.base();
         for (raw, corrected) in raw.iter().zip(corrected) {
@@ -231,7 +228,7 @@ impl Calibration {
     /// # Ok::<(), stillpoint::Error>(())
     /// ```
     pub fn warnings(&self) -> Vec<String> {
-        words::all_of_the_library(&self.inner.warnings)
+        self.inner.warnings.texts(Front::Rust)
     }
 
     /// The verdict on it: good, with care or not to be used, with the reasons in order and what to do next.
@@ -276,7 +273,7 @@ impl Calibration {
     /// # Ok::<(), stillpoint::Error>(())
     /// ```
     pub fn failed_gates(&self) -> Vec<String> {
-        words::all_of_the_library(&self.inner.failed_gates)
+        self.inner.failed_gates.texts(Front::Rust)
     }
 
     /// The fits behind it and the recordings they were made on; `None` where it was read or solved in closed form.
@@ -382,7 +379,7 @@ pub fn apply_watched(
     under(watch, || {
         check_units(own, raw)?;
         let mut doubts = doubts(own, raw)?;
-        doubts.extend(own.edited().map(|edited| edited.in_words().to_owned()));
+        doubts.extend(own.edited().map(|edited| edited.finding()));
         let mut corrected = calib::calibration::apply(own, raw)?;
         corrected.warnings.extend(doubts);
         Ok(corrected.into())

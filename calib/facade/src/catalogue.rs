@@ -1,5 +1,6 @@
 //! Effects of one's own beside those of the catalogue.
 
+use findings::{Finding, Kind};
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -163,9 +164,9 @@ impl Catalogue {
             {
                 Ok(())
             }
-            Some(_) => Err(Error::usage(format!(
-                "`{name}` is the name of another effect already; choose another"
-            ))),
+            Some(_) => Err(Error::usage(
+                Finding::of(Kind::EffectTaken).detail("name", name),
+            )),
             None => {
                 self.0.push(effect);
                 Ok(())

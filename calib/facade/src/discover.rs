@@ -1,5 +1,6 @@
 //! What the base models lack.
 
+use findings::{Finding, Front, Kind};
 use std::sync::Arc;
 
 use calib::discover::{Discovery, EffectFinding, Verdict, discover as look, validate};
@@ -7,7 +8,7 @@ use calib::document::to_json;
 use calib::limits::built_in;
 
 use crate::watch::under;
-use crate::{Calibration, Error, Recording, Request, words};
+use crate::{Calibration, Error, Recording, Request};
 
 /// What was found, as `findings.json` has it.
 #[derive(Clone, Debug)]
@@ -72,7 +73,7 @@ impl Findings {
     /// # Ok::<(), stillpoint::Error>(())
     /// ```
     pub fn warnings(&self) -> Vec<String> {
-        words::all_of_the_library(&self.0.findings.calibration.warnings)
+        self.0.findings.calibration.warnings.texts(Front::Rust)
     }
 
     /// The file that `discover -o` writes, to the byte.
@@ -118,7 +119,7 @@ impl AsRef<Discovery> for Findings {
 /// ```
 pub fn discover(recordings: &[Recording], request: &Request) -> Result<Findings, Error> {
     if recordings.is_empty() {
-        return Err(Error::usage("no recording given; give one or more"));
+        return Err(Error::usage(Finding::of(Kind::RecordingsMissing)));
     }
     let how = request.for_discovery()?;
     let recordings: Vec<Recording> = recordings.iter().map(Recording::at_hand_speed).collect();
@@ -153,11 +154,9 @@ fn refuse_seen(
         })
     };
     match recordings.iter().find(same) {
-        Some(seen) => Err(Error::usage(format!(
-            "validation has the data of {}, which the fit has seen: what it shows there is no proof; give another \
-             recording of the device",
-            seen.name
-        ))),
+        Some(seen) => Err(Error::usage(
+            Finding::of(Kind::ValidationSeen).detail("other", seen.name.clone()),
+        )),
         None => Ok(()),
     }
 }

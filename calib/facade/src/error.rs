@@ -1,9 +1,6 @@
 //! What is wrong, where, and what to do.
 
-use calib::message::{Place, advice};
-use findings::Front;
-
-use crate::words;
+use findings::{Finding, Front};
 
 /// The kinds of what can be wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -76,75 +73,51 @@ pub struct Error {
 }
 
 impl Error {
-    pub(crate) fn new(kind: ErrorKind, message: impl Into<String>) -> Self {
-        let message = message.into();
-        let next = advice(&message).map(str::to_owned);
+    /// Of a finding: its words, its place and what to do, with options as this library calls them.
+    pub(crate) fn of(kind: ErrorKind, finding: &Finding) -> Self {
+        let place = &finding.place;
         Self {
             kind,
-            message,
-            file: None,
-            line: None,
-            column: None,
-            next,
+            message: finding.text(Front::Rust),
+            file: place.file.clone(),
+            line: place.line,
+            column: place.column,
+            next: finding.advice(Front::Rust),
         }
     }
 
-    pub(crate) fn usage(message: impl Into<String>) -> Self {
-        Self::new(ErrorKind::Usage, message)
+    pub(crate) fn usage(finding: Finding) -> Self {
+        Self::of(ErrorKind::Usage, &finding)
     }
 
     /// The same about arrays: what stands for a file's name is none.
     pub(crate) fn of_arrays(error: &calib::Error) -> Self {
-        let mut own = Self::from_calib(error);
-        let raw = error.text(Front::Rust);
-        if let Some(place) = Place::of(&raw) {
-            let place_words = match place.column {
-                Some(column) => format!("row {}, column {column}", place.line),
-                None => format!("row {}", place.line),
-            };
-            own.message = format!("{place_words}: {}", words::of_the_library(place.what));
-        }
-        own.file = None;
-        own
+        let mut finding = error.finding();
+        finding.place.file = None;
+        Self::of(kind_of(error), &finding)
     }
+}
 
-    fn from_calib(error: &calib::Error) -> Self {
-        use calib::Error as E;
-        let kind = match error {
-            E::Usage(_) | E::Parts { .. } => ErrorKind::Usage,
-            E::NotEnough(_) => ErrorKind::NotEnoughInformation,
-            E::NotConverged(_) | E::Solver(_) => ErrorKind::NotConverged,
-            E::Output { .. } => ErrorKind::Output,
-            E::Cancelled => ErrorKind::Cancelled,
-            _ => ErrorKind::Input,
-        };
-        let finding = error.finding();
-        let raw = finding.text(Front::Rust);
-        let place = Place::of(&raw);
-        let file = match error {
-            E::Io { path, .. } | E::Output { path, .. } => Some(path.display().to_string()),
-            _ => place.map(|place| place.file.to_owned()),
-        };
-        Self {
-            file,
-            line: place.map(|place| place.line),
-            column: place.and_then(|place| place.column),
-            next: finding
-                .advice(Front::Rust)
-                .or_else(|| advice(&raw).map(words::of_the_library)),
-            ..Self::new(kind, words::of_the_library(&raw))
-        }
+fn kind_of(error: &calib::Error) -> ErrorKind {
+    use calib::Error as E;
+    match error {
+        E::Usage(_) | E::Parts { .. } => ErrorKind::Usage,
+        E::NotEnough(_) => ErrorKind::NotEnoughInformation,
+        E::NotConverged(_) | E::Solver(_) => ErrorKind::NotConverged,
+        E::Output { .. } => ErrorKind::Output,
+        E::Cancelled => ErrorKind::Cancelled,
+        _ => ErrorKind::Input,
     }
 }
 
 impl From<calib::Error> for Error {
     fn from(error: calib::Error) -> Self {
-        Self::from_calib(&error)
+        Self::of(kind_of(&error), &error.finding())
     }
 }
 
 impl From<serde_json::Error> for Error {
     fn from(error: serde_json::Error) -> Self {
-        Self::new(ErrorKind::Bug, error.to_string())
+        Self::of(ErrorKind::Bug, &error.to_string().into())
     }
 }

@@ -44,7 +44,6 @@ mod recording;
 mod request;
 mod simulate;
 mod watch;
-mod words;
 
 pub use allan::{Noise, allan};
 pub use calib::Evaluation;

@@ -6,7 +6,9 @@ use std::sync::Arc;
 use calib::recording::{ReadOptions, Rows, Stream, to_csv};
 use sensor::Sensor;
 
-use crate::{Error, words};
+use findings::Front;
+
+use crate::Error;
 
 /// What arrays are called until [`Recording::named`] says otherwise.
 const UNNAMED: &str = "arrays";
@@ -253,7 +255,7 @@ impl Recording {
     /// # Ok::<(), stillpoint::Error>(())
     /// ```
     pub fn warnings(&self) -> Vec<String> {
-        words::all_of_the_library(&self.0.warnings)
+        self.0.warnings.texts(Front::Rust)
     }
 
     /// As a plain CSV, numbers in the fewest digits that give the same bits back.

@@ -6,7 +6,9 @@ use calib::effect_file::catalogue_with;
 use calib::gravity::{ACCEPTED, Gravity, NotOnEarth};
 use calib::intervals::{DetectorOptions, Span};
 use calib::methods::joint::{BiasNoise, ClockMode};
+use calib::recording::figure;
 use calib::residuals::Integrator;
+use findings::{Finding, Kind, Remedy};
 use sensor::AnyEffect;
 
 use crate::{Catalogue, Error, Recording, Watch};
@@ -125,14 +127,12 @@ impl Request {
         let found = Gravity::checked(self.gravity, self.latitude, self.altitude);
         found.map_err(|what| {
             Error::usage(match what {
-                NotOnEarth::Gravity(g) => format!(
-                    "gravity is {g}, on the earth it lies between {} and {} m/s²; an error of 0.01 changes every scale \
-                     factor by 0.1 %",
-                    ACCEPTED.start(),
-                    ACCEPTED.end()
-                ),
-                NotOnEarth::Latitude(l) => format!("latitude is {l}, -90 to 90 degrees expected"),
-                NotOnEarth::Altitude(h) => format!("altitude is {h}, -500 to 9000 m expected"),
+                NotOnEarth::Gravity(g) => Finding::of(Kind::GravityNotOnEarth)
+                    .detail("gravity", figure(g))
+                    .detail("least", figure(*ACCEPTED.start()))
+                    .detail("most", figure(*ACCEPTED.end())),
+                NotOnEarth::Latitude(l) => out_of_range("latitude", l, "-90 to 90 °"),
+                NotOnEarth::Altitude(h) => out_of_range("altitude", h, "-500 to 9000 m"),
             })
         })
     }
@@ -144,9 +144,8 @@ impl Request {
         let nominal_step = match self.nominal_rate {
             Some(rate) if NOMINAL_RATES.contains(&rate) => Some(rate.recip()),
             Some(rate) => {
-                return Err(Error::usage(format!(
-                    "nominal_rate is {rate}, 0.1 to 100000 Hz expected"
-                )));
+                let expected = "0.1 to 100000 Hz";
+                return Err(Error::usage(out_of_range("nominal_rate", rate, expected)));
             }
             None => None,
         };
@@ -179,10 +178,8 @@ impl Request {
     /// For the search.
     pub(crate) fn for_discovery(&self) -> Result<DiscoverRequest, Error> {
         if !(self.alpha > 0.0 && self.alpha <= 0.5) {
-            return Err(Error::usage(format!(
-                "alpha is {}, a chance above 0 and at most 0.5 expected",
-                self.alpha
-            )));
+            let expected = "above 0 to 0.5";
+            return Err(Error::usage(out_of_range("alpha", self.alpha, expected)));
         }
         let gravity = self.local_gravity()?;
         let (detector, choose_multiplier) = self.detector.detector().map_err(not_positive)?;
@@ -208,11 +205,8 @@ impl Request {
         let spans = |list: &Vec<(f64, f64)>| -> Result<Vec<Span>, Error> {
             let span = |&(from, to): &(f64, f64)| {
                 let fits = from.is_finite() && to.is_finite() && from < to;
-                fits.then_some(Span { from, to }).ok_or_else(|| {
-                    Error::usage(format!(
-                        "a section from {from} to {to} s: begin before end expected"
-                    ))
-                })
+                fits.then_some(Span { from, to })
+                    .ok_or_else(|| Error::usage(backwards(from, to).detail("key", "sections")))
             };
             list.iter().map(span).collect()
         };
@@ -221,9 +215,11 @@ impl Request {
             1 => Ok(vec![all[0].clone(); recordings]),
             0 => Ok(all),
             n if n == recordings => Ok(all),
-            n => Err(Error::usage(format!(
-                "{n} lists of sections for {recordings} recordings; give one for all or one for each"
-            ))),
+            n => Err(Error::usage(
+                Finding::of(Kind::SectionsDoNotFit)
+                    .count("count", n)
+                    .count("recordings", recordings),
+            )),
         }
     }
 
@@ -231,9 +227,12 @@ impl Request {
         let instant = |&(recording, t): &(usize, f64)| {
             let is_there = (1..=recordings).contains(&recording) && t.is_finite();
             is_there.then_some(Instant { recording, t }).ok_or_else(|| {
-                Error::usage(format!(
-                    "{t} s of recording {recording} to leave out: a stamp and a recording from 1 to {recordings} expected"
-                ))
+                Error::usage(
+                    Finding::of(Kind::InstantOutside)
+                        .detail("time", figure(t))
+                        .count("recording", recording)
+                        .count("recordings", recordings),
+                )
             })
         };
         self.left_out.iter().map(instant).collect()
@@ -243,8 +242,9 @@ impl Request {
         let find = |name: &String| {
             let mut all = catalogue_with(self.catalogue.own());
             all.find(|effect| effect.name() == name).ok_or_else(|| {
-                let names = self.catalogue.names().join(", ");
-                Error::usage(format!("no effect `{name}` in the catalogue ({names})"))
+                let unknown = Finding::of(Kind::EffectUnknown).remedy(Remedy::ListEffects);
+                let unknown = unknown.detail("effect", format!("`{name}`"));
+                Error::usage(unknown.or_nearest(name, self.catalogue.names()))
             })
         };
         self.effects.iter().map(find).collect()
@@ -252,5 +252,24 @@ impl Request {
 }
 
 fn not_positive(name: &str) -> Error {
-    Error::usage(format!("{name}: a positive number expected"))
+    Error::usage(
+        Finding::of(Kind::OutOfRange)
+            .detail("key", name)
+            .detail("value", "not positive")
+            .detail("expected", "a positive number"),
+    )
+}
+
+fn out_of_range(name: &str, value: f64, expected: &str) -> Finding {
+    Finding::of(Kind::OutOfRange)
+        .detail("key", name)
+        .detail("value", figure(value))
+        .detail("expected", expected)
+}
+
+/// A stretch that ends before it begins.
+pub(crate) fn backwards(from: f64, to: f64) -> Finding {
+    Finding::of(Kind::Backwards)
+        .detail("from", figure(from))
+        .detail("to", figure(to))
 }

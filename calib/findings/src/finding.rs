@@ -202,6 +202,14 @@ impl Finding {
         self
     }
 
+    /// The same with the nearest of known names as a remedy, where one is near.
+    pub fn or_nearest<'a>(self, name: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
+        match Remedy::nearest(name, known) {
+            Some(remedy) => self.remedy(remedy),
+            None => self,
+        }
+    }
+
     /// The same with these remedies alone.
     pub fn only_remedies(mut self, remedies: impl IntoIterator<Item = Remedy>) -> Self {
         self.remedies = remedies.into_iter().collect();

@@ -335,6 +335,8 @@ kinds! {
     HeadingDisagrees = "heading_disagrees",
     /// The magnetometer is not calibrated.
     MagnetometerNotCalibrated = "magnetometer_not_calibrated",
+    /// Signs of the magnetometer's axes are wrong by the latitude.
+    FieldSignsWrong = "field_signs_wrong",
     /// The axes of the magnetometer are turned or mirrored.
     FieldTurned = "field_turned",
     /// The unit of the magnetometer is known on one side only.
@@ -642,8 +644,6 @@ kinds! {
     ParameterLine = "parameter_line",
     /// A target has no parameters for the sensor.
     InstanceBeyond = "instance_beyond",
-    /// A matrix of a calibration has no inverse.
-    MatrixSingular = "matrix_singular",
     /// A scale factor is zero.
     ScaleZero = "scale_zero",
     /// A scale factor does not fit the integers of a target.
@@ -1108,10 +1108,252 @@ kinds! {
     /// A turn has no samples.
     TurnEmpty = "turn_empty",
     // Errors: requests, models, calibrations and fits (crates sensor, effects, simulate, noise, estimate, discover, plan).
+    /// An effect looks at a sensor that was not recorded.
+    EffectNeedsSensor = "effect_needs_sensor",
+    /// An effect looks at a sensor whose errors are not known.
+    EffectNeedsErrors = "effect_needs_errors",
+    /// An effect of another sensor looks at the magnetic field.
+    EffectNeedsField = "effect_needs_field",
+    /// An effect looks at the temperature, and none was recorded.
+    EffectNeedsTemperature = "effect_needs_temperature",
+    /// An effect looks at what static intervals tell, and there are too few.
+    EffectNeedsRests = "effect_needs_rests",
+    /// An effect looks at more than a file of means has.
+    EffectNeedsMeans = "effect_needs_means",
+    /// An effect with an instant is used on another recording.
+    EffectNeedsStart = "effect_needs_start",
+    /// An effect with a heading is used on another recording.
+    EffectNeedsHeading = "effect_needs_heading",
+    /// An effect of the accelerometer looks at the attitude, which its method does not know yet.
+    EffectNeedsAttitude = "effect_needs_attitude",
+    /// An effect has an instant, by which a fit has no derivative.
+    EffectNeedsInstant = "effect_needs_instant",
+    /// A parameter of an effect shows in no static interval.
+    EffectSilentAtRest = "effect_silent_at_rest",
+    /// Parameters of effects change the norm of specific force alike.
+    EffectsAlike = "effects_alike",
+    /// An effect of the user takes more steps than it may.
+    EffectCostly = "effect_costly",
+    /// An effect of the user is no number somewhere.
+    EffectNoNumber = "effect_no_number",
+    /// An effect of the user may be why a fit fails.
+    OwnEffectSuspected = "own_effect_suspected",
+    /// A calibration has an effect that this program does not know.
+    EffectNotHere = "effect_not_here",
+    /// A calibration with effects is to correct single readings.
+    EffectsLookFurther = "effects_look_further",
+    /// There is no effect of this name.
+    EffectUnknown = "effect_unknown",
+    /// There is no parameter of this name.
+    ParameterUnknown = "parameter_unknown",
+    /// The name of an effect is that of another.
+    EffectTaken = "effect_taken",
+    /// A name means something else already.
+    NameTaken = "name_taken",
+    /// A name is not in snake case.
+    NameNotSnakeCase = "name_not_snake_case",
+    /// The definition of an effect is that of another.
+    DefinitionOfOther = "definition_of_other",
+    /// An effect has no parameter.
+    ParametersMissing = "parameters_missing",
+    /// An effect has no expression.
+    ExpressionMissing = "expression_missing",
+    /// The expressions of an effect take too many steps.
+    ExpressionCostly = "expression_costly",
+    /// An effect is not silent in a perfect sensor.
+    NotSilent = "not_silent",
+    /// An effect is no number in some motion.
+    NoNumberInMotion = "no_number_in_motion",
+    /// A factor of a formula is to the power of zero.
+    PowerOfZero = "power_of_zero",
+    /// An expression is too long.
+    ExpressionLong = "expression_long",
+    /// An expression is nested too deeply.
+    ExpressionDeep = "expression_deep",
+    /// A number of an expression cannot be read.
+    ExpressionNoNumber = "expression_no_number",
+    /// A character has no meaning in an expression.
+    ExpressionCharacter = "expression_character",
+    /// Something else stands where an expression needs an operator.
+    OperatorExpected = "operator_expected",
+    /// Something else stands where an expression needs an operand.
+    OperandExpected = "operand_expected",
+    /// Something else stands where an expression needs a bracket.
+    SignExpected = "sign_expected",
+    /// An exponent is no constant.
+    ExponentVaries = "exponent_varies",
+    /// An expression calls a function that there is not.
+    FunctionUnknown = "function_unknown",
+    /// An expression names a variable that there is not.
+    VariableUnknown = "variable_unknown",
+    /// A value is outside of its range.
+    OutOfRange = "out_of_range",
+    /// A local gravity is that of no place on the earth.
+    GravityNotOnEarth = "gravity_not_on_earth",
+    /// An end comes before its begin, or a largest value before the least.
+    Backwards = "backwards",
+    /// A setting means nothing to the method that was asked for.
+    NotOfThisMethod = "not_of_this_method",
+    /// The joint method is asked for without an accelerometer.
+    MethodNeedsForce = "method_needs_force",
+    /// No recording is given.
+    RecordingsMissing = "recordings_missing",
+    /// There are as many lists of sections as neither one nor recordings.
+    SectionsDoNotFit = "sections_do_not_fit",
+    /// An instant to leave out is in no recording.
+    InstantOutside = "instant_outside",
+    /// There are more or fewer of something than of its partner.
+    CountOther = "count_other",
+    /// A direction is zero.
+    DirectionZero = "direction_zero",
+    /// Counts are asked for without their unit.
+    StepMissing = "step_missing",
+    /// A filter leaves the noise as it is.
+    FilterTooHigh = "filter_too_high",
+    /// A fault happens in a placement or a turn that there is not.
+    PlaceMissing = "place_missing",
+    /// An effect has nothing in a simulation that it shows in.
+    EffectSilent = "effect_silent",
+    /// One thing is given in two ways.
+    GivenTwice = "given_twice",
+    /// A simulation has more samples than the memory takes.
+    TooLongForMemory = "too_long_for_memory",
+    /// A text is not TOML, or has keys that nobody knows.
+    NotToml = "not_toml",
+    /// A validation recording was in the fit.
+    ValidationSeen = "validation_seen",
+    /// What a recording needs.
+    Requirement = "requirement",
+    /// Placements leave a combination of parameters open.
+    PlacementsLeaveOpen = "placements_leave_open",
+    /// Placements are no more than the parameters.
+    PlacementsTooFew = "placements_too_few",
+    /// Placements tell some parameters too badly.
+    PlacementsTellLittle = "placements_tell_little",
+    /// Placements lie near one plane.
+    PlacementsInPlane = "placements_in_plane",
+    /// Placements repeat too few directions.
+    DirectionsTooFew = "directions_too_few",
+    /// Turns leave a combination of parameters open.
+    TurnsLeaveOpen = "turns_leave_open",
+    /// Turns are no more than the parameters.
+    TurnsTooFew = "turns_too_few",
+    /// Turns tell some parameters too badly.
+    TurnsTellLittle = "turns_tell_little",
+    /// There is no turn between two static intervals.
+    TurnsMissing = "turns_missing",
+    /// No turn can be used.
+    TurnsUnusable = "turns_unusable",
+    /// Too few turns can be used.
+    TurnsUsableFew = "turns_usable_few",
+    /// The turns that can be used leave a parameter open.
+    TurnsUsableOpen = "turns_usable_open",
+    /// The device is never still for long enough.
+    NeverStill = "never_still",
+    /// No stretch is quiet enough for a device at rest.
+    NeverQuiet = "never_quiet",
+    /// Quiet stretches are no static intervals.
+    QuietNotStatic = "quiet_not_static",
+    /// The device was not turned.
+    AllStatic = "all_static",
+    /// Static means lie on no sphere.
+    NoSphere = "no_sphere",
+    /// A static interval shows no gravity.
+    NoGravityAtRest = "no_gravity_at_rest",
+    /// A recording has no static interval of its sensor.
+    NoRest = "no_rest",
+    /// A face of the device is in no placement.
+    FaceMissing = "face_missing",
+    /// No rest is long enough for a bias.
+    RestTooShort = "rest_too_short",
+    /// There are too few rests for a bias.
+    RestsTooFew = "rests_too_few",
+    /// Rests do not tell the axes apart.
+    RestsInPlane = "rests_in_plane",
     /// The work was cancelled.
     Cancelled = "cancelled",
     /// The solver refused the problem.
     SolverRefused = "solver_refused",
+    /// A fit does not come to an end.
+    FitStopped = "fit_stopped",
+    /// A recording has nothing to calibrate.
+    NothingToCalibrate = "nothing_to_calibrate",
+    /// Two axes of a fit are the same.
+    AxesSame = "axes_same",
+    /// There is a magnetometer and nothing that tells how it was held.
+    MagnetometerAlone = "magnetometer_alone",
+    /// Nothing tells how a magnetometer was held.
+    AttitudeNotSeen = "attitude_not_seen",
+    /// The magnetometers of two recordings have different units.
+    FieldUnitsDiffer = "field_units_differ",
+    /// Attitudes do not determine a magnetometer.
+    AttitudesLeaveOpen = "attitudes_leave_open",
+    /// Too few attitudes have readings of the magnetometer.
+    AttitudesTooFew = "attitudes_too_few",
+    /// A file was written by a newer version.
+    WrittenByNewer = "written_by_newer",
+    /// A file is not JSON.
+    NotJson = "not_json",
+    /// A file does not say its schema.
+    SchemaMissing = "schema_missing",
+    /// An entry says another thing than expected.
+    EntryOther = "entry_other",
+    /// The matrix of a sensor has no inverse.
+    MatrixSingular = "matrix_singular",
+    /// A matrix amplifies its axes as that of no sensor.
+    MatrixUnequal = "matrix_unequal",
+    /// A bias is that of no sensor.
+    BiasBeyond = "bias_beyond",
+    /// A prior is used in a frame that it does not hold in.
+    PriorFrame = "prior_frame",
+    /// A prior has no parameter of the calibration.
+    PriorForeign = "prior_foreign",
+    /// A prior has sizes or numbers that make no distribution.
+    PriorUnusable = "prior_unusable",
+    /// The covariances of prior and session are none together.
+    PriorDegenerate = "prior_degenerate",
+    /// A recording has no readings of a sensor.
+    SensorNotRecorded = "sensor_not_recorded",
+    /// A calibration has nothing of a sensor.
+    SensorNotInCalibration = "sensor_not_in_calibration",
+    /// A calibration is for readings in another unit.
+    OfOtherUnits = "of_other_units",
+    /// Accelerometers of two recordings differ as those of two devices.
+    DevicesDiffer = "devices_differ",
+    /// The gyroscope of a recording differs as that of another device.
+    GyroscopeOfOther = "gyroscope_of_other",
+    /// The readings of a recording are in another one too.
+    ReadingsTwice = "readings_twice",
+    /// A recording is of the same device in turned axes.
+    AxesOfOtherTurned = "axes_of_other_turned",
+    /// Corrected by a calibration the rate at rest is not zero.
+    RateAtRestOff = "rate_at_rest_off",
+    /// Corrected by a calibration the gyroscope misses gravity through turns.
+    DirectionOff = "direction_off",
+    /// Corrected by a calibration the specific force at rest is not gravity.
+    NormOff = "norm_off",
+    /// Readings were corrected before otherwise than those of the calibration.
+    CorrectedOtherwise = "corrected_otherwise",
+    /// Readings of some recordings were corrected before.
+    CorrectedInPart = "corrected_in_part",
+    /// What corrects a reading was edited in a calibration.
+    NumbersEdited = "numbers_edited",
+    /// What a calibration says of its worth was edited.
+    BasisEdited = "basis_edited",
+    /// An effect holds in the recordings of a calibration only, and these are not known.
+    EffectOfRecordings = "effect_of_recordings",
+    /// Only the longest static interval is analysed.
+    OnlyRestAnalysed = "only_rest_analysed",
+    /// A recording has no motion after a rest.
+    MotionMissing = "motion_missing",
+    /// A motion lies outside of its recording, or has no rest before it.
+    MotionOutside = "motion_outside",
+    /// A stretch has too few samples.
+    SamplesTooFew = "samples_too_few",
+    /// A rest has no samples.
+    NoSamplesAtRest = "no_samples_at_rest",
+    /// The device was never at rest for long enough to see its noise.
+    NeverAtRest = "never_at_rest",
     // Last of all.
     /// A finding of another version, or one with a text of its own.
     Remark = "remark",

@@ -46,6 +46,8 @@ pub enum OptionName {
     Method,
     /// Shortest static interval.
     MinStatic,
+    /// Motion of a track.
+    Motion,
     /// Threshold of the static detector.
     Multiplier,
     /// Missing values.
@@ -163,13 +165,6 @@ pub enum Remedy {
     SampleFaster,
     /// Filter the readings before they are sampled.
     FilterFirst,
-    /// Measure the noise of the sensor at rest.
-    MeasureNoise,
-    /// Leave an option out.
-    Without {
-        /// Option.
-        option: OptionName,
-    },
     /// Let the temperature rise and fall at least twice, slowly and fast.
     TemperatureCycles,
     /// Warm the device, then let it cool while it is turned.
@@ -221,6 +216,34 @@ pub enum Remedy {
         /// Name of the method.
         method: String,
     },
+    /// Take the name that is nearest to a misspelled one.
+    Nearest {
+        /// Such names, the likeliest first.
+        names: Vec<String>,
+    },
+    /// See which effects there are.
+    ListEffects,
+    /// Calibrate again.
+    CalibrateAgain,
+    /// Look whether two files were swapped.
+    SwapFiles,
+    /// Look whether two sensors were swapped.
+    SwapSensors,
+    /// Turn the axes of a recording back.
+    TurnBack {
+        /// The recording.
+        recording: String,
+        /// Its columns as they should be read.
+        columns: String,
+    },
+    /// Turn the device about each axis.
+    TurnEachAxis,
+    /// Record without losing samples.
+    LoseNoSamples,
+    /// Record without frozen rows.
+    FreezeNoRows,
+    /// Record both sensors at the same time.
+    BothSensors,
     /// Report a bug.
     Report,
     // Of files.
@@ -249,11 +272,6 @@ pub enum Remedy {
         /// The feature.
         feature: String,
     },
-    /// Leave an option out.
-    Omit {
-        /// Option.
-        option: OptionName,
-    },
     /// Choose another name for the output.
     OtherName,
     /// Replace the output that is there.
@@ -279,6 +297,9 @@ pub enum Remedy {
     /// Analyse the noise of a long rest.
     AnalyseNoise,
 }
+
+/// A misspelling has at most this many edits, and one more for every third letter.
+const EDITS: usize = 1;
 
 impl Remedy {
     /// An option without a value.
@@ -318,11 +339,6 @@ impl Remedy {
         }
     }
 
-    /// No such option.
-    pub fn without(option: OptionName) -> Self {
-        Self::Without { option }
-    }
-
     /// One of several options where what was decided is wrong.
     pub fn if_wrong(options: impl IntoIterator<Item = OptionName>) -> Self {
         Self::IfWrong {
@@ -341,6 +357,24 @@ impl Remedy {
             // Network file systems fail now and then, and some cannot rename over a file.
             _ => Self::TryAgain,
         }
+    }
+
+    /// The known name that `name` is most likely a misspelling of; none where no name is near.
+    ///
+    /// # Examples
+    /// ```
+    /// use stillpoint_findings::Remedy;
+    /// let names = vec!["rate".to_owned()];
+    /// assert_eq!(Remedy::nearest("rtae", ["gravity", "rate"]), Some(Remedy::Nearest { names }));
+    /// assert_eq!(Remedy::nearest("zzzzzz", ["gravity", "rate"]), None);
+    /// ```
+    pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<Self> {
+        let all = known.into_iter();
+        let all = all.map(|known| (strsim::damerau_levenshtein(name, known), known));
+        let (edits, nearest) = all.min()?;
+        (edits <= EDITS + name.len() / 3).then(|| Self::Nearest {
+            names: vec![nearest.to_owned()],
+        })
     }
 
     /// Whether it is a step only for who knows better.

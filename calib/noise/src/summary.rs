@@ -134,9 +134,7 @@ impl NoiseSummary {
     /// Curves without any sensor.
     pub fn of(curves: &RecordingCurves) -> Result<Self, Error> {
         if curves.accelerometer.is_none() && curves.gyroscope.is_none() {
-            return Err(Error::not_enough(
-                "no sensor with two samples in the recording",
-            ));
+            return Err(Error::not_enough(Finding::of(Kind::NoSamples)));
         }
         let mut warnings = Findings::new();
         let mut settling = Vec::new();

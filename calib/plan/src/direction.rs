@@ -85,8 +85,7 @@ impl Words {
         let mut words = format!("on its {}", self.sides()[side(p)].1);
         if p == 2 && up[q].abs() < ZERO {
             words = match (self, up[2] > 0.0) {
-                (Self::Phone, true) => "flat on its back, screen up".into(),
-                (Self::Phone, false) => "flat on its screen".into(),
+                (Self::Phone, screen_up) => findings::turns::flat(screen_up).into(),
                 (Self::Axes, _) => words,
             };
         }

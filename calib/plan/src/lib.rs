@@ -43,8 +43,8 @@ pub use protocol::{
 };
 pub use relaxation::{Efficiency, d_efficiency, efficiency, relaxation, weighted_information};
 pub use requirement::{
-    Coverage, REQUIREMENT, Requirement, Wanted, best_next, coverage, fewest, is_determined,
-    turns_wanted,
+    Coverage, REQUIREMENT, Requirement, Wanted, axes_wanted, best_next, coverage, fewest,
+    is_determined,
 };
 pub use sequence::{Sequence, sequence, session_of};
 pub use session::{

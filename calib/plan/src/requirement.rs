@@ -4,6 +4,7 @@
 
 use std::fmt;
 
+use findings::{Finding, Kind, Remedy, turns};
 use nalgebra::Vector3;
 use serde::Serialize;
 
@@ -60,12 +61,18 @@ pub const REQUIREMENT: Requirement = Requirement {
 
 impl fmt::Display for Requirement {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "a calibration takes at least {} placements ({} are better), each face up and down among them, {:.0} s \
-             still in each, and turns of at most {:.0} °/s between them",
-            self.placements, self.advised, self.rest, self.fastest
-        )
+        self.finding().fmt(f)
+    }
+}
+
+impl Requirement {
+    /// The same as a finding: the reason of one that asks for more.
+    pub fn finding(&self) -> Finding {
+        Finding::of(Kind::Requirement)
+            .count("least", self.placements)
+            .count("advised", self.advised)
+            .number("rest", self.rest, "s")
+            .number("fastest", self.fastest.to_radians(), "rad/s")
     }
 }
 
@@ -88,6 +95,11 @@ impl Wanted {
             axes: axes_up(up),
             words: Words::Phone.placement(up),
         }
+    }
+
+    /// `z up (a phone: flat on its back, screen up)`.
+    pub fn named(&self) -> String {
+        turns::placement(&self.axes, &self.words)
     }
 }
 
@@ -122,21 +134,39 @@ impl Coverage {
 
     /// `9 placements, 7 of which differ by more than 20°`.
     pub fn found(&self) -> String {
-        let count = self.covered.len();
-        let plural = if count == 1 { "" } else { "s" };
-        format!(
-            "{count} placement{plural}, {} of which differ by more than 20°",
-            self.distinct
-        )
+        turns::placements(self.covered.len(), self.distinct)
     }
 
     /// `no placement has z up, z down`; empty where every face is there.
     pub fn missing(&self) -> String {
+        let up = self.faces_up();
+        up.map_or(String::new(), |up| turns::no_placement(&up))
+    }
+
+    /// `z up, z down`: the faces that no placement has; none where every face is there.
+    fn faces_up(&self) -> Option<String> {
         let faces = faces();
         let up = self.missing_faces.iter().map(|k| axes_up(&faces[*k]));
-        match up.collect::<Vec<_>>().join(", ") {
-            none if none.is_empty() => none,
-            up => format!("no placement has {up}"),
+        let up: Vec<String> = up.collect();
+        (!up.is_empty()).then(|| up.join(", "))
+    }
+
+    /// A refusal of these placements: how many there are, what is missing, what to add and the requirement.
+    pub fn refusal(&self, kind: Kind) -> Finding {
+        let found = Finding::of(kind)
+            .count("count", self.covered.len())
+            .count("distinct", self.distinct)
+            .because(REQUIREMENT.finding());
+        let found = match self.faces_up() {
+            Some(faces) => found.detail("missing", faces),
+            None => found,
+        };
+        match self.wanted.is_empty() {
+            true => found,
+            false => {
+                let placements = self.wanted.iter().map(Wanted::named).collect();
+                found.remedy(Remedy::AddPlacements { placements })
+            }
         }
     }
 
@@ -145,13 +175,8 @@ impl Coverage {
         if self.wanted.is_empty() {
             return String::new();
         }
-        let each: Vec<String> = (1..)
-            .zip(&self.wanted)
-            .map(|(k, w)| format!("{k}) {} (a phone: {})", w.axes, w.words))
-            .collect();
-        let count = each.len();
-        let plural = if count == 1 { "" } else { "s" };
-        format!("add {count} placement{plural}: {}", each.join(", "))
+        let each: Vec<String> = self.wanted.iter().map(Wanted::named).collect();
+        turns::add_placements(&each)
     }
 
     /// The same with so many more placements where nothing is missing but the noise.
@@ -166,9 +191,8 @@ impl Coverage {
     }
 }
 
-/// `turn it about its x and y axes, …`: the turns that tell parameters of the gyroscope that are not known, by their names.
-/// An element of `T` in column `k` shows in turns about axis `k` while that axis lies level.
-pub fn turns_wanted<'a>(unknown: impl IntoIterator<Item = &'a str>) -> String {
+/// `x and y axes`: the axes of the turns that tell parameters of the gyroscope that are not known, by their names. An element of `T` in column `k` shows in turns about axis `k` while that axis lies level.
+pub fn axes_wanted<'a>(unknown: impl IntoIterator<Item = &'a str>) -> String {
     let names = sensor::base_names(sensor::Sensor::Gyroscope);
     let mut about = [false; 3];
     for name in unknown {
@@ -184,10 +208,7 @@ pub fn turns_wanted<'a>(unknown: impl IntoIterator<Item = &'a str>) -> String {
         .filter_map(|(axis, own)| (own || all).then_some(axis))
         .collect();
     let plural = if axes.len() == 1 { "axis" } else { "axes" };
-    format!(
-        "turn it about its {} {plural} too, by half a turn or more while that axis lies level",
-        axes.join(" and ")
-    )
+    format!("{} {plural}", axes.join(" and "))
 }
 
 /// Standard errors and error of a reading, in noises of one placement; `None` where a parameter is open.

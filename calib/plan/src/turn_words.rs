@@ -2,6 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
+use findings::turns;
 use nalgebra::{Rotation3, Unit, Vector3};
 
 use crate::turn::{Leg, Speed, Turn, Way};
@@ -32,7 +33,7 @@ impl Turn {
 
     fn way_words(&self, from: &Vector3<f64>) -> String {
         let Some(last) = self.legs.last() else {
-            return "leave it as it is".into();
+            return turns::leave().into();
         };
         let before = self.legs[..self.legs.len() - 1]
             .iter()
@@ -42,34 +43,26 @@ impl Turn {
         let Some(axis) = own_axis(&last.axis) else {
             return aslant(self.way, &after);
         };
-        let amount = |angle: f64| match angle {
-            a if (a - FRAC_PI_2).abs() < NEAR => "a quarter".into(),
-            a if (a - PI).abs() < NEAR => "over".into(),
-            a if (a - 1.5 * PI).abs() < NEAR => "three quarters".into(),
-            a => format!("{:.0}°", a.to_degrees()),
+        let amount = |angle: f64| -> String {
+            match angle {
+                a if (a - FRAC_PI_2).abs() < NEAR => "a quarter".into(),
+                a if (a - PI).abs() < NEAR => "over".into(),
+                a if (a - 1.5 * PI).abs() < NEAR => "three quarters".into(),
+                a => format!("{:.0}°", a.to_degrees()),
+            }
         };
         match self.way {
-            Way::Short | Way::Long => {
-                format!("turn it {} about {axis} {until}", amount(last.angle))
-            }
-            Way::Round if last.angle < TAU + NEAR => {
-                format!("turn it once all the way round about {axis}")
-            }
+            Way::Short | Way::Long => turns::turn(&amount(last.angle), axis, &until),
+            Way::Round if last.angle < TAU + NEAR => turns::turn_round(Some(axis)),
             Way::Round => {
-                let more = match amount(last.angle - TAU) {
+                let more: String = match amount(last.angle - TAU) {
                     over if over == "over" => "half".into(),
                     other => other,
                 };
-                format!("turn once round about {axis}, then {more} more {until}")
+                turns::turn_round_and(axis, &more, &until)
             }
-            Way::SpinLeft | Way::SpinRight => {
-                let amount = amount(last.angle);
-                format!("spin it half round, then {amount} about {axis} {until}")
-            }
-            Way::Via => {
-                let first = self::until(from, &before);
-                format!("turn it {first}, then about {axis} {until}")
-            }
+            Way::SpinLeft | Way::SpinRight => turns::spin_and(&amount(last.angle), axis, &until),
+            Way::Via => turns::turn_by_way_of(&self::until(from, &before), axis, &until),
         }
     }
 }
@@ -89,15 +82,9 @@ fn own_axis(axis: &Vector3<f64>) -> Option<&'static str> {
 /// A turn about an axis that has no name; where it leads is said by the placement.
 fn aslant(way: Way, after: &Vector3<f64>) -> String {
     let is_corner = after.iter().all(|c| c.abs() > 0.5);
-    let there = if is_corner {
-        "onto a corner"
-    } else {
-        "the shortest way"
-    };
     match way {
-        Way::Round => "turn it once all the way round, end over end".into(),
-        Way::SpinLeft | Way::SpinRight => format!("spin it half round, then turn it {there}"),
-        _ => format!("turn it {there}"),
+        Way::Round => turns::turn_round(None),
+        way => turns::turn_aslant(is_corner, matches!(way, Way::SpinLeft | Way::SpinRight)),
     }
 }
 

@@ -2,17 +2,38 @@
 
 use std::ops::Range;
 
+use findings::{Finding, Front, Kind, Remedy};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::did_you_mean;
-
 /// Line and column of a byte, counted from 1.
-pub fn place(text: &str, byte: usize) -> String {
+fn line_and_column(text: &str, byte: usize) -> (u64, u64) {
     let before = text.get(..byte).unwrap_or(text);
     let line = before.matches('\n').count() + 1;
     let column = before.rsplit('\n').next().map_or(0, |l| l.chars().count()) + 1;
-    format!("{line}:{column}")
+    (line as u64, column as u64)
+}
+
+/// The finding at a byte of the text of a file.
+fn at_byte(found: Finding, file: &str, text: &str, byte: usize) -> Finding {
+    let (line, column) = line_and_column(text, byte);
+    found.in_file(file).at_line(line).at_column(column)
+}
+
+/// The finding on an entry of the text of a file, where the longest known part of its dotted key stands.
+pub fn at_key(found: Finding, file: &str, text: &str, key: &str) -> Finding {
+    at_byte(found, file, text, key_position(text, key).unwrap_or(0))
+}
+
+/// The parser's refusal of the text of a file, with the nearest of the names it lists.
+pub fn not_toml(file: &str, text: &str, error: &toml::de::Error) -> Finding {
+    let line = in_one_line(error.message());
+    let found = Finding::of(Kind::NotToml).detail("reason", shortened(&line));
+    let found = match nearest(&line) {
+        Some(remedy) => found.remedy(remedy),
+        None => found,
+    };
+    at_byte(found, file, text, error.span().map_or(0, |span| span.start))
 }
 
 /// Characters of a parser's message that are shown before and from the list of known names on, which fits.
@@ -28,15 +49,28 @@ const KNOWN: usize = 800;
 /// assert!(shown.ends_with("x…, expected `device`") && shown.len() < 300);
 /// ```
 pub fn explain_toml(message: &str) -> String {
-    let line = message.lines().collect::<Vec<_>>().join(" ");
+    let line = in_one_line(message);
+    let hint = nearest(&line).map(|remedy| Finding::of(Kind::NotToml).remedy(remedy));
+    let hint = hint.and_then(|found| found.advice(Front::Plain));
+    shortened(&line) + &hint.map_or(String::new(), |hint| format!("; {hint}"))
+}
+
+fn in_one_line(message: &str) -> String {
+    message.lines().collect::<Vec<_>>().join(" ")
+}
+
+/// The nearest of the names that a message lists after the one that it does not know.
+fn nearest(line: &str) -> Option<Remedy> {
     let mut quoted = line.split('`').skip(1).step_by(2);
-    let hint = match (line.starts_with("unknown "), quoted.next()) {
-        (true, Some(found)) => did_you_mean(found, quoted),
-        _ => String::new(),
-    };
+    let found = quoted.next().filter(|_| line.starts_with("unknown "))?;
+    Remedy::nearest(found, quoted)
+}
+
+/// A message without most of what it quotes of the text.
+fn shortened(line: &str) -> String {
     let at = line.rfind(", expected").unwrap_or(line.len());
     let (found, expected) = line.split_at(at);
-    cut(found, QUOTED) + &cut(expected, KNOWN) + &hint
+    cut(found, QUOTED) + &cut(expected, KNOWN)
 }
 
 /// The beginning of `text`, at most so many characters of it.
@@ -48,7 +82,7 @@ fn cut(text: &str, most: usize) -> String {
 }
 
 /// Where the longest known part of the dotted `key` stands in `text`.
-pub fn key_position(text: &str, key: &str) -> Option<usize> {
+fn key_position(text: &str, key: &str) -> Option<usize> {
     let table = DeTable::parse(text).ok()?;
     deepest(table.get_ref(), key).map(|span| span.start)
 }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use findings::{Finding, Kind};
 use recording::Error;
 use sensor::{AnyEffect, Model, Role, Sensor};
 use solver::Parameters;
@@ -38,10 +39,11 @@ pub(crate) fn draw_device(
     let device = Device::new(model, parameters);
     match device.is_regular() {
         true => Ok(device),
-        false => Err(Error::usage(format!(
-            "parameters: T of the {} has no inverse",
-            sensor.prefix()
-        ))),
+        false => Err(Error::usage(
+            Finding::of(Kind::MatrixSingular)
+                .of_sensor(sensor)
+                .detail("key", format!("parameters.{}.T", sensor.prefix())),
+        )),
     }
 }
 

@@ -1,5 +1,6 @@
 //! A simulation that was run, in memory.
 
+use findings::{Finding, Kind};
 use recording::watch::{Stage, step};
 use recording::{Error, Magnetometer, Recording, Stream};
 use sensor::Sensor;
@@ -45,8 +46,8 @@ impl Simulation {
                 .unwrap_or(self.spec().rate);
             let samples = self.duration() * rate;
             if samples > MOST_SAMPLES {
-                let message = format!("{samples:.0} samples do not go into memory: write them");
-                return Err(Error::usage(message));
+                let found = Finding::of(Kind::TooLongForMemory).number("samples", samples, "count");
+                return Err(Error::usage(found.of_sensor(sensor)));
             }
         }
         let mut drift = self.drift_means();

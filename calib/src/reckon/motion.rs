@@ -1,5 +1,6 @@
 //! The motion to reckon and the rests on both sides of it.
 
+use findings::{Finding, Kind};
 use recording::Error;
 use recording::intervals::{Detector, Span, segment};
 use recording::{INSTANT, Recording, Stream};
@@ -55,10 +56,11 @@ impl Motion {
             .filter(|motion| motion.span.lasts(DETECTOR.min_dynamic))
             .max_by(|a, b| a.span.length().total_cmp(&b.span.length()))
             .ok_or_else(|| {
-                Error::not_enough(format!(
-                    "{}: no motion after a rest of {} s found; say when it was with --motion T0,T1",
-                    recording.name, DETECTOR.min_static
-                ))
+                Error::not_enough(
+                    Finding::of(Kind::MotionMissing)
+                        .in_recording(&recording.name)
+                        .number("rest", DETECTOR.min_static, "s"),
+                )
             })
     }
 
@@ -73,11 +75,15 @@ impl Motion {
             to: span.from,
         };
         if !(span.length() > 0.0 && before.lasts(SHORTEST_REST) && span.from < end) {
-            return Err(Error::usage(format!(
-                "motion from {} to {} s: the recording runs from {start:.2} to {end:.2} s and must \
-                 be at rest for at least {SHORTEST_REST} s before the motion",
-                span.from, span.to
-            )));
+            return Err(Error::usage(
+                Finding::of(Kind::MotionOutside)
+                    .in_recording(&recording.name)
+                    .number("from", span.from, "s")
+                    .number("to", span.to, "s")
+                    .number("start", start, "s")
+                    .number("end", end, "s")
+                    .number("rest", SHORTEST_REST, "s"),
+            ));
         }
         let after = Span {
             from: span.to,

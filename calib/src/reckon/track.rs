@@ -1,6 +1,8 @@
 //! The equations of motion, integrated through one motion.
 
+use findings::{Finding, Kind};
 use nalgebra::Vector3;
+use sensor::Sensor;
 use sensor::attitude::Attitude;
 
 use super::ending::{Ending, level_the_end, shortest_rotation, stop_at_the_end};
@@ -74,15 +76,17 @@ pub fn reckon(
     mode: Mode,
     ending: Ending,
 ) -> Result<Track, Error> {
-    let force = stream(corrected, &corrected.accelerometer, "accelerometer")?;
+    let force = stream(corrected, Sensor::Accelerometer)?;
     let rest = resting(corrected, force, motion.before)?;
     let samples = force.between(motion.span.from, motion.span.to);
     if samples.len() < 2 {
-        return Err(Error::not_enough(format!(
-            "{}: {} accelerometer samples in the motion, at least 2 needed",
-            corrected.name,
-            samples.len()
-        )));
+        return Err(Error::not_enough(
+            Finding::of(Kind::SamplesTooFew)
+                .in_recording(&corrected.name)
+                .of_sensor(Sensor::Accelerometer)
+                .count("count", samples.len())
+                .count("least", 2),
+        ));
     }
     let (t, f) = (&force.t[samples.clone()], &force.values[samples]);
     let up = nearest_axis(&rest);
@@ -90,7 +94,7 @@ pub fn reckon(
     let mut attitudes = match mode {
         Mode::Level => vec![first; t.len()],
         Mode::Full => {
-            let rate = stream(corrected, &corrected.gyroscope, "gyroscope")?;
+            let rate = stream(corrected, Sensor::Gyroscope)?;
             let bias = resting(corrected, rate, motion.before)?;
             turned(first, t, |t| rate.at(t).unwrap_or(bias) - bias)
         }
@@ -126,23 +130,24 @@ pub fn reckon(
 }
 
 /// A sensor of the recording.
-fn stream<'a>(
-    recording: &Recording,
-    stream: &'a Option<Stream>,
-    name: &str,
-) -> Result<&'a Stream, Error> {
-    stream
-        .as_ref()
-        .ok_or_else(|| Error::not_enough(format!("{}: no {name}", recording.name)))
+fn stream(recording: &Recording, sensor: Sensor) -> Result<&Stream, Error> {
+    recording.stream(sensor).ok_or_else(|| {
+        Error::not_enough(
+            Finding::of(Kind::SensorNotRecorded)
+                .in_recording(&recording.name)
+                .of_sensor(sensor),
+        )
+    })
 }
 
 /// The mean of a sensor in the rest before the motion.
 fn resting(recording: &Recording, stream: &Stream, span: Span) -> Result<Vector3<f64>, Error> {
     mean(stream, span).ok_or_else(|| {
-        Error::not_enough(format!(
-            "{}: no samples between {:.2} and {:.2} s, at rest before the motion",
-            recording.name, span.from, span.to
-        ))
+        Error::not_enough(
+            Finding::of(Kind::NoSamplesAtRest)
+                .in_recording(&recording.name)
+                .between(span.from, span.to),
+        )
     })
 }
 

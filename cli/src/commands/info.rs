@@ -9,7 +9,6 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use calib::Recording;
-use calib::calibrate::ALONE;
 use calib::gravity::Gravity;
 use calib::intervals::{Detector, Rejected};
 use calib::methods::{Choice, cut};
@@ -141,7 +140,10 @@ impl<'a> Facts<'a> {
                     .map(|finding| finding.text(Front::CommandLine)),
             );
         let command = match &recording.accelerometer {
-            None if recording.is_magnetometer_only() => format!("none: {ALONE}"),
+            None if recording.is_magnetometer_only() => {
+                let alone = ::findings::Finding::of(::findings::Kind::MagnetometerAlone);
+                format!("none: {}", alone.text(Front::CommandLine))
+            }
             Some(_) => format!(
                 "stillpoint calibrate {}{} -o cal.json",
                 crate::show::command_line(path),

@@ -173,13 +173,25 @@ impl From<Covariate> for String {
     }
 }
 
-impl TryFrom<String> for Covariate {
-    type Error = String;
+/// A name that no covariate has.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NoSuchCovariate(pub String);
 
-    fn try_from(name: String) -> Result<Self, String> {
+impl fmt::Display for NoSuchCovariate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "no covariate `{}`", self.0)
+    }
+}
+
+impl std::error::Error for NoSuchCovariate {}
+
+impl TryFrom<String> for Covariate {
+    type Error = NoSuchCovariate;
+
+    fn try_from(name: String) -> Result<Self, NoSuchCovariate> {
         let sizes = [Self::ForceSize, Self::RateSize];
         let sizes = sizes.into_iter().flat_map(|kind| Axis::ALL.map(kind));
         let known = Self::all().chain(sizes).find(|c| c.name() == name);
-        known.ok_or_else(|| format!("there is no covariate `{name}`"))
+        known.ok_or(NoSuchCovariate(name))
     }
 }

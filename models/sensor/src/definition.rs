@@ -3,10 +3,13 @@
 mod budget;
 mod defined;
 mod emit;
+mod fault;
 mod formula;
 
+pub use budget::EffectFault;
 pub use defined::{fault_of, grant_steps};
 pub use emit::emit_effect;
+pub use fault::{DefinitionError, DefinitionFault};
 pub use formula::{Factor, Formula, Term};
 use serde::{Deserialize, Serialize};
 
@@ -85,25 +88,6 @@ impl DefinedParam {
     }
 }
 
-/// What is wrong with a definition.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{key}: {what}")]
-pub struct DefinitionError {
-    /// The entry: `name`, `x`, `parameters.1.typical` …
-    pub key: String,
-    /// What was found and what is expected.
-    pub what: String,
-}
-
-impl DefinitionError {
-    pub(crate) fn new(key: impl Into<String>, what: impl Into<String>) -> Self {
-        Self {
-            key: key.into(),
-            what: what.into(),
-        }
-    }
-}
-
 impl Definition {
     /// No name, no parameters, no error: to be filled in.
     pub fn silent(sensor: Sensor) -> Self {
@@ -145,16 +129,21 @@ impl Definition {
     }
 
     fn check_names(&self) -> Result<(), DefinitionError> {
+        use DefinitionFault as F;
         if !is_snake_case(&self.name) {
-            let what = format!("`{}` found, a name in snake case expected", self.name);
-            return Err(DefinitionError::new("name", what));
+            let fault = F::NotSnakeCase(self.name.clone());
+            return Err(DefinitionError::new("name", fault));
         }
         if self.parameters.is_empty() {
-            let what = "none found: an effect needs one that switches it off";
-            return Err(DefinitionError::new("parameters", what));
+            return Err(DefinitionError::new("parameters", F::NoParameter));
         }
         for (k, p) in self.parameters.iter().enumerate() {
-            let key = |name: &str| format!("parameters.{k}.{name}");
+            let error = |name: &str, fault: F| {
+                Err(DefinitionError::new(
+                    format!("parameters.{k}.{name}"),
+                    fault,
+                ))
+            };
             let taken = Covariate::all().any(|c| c.name() == p.name)
                 || self.parameters[..k]
                     .iter()
@@ -163,20 +152,16 @@ impl Definition {
                 || p.name == "size"
                 || crate::expression::FUNCTIONS.contains(&p.name.as_str());
             if taken {
-                let what = format!("`{}` means something else already", p.name);
-                return Err(DefinitionError::new(key("name"), what));
+                return error("name", F::NameTaken(p.name.clone()));
             }
             if !is_snake_case(&p.name) {
-                let what = format!("`{}` found, a name in snake case expected", p.name);
-                return Err(DefinitionError::new(key("name"), what));
+                return error("name", F::NotSnakeCase(p.name.clone()));
             }
             if !(p.typical > 0.0 && p.typical.is_finite()) {
-                let what = format!("is {}, a positive size expected", p.typical);
-                return Err(DefinitionError::new(key("typical"), what));
+                return error("typical", F::NotPositive(p.typical));
             }
             if !p.nominal.is_finite() {
-                let what = format!("is {}, a number expected", p.nominal);
-                return Err(DefinitionError::new(key("nominal"), what));
+                return error("nominal", F::NotFinite(p.nominal));
             }
         }
         Ok(())

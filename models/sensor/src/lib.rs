@@ -22,10 +22,10 @@ mod quantity;
 
 pub use axis::Axis;
 pub use base::{BASE_PARAMETERS, Base, PLACES, base_names, inverse};
-pub use covariate::Covariate;
+pub use covariate::{Covariate, NoSuchCovariate};
 pub use definition::{
-    DefinedParam, Definition, DefinitionError, Factor, Formula, Term, emit_effect, fault_of,
-    grant_steps,
+    DefinedParam, Definition, DefinitionError, DefinitionFault, EffectFault, Factor, Formula, Term,
+    emit_effect, fault_of, grant_steps,
 };
 pub use effect::{
     AnyEffect, Effect, ModelScalar, Nature, mat3, observed_needs, off_diagonal, silent_at_rest,

@@ -1,6 +1,6 @@
 //! The fits written down as a [`Calibration`].
 
-use findings::Findings;
+use findings::{Finding, Findings, Kind};
 use nalgebra::Matrix3;
 use recording::intervals::Segmentation;
 use recording::{Error, Recording};
@@ -119,7 +119,7 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
         );
     }
     if accelerometer_triad.is_none() && gyroscope_triad.is_none() {
-        return Err(Error::not_enough("nothing to calibrate in the recording"));
+        return Err(Error::not_enough(Finding::of(Kind::NothingToCalibrate)));
     }
     let left_out = accelerometer
         .zip(norms.as_ref())

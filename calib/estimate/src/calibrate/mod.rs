@@ -24,7 +24,7 @@ pub use checks::{
     without_copies,
 };
 pub use joint::{Account, LatitudeDoubt, refuse_unobservable, written_down};
-pub use magnetic::{ALONE, FIELDS};
+pub use magnetic::FIELDS;
 pub use outcome::Outcome;
 pub use part_way::changes_part_way;
 pub use recording::read_static_means;
@@ -199,7 +199,7 @@ fn by_stamps(
         }
         Err(other) => return Err(other),
     };
-    match parts.without_gyroscope(choices, &refused.to_string()) {
+    match parts.without_gyroscope(choices, &refused) {
         Some(outcome) => Ok(outcome),
         None => Err(Error::not_enough(in_the_hand(refused, &recordings))),
     }
@@ -230,15 +230,15 @@ fn in_the_hand(
     reason: Box<findings::Finding>,
     recordings: &[&Recording],
 ) -> Box<findings::Finding> {
-    match recordings.iter().find_map(|r| tremor(r)) {
-        Some(rate) if rate < FASTEST_HAND => {
-            reason.because((&Symptom::HandHeld { rate }).into()).into()
-        }
-        Some(rate) => format!(
-            "{reason}; no quiet stretch is long enough to show a device at rest (in the quietest the rate \
-             wavers by {rate:.2} rad/s): lay it down for 5 s between the turns, or lower --multiplier"
-        )
-        .into(),
+    let cause = recordings.iter().find_map(|r| {
+        let rate = tremor(r)?;
+        Some(match rate < FASTEST_HAND {
+            true => Symptom::HandHeld { rate }.in_recording(r),
+            false => findings::Finding::of(Kind::NeverQuiet).number("rate", rate, "rad/s"),
+        })
+    });
+    match cause {
+        Some(cause) => Box::new(reason.because(cause)),
         None => reason,
     }
 }
@@ -264,7 +264,11 @@ impl Parts<'_> {
     }
 
     /// The accelerometer, with the reason in the place of the gyroscope, where the turns are why that one is not known.
-    fn without_gyroscope(&self, choices: Vec<Choice>, refused: &str) -> Option<Outcome> {
+    fn without_gyroscope(
+        &self,
+        choices: Vec<Choice>,
+        refused: &findings::Finding,
+    ) -> Option<Outcome> {
         if !self.gyro_recordings.is_empty() {
             return None;
         }

@@ -2,7 +2,7 @@
 
 use findings::{Finding, Kind};
 use recording::{Error, Recording, Stream};
-use sensor::{AnyEffect, fault_of};
+use sensor::{AnyEffect, EffectFault, fault_of};
 
 /// Grants each as many steps as fits of these recordings need.
 pub fn grant_steps<'a>(
@@ -26,8 +26,8 @@ pub fn blamed<T>(
 ) -> Result<T, Error> {
     let fault = effects.iter().find_map(|effect| {
         let fault = fault_of(*effect)?;
-        let spent = !fault.starts_with("is no number");
-        (outcome.is_err() || spent).then(|| format!("the effect {}: {fault}", effect.name()))
+        let spent = fault == EffectFault::StepsSpent;
+        (outcome.is_err() || spent).then(|| Finding::of_effect(*effect, &fault))
     });
     match (fault, outcome) {
         (Some(fault), _) => Err(Error::not_converged(fault)),
@@ -44,12 +44,8 @@ fn suspected(effects: &[&'static dyn AnyEffect], error: Error) -> Error {
     if own.is_empty() {
         return error;
     }
-    let with = |reason: Box<Finding>| {
-        let own = own.join(", ");
-        format!(
-            "{reason}. The model holds {own}: if a calibration without it works, its formula is the reason"
-        )
-    };
+    let suspected = Finding::of(Kind::OwnEffectSuspected).detail("effects", own.join(", "));
+    let with = |reason: Box<Finding>| reason.because(suspected);
     match error {
         Error::NotEnough(reason) => Error::not_enough(with(reason)),
         Error::NotConverged(reason) => Error::not_converged(with(reason)),
@@ -64,7 +60,7 @@ pub fn left_out(effects: &[&'static dyn AnyEffect]) -> impl Iterator<Item = Find
         Some(
             Finding::of(Kind::EffectFault)
                 .detail("effect", effect.name())
-                .detail("what", fault),
+                .because(Finding::of_effect(*effect, &fault)),
         )
     })
 }

@@ -2,6 +2,7 @@
 
 use std::borrow::Borrow;
 
+use findings::{Finding, Kind, OptionName, Remedy};
 use nalgebra::Vector3;
 use recording::intervals::{Detector, Span};
 use recording::{Error, Recording};
@@ -116,9 +117,9 @@ impl Request {
     fn of_stepwise(&self) -> Option<&'static str> {
         let asked = [
             ("an integrator", self.integrator != Integrator::default()),
-            ("the bias of a turn", self.gyro_bias != GyroBias::default()),
+            ("a turn's bias", self.gyro_bias != GyroBias::default()),
             ("a nominal rate", self.nominal_step.is_some()),
-            ("a table of static means", !self.static_means.is_empty()),
+            ("static means", !self.static_means.is_empty()),
         ];
         asked
             .into_iter()
@@ -132,9 +133,12 @@ impl Request {
     /// [`Error::Usage`] with it.
     pub(super) fn refuse_ignored(&self) -> Result<(), Error> {
         match self.of_stepwise().filter(|_| self.method == Method::Joint) {
-            Some(what) => Err(Error::usage(format!(
-                "{what} is of the stepwise method and means nothing to the joint one; ask for the method stepwise, or leave it out"
-            ))),
+            Some(what) => Err(Error::usage(
+                Finding::of(Kind::NotOfThisMethod)
+                    .detail("setting", what)
+                    .detail("method", "joint")
+                    .remedy(Remedy::set_to(OptionName::Method, "stepwise")),
+            )),
             None => Ok(()),
         }
     }

@@ -71,22 +71,21 @@ pub(super) fn same_accelerometer(
             };
             let temperature = |k: usize| celsius.get(k).copied().flatten();
             let between = Temperatures::of(temperature(*first), temperature(*second));
-            let (first, second) = (&request.names[*first], &request.names[*second]);
-            let words = &difference.words;
-            if difference.size > between.allowed() {
-                return Err(Error::input(format!(
-                    "{first} and {second}: {words}: recordings of different devices{}? (--force-device if they are of one)",
-                    between.or_of_temperatures()
-                )));
-            }
-            warmer.get_or_insert_with(|| {
-                Finding::of(Kind::RecordingsDiffer)
+            let of = |kind| {
+                let found = Finding::of(kind)
                     .of_sensor(Sensor::Accelerometer)
-                    .detail("first", first.clone())
-                    .detail("second", second.clone())
-                    .detail("what", words.clone())
-                    .detail("temperatures", between.in_words())
-            });
+                    .detail("first", request.names[*first].clone())
+                    .detail("second", request.names[*second].clone())
+                    .detail("parameter", difference.parameter.clone())
+                    .detail("one", format!("{:.5}", difference.values[0]))
+                    .detail("two", format!("{:.5}", difference.values[1]))
+                    .detail("distance", format!("{:.0}", difference.distance));
+                between.add_to(found)
+            };
+            if difference.size > between.allowed() {
+                return Err(Error::input(of(Kind::DevicesDiffer)));
+            }
+            warmer.get_or_insert_with(|| of(Kind::RecordingsDiffer));
         }
     }
     Ok(warmer)
@@ -114,28 +113,23 @@ pub fn gyroscope_of_one_device(
     let between = others.map(|(_, other)| Temperatures::of(celsius(own), celsius(other)));
     let between: Vec<Temperatures> = between.collect();
     let allowed = between.iter().map(Temperatures::allowed);
-    let words = format!(
-        "{}: {} of the gyroscope differs by {:+.2} ± {:.2} % from that in the other recordings",
-        own.name,
-        apart.parameter.trim_start_matches("gyro."),
-        100.0 * apart.change,
-        100.0 * apart.std
-    );
-    let is_another = size > ANOTHER_GYROSCOPE.max(allowed.fold(0.0, f64::max));
-    if is_another && !force_device {
-        return Err(Error::input(format!(
-            "{words}: is it of another device{}, or does its clock run fast or slow? (--force-device if they are of one)",
-            between.first().map_or("", Temperatures::or_of_temperatures)
-        )));
-    }
-    Ok(Some(
-        Finding::of(Kind::GyroscopeDiffers)
+    let of = |kind| {
+        Finding::of(kind)
             .in_recording(&own.name)
             .of_sensor(Sensor::Gyroscope)
             .detail("parameter", apart.parameter.trim_start_matches("gyro."))
             .number("change", apart.change, "share")
-            .number("error", apart.std, "share"),
-    ))
+            .number("error", apart.std, "share")
+    };
+    let is_another = size > ANOTHER_GYROSCOPE.max(allowed.fold(0.0, f64::max));
+    if is_another && !force_device {
+        let found = of(Kind::GyroscopeOfOther);
+        return Err(Error::input(match between.first() {
+            Some(between) => between.add_to(found),
+            None => found,
+        }));
+    }
+    Ok(Some(of(Kind::GyroscopeDiffers)))
 }
 
 /// Mean temperatures of two recordings, where they are known, °C.
@@ -158,17 +152,11 @@ impl Temperatures {
             .map_or(0.0, |[one, other]| PER_KELVIN * (one - other).abs())
     }
 
-    fn in_words(&self) -> String {
-        self.0.map_or_else(String::new, |[one, other]| {
-            format!(", at {one:.0} and {other:.0} °C")
-        })
-    }
-
-    /// What else may be the cause where they are not known.
-    fn or_of_temperatures(&self) -> &'static str {
+    /// The finding with them, where they are known.
+    fn add_to(&self, found: Finding) -> Finding {
         match self.0 {
-            Some(_) => "",
-            None => ", or at very different temperatures",
+            Some([one, other]) => found.detail("celsius", format!("{one:.0} and {other:.0} °C")),
+            None => found,
         }
     }
 }
@@ -181,7 +169,11 @@ fn spare(fit: &AccelerometerFit) -> f64 {
 struct Difference {
     /// As a share of the scale.
     size: f64,
-    words: String,
+    parameter: String,
+    /// In both.
+    values: [f64; 2],
+    /// In standard errors.
+    distance: f64,
 }
 
 /// The parameter in which two fits differ most, where that is beyond chance.
@@ -199,9 +191,9 @@ fn difference(a: &AccelerometerFit, b: &AccelerometerFit) -> Option<Difference> 
         let other = t.is_finite() && size > SAME && 2.0 * law.sf(t) < LEVEL;
         other.then(|| Difference {
             size,
-            words: format!(
-                "{name} is {x:.5} in one and {y:.5} in the other ({t:.0} standard errors)"
-            ),
+            parameter: name.clone(),
+            values: [x, y],
+            distance: t,
         })
     };
     let names = a.fitted.free.iter();

@@ -1,5 +1,6 @@
 //! A gyroscope that the turns do not calibrate, in words and with what its rests say.
 
+use findings::{Finding, Kind, Remedy};
 use recording::Recording;
 use recording::intervals::{Segmentation, TurnFault};
 
@@ -62,53 +63,41 @@ impl TurnCount {
         }
     }
 
-    /// `none of 24 turns can be used (23 have a gap, 1 is saturated)` and what to do.
-    pub fn in_words(&self) -> String {
+    /// `none of 24 turns can be used, 23 with a gap, 1 saturated`, and what to do.
+    pub fn finding(&self) -> Finding {
         if self.all == 0 {
-            return "there is no turn between two static intervals: turn the device about each axis, still before and \
-                    after each turn"
-                .into();
+            return Finding::of(Kind::TurnsMissing);
         }
-        let one = |count: usize, single: &str, many: &str| match count {
-            0 => None,
-            1 => Some(format!("1 {single}")),
-            count => Some(format!("{count} {many}")),
-        };
-        let faults = [
-            one(self.gaps, "has a gap", "have gaps"),
-            one(self.frozen, "has frozen readings", "have frozen readings"),
-            one(self.saturated, "is saturated", "are saturated"),
-            one(self.empty, "has no samples", "have no samples"),
-        ];
-        let faults: Vec<String> = faults.into_iter().flatten().collect();
         let found = match self.usable() {
-            0 => format!("none of {} turns can be used", self.all),
-            usable @ 1..=FEWEST_TURNS => format!(
-                "{usable} of {} turns can be used, and {} or more are needed",
-                self.all,
-                FEWEST_TURNS + 1
-            ),
-            usable => format!(
-                "{usable} of {} turns can be used, and they leave a parameter open",
-                self.all
-            ),
+            0 => Finding::of(Kind::TurnsUnusable),
+            1..=FEWEST_TURNS => Finding::of(Kind::TurnsUsableFew).count("least", FEWEST_TURNS + 1),
+            _ => Finding::of(Kind::TurnsUsableOpen),
         };
-        let why = match faults.is_empty() {
-            true => String::new(),
-            false => format!(" ({})", faults.join(", ")),
-        };
-        let most = [
-            (self.saturated, "turn more slowly or set a larger range"),
-            (self.gaps, "record without losing samples"),
-            (self.frozen, "record without frozen rows"),
-            (self.empty, "record both sensors at the same time"),
+        let found = found
+            .count("count", self.all)
+            .count("usable", self.usable());
+        let faults = [
+            ("gaps", self.gaps),
+            ("frozen", self.frozen),
+            ("saturated", self.saturated),
+            ("empty", self.empty),
         ];
-        let advice = most.into_iter().max_by_key(|(count, _)| *count);
-        let advice = match advice {
-            Some((count, advice)) if count > 0 => advice,
-            _ => "turn the device about each axis both ways, still before and after each turn",
-        };
-        format!("{found}{why}: {advice}")
+        let faults = faults.into_iter().filter(|(_, count)| *count > 0);
+        let found = faults.fold(found, |found, (name, count)| found.count(name, count));
+        let most = [
+            (
+                self.saturated,
+                [Remedy::TurnSlower, Remedy::LargerRange].to_vec(),
+            ),
+            (self.gaps, vec![Remedy::LoseNoSamples]),
+            (self.frozen, vec![Remedy::FreezeNoRows]),
+            (self.empty, vec![Remedy::BothSensors]),
+        ];
+        let most = most.into_iter().max_by_key(|(count, _)| *count);
+        found.only_remedies(match most {
+            Some((count, remedies)) if count > 0 => remedies,
+            _ => vec![Remedy::TurnEachAxis],
+        })
     }
 
     /// What stands in the place of the gyroscope; `refused` is why the turns that can be used are not enough, `known` the
@@ -116,15 +105,15 @@ impl TurnCount {
     pub fn mark(
         &self,
         reason: NotCalibratedReason,
-        refused: &str,
+        refused: &Finding,
         known: Option<(&Recording, &Segmentation)>,
     ) -> NotCalibrated {
         let bias = known.and_then(|(recording, cut)| rest_bias(recording, cut));
-        let text = match reason {
-            NotCalibratedReason::NoUsableTurn => self.in_words(),
-            _ => format!("{}; {refused}", self.in_words()),
+        let why = match reason {
+            NotCalibratedReason::NoUsableTurn => self.finding(),
+            _ => self.finding().because(refused.clone()),
         };
-        NotCalibrated::gyroscope(reason, text, bias)
+        NotCalibrated::gyroscope(reason, &why, bias)
     }
 }
 
@@ -145,12 +134,16 @@ mod tests {
         let none = TurnCount::of(3, faults.iter());
         assert_eq!(none.reason(), Some(NotCalibratedReason::NoUsableTurn));
         assert_eq!(
-            none.in_words(),
-            "none of 3 turns can be used (1 has a gap, 2 are saturated): turn more slowly or set a larger range"
+            none.finding().to_string(),
+            "none of 3 turns can be used, 1 with a gap, 2 saturated; turn more slowly, or record with a larger range of the sensor"
         );
         let few = TurnCount::of(8, faults.iter());
         assert_eq!(few.reason(), Some(NotCalibratedReason::TooFewTurns));
-        assert!(few.in_words().starts_with("5 of 8 turns can be used"));
+        assert!(
+            few.finding()
+                .to_string()
+                .starts_with("5 of 8 turns can be used")
+        );
         assert_eq!(TurnCount::of(20, faults[..1].iter()).reason(), None);
     }
 }

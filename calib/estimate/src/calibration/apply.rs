@@ -3,7 +3,7 @@
 use findings::{Finding, Kind};
 use recording::intervals::{Detector, Segmentation, StaticInterval, segment};
 use recording::watch::{Stage, step};
-use recording::{Error, Recording, Stream};
+use recording::{Error, Recording, Stream, figure};
 use sensor::{Base, Quantity, Role, Sensor};
 
 use super::Calibration;
@@ -52,7 +52,7 @@ pub fn apply_with(
     corrected.warnings.extend(calibration.bias_alone());
     corrected
         .warnings
-        .extend(doubt.map(Finding::from).into_iter().chain(of_another));
+        .extend(doubt.into_iter().chain(of_another));
     if let (Some(field), true) = (
         &mut corrected.magnetometer,
         calibration.magnetometer.is_some(),
@@ -106,7 +106,7 @@ fn correct(
 
 /// Refuses effects with an instant or a heading of another recording. What to say where the calibration does not tell
 /// from which recordings it is.
-fn belongs_to(calibration: &Calibration, recording: &Recording) -> Result<Option<String>, Error> {
+fn belongs_to(calibration: &Calibration, recording: &Recording) -> Result<Option<Finding>, Error> {
     let mut own = Vec::new();
     for values in &calibration.effects {
         let effect = values.effect().map_err(Error::input)?;
@@ -124,29 +124,28 @@ fn belongs_to(calibration: &Calibration, recording: &Recording) -> Result<Option
     let Some((effect, param, value)) = own.first().copied() else {
         return Ok(None);
     };
-    let (name, made_from) = (&recording.name, calibration.was_made_from(recording));
+    let made_from = calibration.was_made_from(recording);
     let inputs = calibration.provenance.inputs.iter();
     let inputs: Vec<&str> = inputs.map(|input| input.recording.as_str()).collect();
-    let inputs = inputs.join(", ");
+    let of = |kind| {
+        Finding::of(kind)
+            .detail("effect", effect)
+            .detail("parameter", param.name)
+            .detail("inputs", inputs.join(", "))
+    };
     match (made_from, param.role) {
         (Some(true), _) => Ok(None),
-        (None, _) => Ok(Some(format!(
-            "the calibration does not say which recordings it is from; its effect {effect} holds in those only ({} = \
-             {value})",
-            param.name
-        ))),
-        (Some(false), Role::Instant) => Err(Error::not_enough(format!(
-            "{name}: the effect {effect} needs the time since the start of the recording that its {} = {value:.1} s was \
-             found in ({inputs}); what that is here cannot be known: calibrate with recordings from one side of the \
-             instant only",
-            param.name
-        ))),
-        (Some(false), _) => Err(Error::not_enough(format!(
-            "{name}: the effect {effect} needs the attitude, which cannot be known: its {} is against the heading of \
-             another recording ({inputs}); calibrate with --method joint --latitude instead, which keeps it out of the \
-             calibration",
-            param.name
-        ))),
+        (None, _) => Ok(Some(
+            of(Kind::EffectOfRecordings).detail("value", figure(value)),
+        )),
+        (Some(false), Role::Instant) => Err(Error::not_enough(
+            of(Kind::EffectNeedsStart)
+                .in_recording(&recording.name)
+                .number("value", value, "s"),
+        )),
+        (Some(false), _) => Err(Error::not_enough(
+            of(Kind::EffectNeedsHeading).in_recording(&recording.name),
+        )),
     }
 }
 

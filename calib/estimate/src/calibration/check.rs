@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use findings::{Finding, Kind, Remedy};
 use recording::shown::{shown, shown_path};
 use recording::{Error, figure};
 use sensor::AnyEffect;
@@ -50,7 +51,7 @@ pub fn read_calibration(
     refuse_newer(path, text, SCHEMA)?;
     refuse_newer(path, text, FINDINGS_SCHEMA)?;
     let text = within_findings(text.to_owned());
-    parse(&text, outside).map_err(|what| Error::input(format!("{}:{what}", shown_path(path))))
+    parse(&text, outside).map_err(|found| Error::input(found.in_file(shown_path(path))))
 }
 
 /// The calibration that findings contain; the text itself of anything else.
@@ -83,47 +84,60 @@ pub fn refuse_newer(path: &Path, text: &str, schema: &str) -> Result<(), Error> 
         .map(|tag| tag.schema)
         .unwrap_or_default();
     match (version(&found), version(schema)) {
-        (Some((name, new)), Some((own, known))) if name == own && new > known => {
-            Err(Error::usage(format!(
-                "{}: written as {} by a newer version; this one reads {schema}; use the newer one, or write the file again \
-                 with this one",
-                shown_path(path),
-                shown(&found)
-            )))
-        }
+        (Some((name, new)), Some((own, known))) if name == own && new > known => Err(Error::usage(
+            Finding::of(Kind::WrittenByNewer)
+                .in_file(shown_path(path))
+                .detail("found", shown(&found))
+                .detail("schema", schema),
+        )),
         _ => Ok(()),
     }
 }
 
-/// The calibration in `text`; the error begins with its place.
-fn parse(text: &str, outside: &[&'static dyn AnyEffect]) -> Result<Calibration, String> {
+/// A finding of JSON that cannot be read, where it stands.
+pub(crate) fn of_json(kind: Kind, error: &serde_json::Error) -> Finding {
+    let found = Finding::of(kind).detail("reason", shown(&error.to_string()));
+    match error.line() {
+        // Of a value there is no place.
+        0 => found,
+        line => found.at_line(line as u64).at_column(error.column() as u64),
+    }
+}
+
+/// An entry that says another thing than expected.
+fn other(key: impl Into<String>, found: &str, expected: impl Into<String>) -> Finding {
+    Finding::of(Kind::EntryOther)
+        .detail("key", key)
+        .detail("found", shown(found))
+        .detail("expected", expected)
+}
+
+/// There are more or fewer of something than there should be.
+fn count(key: impl Into<String>, found: String, expected: String) -> Finding {
+    Finding::of(Kind::CountOther)
+        .detail("key", key)
+        .detail("found", found)
+        .detail("expected", expected)
+}
+
+/// The calibration in `text`.
+fn parse(text: &str, outside: &[&'static dyn AnyEffect]) -> Result<Calibration, Box<Finding>> {
     let any: serde_json::Value = serde_json::from_str(text).map_err(|e| {
-        let other = !text.trim_start().starts_with('{');
-        let swapped = if other {
-            "; is this a recording, the two files swapped?"
-        } else {
-            ""
-        };
-        format!(
-            "{}:{}: no JSON: {}{swapped}",
-            e.line(),
-            e.column(),
-            shown(&e.to_string())
-        )
+        let found = of_json(Kind::NotJson, &e);
+        match text.trim_start().starts_with('{') {
+            true => found,
+            false => found.remedy(Remedy::SwapFiles),
+        }
     })?;
     match any.get("schema").and_then(|s| s.as_str()) {
         Some(SCHEMA) => {}
-        Some(other) => {
-            return Err(format!(
-                " schema \"{}\" found, \"{SCHEMA}\" expected: was it written by `calibrate` of \
-                 another version?",
-                shown(other)
-            ));
+        Some(found) => {
+            let found = other("schema", found, SCHEMA);
+            return Err(found.remedy(Remedy::CalibrateAgain).into());
         }
         None => {
-            return Err(format!(
-                " no \"schema\" entry: not a calibration (\"{SCHEMA}\")"
-            ));
+            let missing = Finding::of(Kind::SchemaMissing);
+            return Err(missing.detail("schema", SCHEMA).into());
         }
     }
     let is_whole = marks(&any).is_ok_and(|marks| marks.is_empty());
@@ -133,10 +147,7 @@ fn parse(text: &str, outside: &[&'static dyn AnyEffect]) -> Result<Calibration, 
             .and_then(|own| own.with_findings(&any)),
         false => Calibration::from_value(any),
     };
-    let mut calibration = read.map_err(|e| {
-        let what = shown(&e.to_string());
-        format!("{}:{}: {what}", e.line(), e.column())
-    })?;
+    let mut calibration = read.map_err(|e| of_json(Kind::Unreadable, &e))?;
     for values in &mut calibration.effects {
         let own = outside.iter().find(|effect| effect.name() == values.name);
         values.outside = own.map(|effect| Outside(*effect));
@@ -145,7 +156,7 @@ fn parse(text: &str, outside: &[&'static dyn AnyEffect]) -> Result<Calibration, 
     Ok(calibration)
 }
 
-fn check(calibration: &Calibration) -> Result<(), String> {
+fn check(calibration: &Calibration) -> Result<(), Box<Finding>> {
     let triads = [
         ("accelerometer", &calibration.accelerometer, "a = "),
         ("gyroscope", &calibration.gyroscope, "w = "),
@@ -154,17 +165,15 @@ fn check(calibration: &Calibration) -> Result<(), String> {
     for (name, triad, equation) in triads {
         let Some(triad) = triad else { continue };
         if !triad.model.starts_with(equation) {
-            return Err(format!(
-                " {name}.model: \"{}\" found, \"{equation}…\" expected: are the two sensors swapped?",
-                shown(&triad.model)
-            ));
+            let key = format!("{name}.model");
+            let found = other(key, &triad.model, format!("{equation}…"));
+            return Err(found.remedy(Remedy::SwapSensors).into());
         }
         let base = triad.base();
         let size = base.t.norm();
         if base.t.determinant().abs() <= 1e-9 * size.powi(3) {
-            return Err(format!(
-                " {name}.T: the matrix has no inverse; calibrate again"
-            ));
+            let found = Finding::of(Kind::MatrixSingular).remedy(Remedy::CalibrateAgain);
+            return Err(found.detail("key", format!("{name}.T")).into());
         }
         // What `calibrate` wrote is as it is; its gates say what is wrong with it.
         if calibration.was_edited() != Some(false) {
@@ -173,57 +182,52 @@ fn check(calibration: &Calibration) -> Result<(), String> {
     }
     let gravity = calibration.gravity;
     if !(1.0..100.0).contains(&gravity) {
-        let found = figure(gravity);
-        return Err(format!(
-            " gravity: {found} found, m/s² expected, such as 9.80665"
-        ));
+        let found = Finding::of(Kind::OutOfRange)
+            .detail("key", "gravity")
+            .detail("value", figure(gravity))
+            .detail("expected", GRAVITIES);
+        return Err(found.into());
     }
     let (names, rows) = (calibration.parameters.len(), &calibration.covariance);
     let is_square = rows.len() == names && rows.iter().all(|row| row.len() == names);
     if !is_square && !rows.is_empty() {
-        return Err(format!(
-            " covariance: {} rows found, {names} × {names} numbers expected, as many as parameters",
-            rows.len()
-        ));
+        let (found, expected) = (format!("{} rows", rows.len()), format!("{names} × {names}"));
+        return Err(count("covariance", found, expected).into());
     }
     for values in &calibration.effects {
-        let effect = values.effect().map_err(|what| {
-            format!(
-                " effects: \"{}\" {}",
-                shown(&values.name),
-                shown(&what.to_string())
-            )
-        })?;
+        let effect = values
+            .effect()
+            .map_err(|found| found.detail("key", "effects"))?;
         let (expected, found) = (effect.params().len(), values.parameters.len());
+        let key = format!("effects.{}", values.name);
         if expected != found {
-            return Err(format!(
-                " effects.{}: {found} parameters found, {expected} expected",
-                values.name
-            ));
+            let parameters = format!("{found} parameters");
+            return Err(count(key, parameters, expected.to_string()).into());
         }
         let pairs = effect.params().iter().zip(&values.parameters).enumerate();
         for (k, (expected, found)) in pairs {
             if expected.name != found.name {
-                return Err(format!(
-                    " effects.{}.parameters.{k}: \"{}\" found, \"{}\" expected",
-                    values.name, found.name, expected.name
-                ));
+                let key = format!("{key}.parameters.{k}");
+                return Err(other(key, &found.name, expected.name).into());
             }
         }
     }
     Ok(())
 }
 
+/// Gravity as messages expect it.
+const GRAVITIES: &str = "m/s², such as 9.80665";
+
 /// Refuses numbers that no device has.
-fn absurd(name: &str, triad: &Triad) -> Result<(), String> {
+fn absurd(name: &str, triad: &Triad) -> Result<(), Box<Finding>> {
     let base = triad.base();
     let sizes = base.t.singular_values();
     let (largest, least) = (sizes.max(), sizes.min());
     if largest > MOST_UNEQUAL * least {
-        return Err(format!(
-            " {name}.T: one direction is amplified {:.0} times more than another: no sensor's axes are so; was the file edited?",
-            largest / least
-        ));
+        let found = Finding::of(Kind::MatrixUnequal)
+            .detail("key", format!("{name}.T"))
+            .detail("times", figure((largest / least).round()));
+        return Err(found.into());
     }
     let scale = base.scale();
     let (range, unit) = match name {
@@ -240,12 +244,12 @@ fn absurd(name: &str, triad: &Triad) -> Result<(), String> {
     };
     let offset = (base.t * base.bias).norm();
     if offset > most || !offset.is_finite() {
-        return Err(format!(
-            " {name}.bias: {} found, which is {} {unit} at a reading of zero and no sensor's: was the file edited, or is it of \
-             another sensor?",
-            figure(base.bias.norm()),
-            figure(offset)
-        ));
+        let found = Finding::of(Kind::BiasBeyond)
+            .detail("key", format!("{name}.bias"))
+            .detail("found", figure(base.bias.norm()))
+            .detail("offset", figure(offset))
+            .detail("unit", unit);
+        return Err(found.into());
     }
     Ok(())
 }

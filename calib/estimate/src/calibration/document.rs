@@ -15,13 +15,13 @@ impl NotCalibrated {
     /// A gyroscope with what the static intervals say of its bias.
     pub(crate) fn gyroscope(
         reason: NotCalibratedReason,
-        text: String,
+        why: &Finding,
         bias: Option<RecordingBias>,
     ) -> Self {
         Self {
             sensor: Sensor::Gyroscope,
             reason,
-            text,
+            text: why.to_string(),
             bias_std: bias.as_ref().map_or([None; 3], |bias| bias.bias_std),
             bias: bias.map(|bias| bias.bias),
         }

@@ -1,9 +1,11 @@
 //! Whether a recording looks like one of the device and the units that a calibration is for.
 
+use findings::{Finding, Kind, Level, OptionName, Remedy};
 use nalgebra::Vector3;
 use recording::averages::root_mean_square;
 use recording::intervals::{Detector, Segmentation};
 use recording::{Error, Recording};
+use sensor::Sensor;
 
 use super::Calibration;
 use crate::evaluate::{Misfits, misfits};
@@ -37,7 +39,7 @@ const FINE: (f64, f64) = (1.0, 0.1);
 /// # Errors
 /// [`Error::Input`] where rate or direction are such that the calibration is of another device, unit, sign or order of
 /// axes.
-pub fn doubts(calibration: &Calibration, recording: &Recording) -> Result<Vec<String>, Error> {
+pub fn doubts(calibration: &Calibration, recording: &Recording) -> Result<Vec<Finding>, Error> {
     let mut said = Vec::new();
     said.extend(calibration.doubts_corrections_of(recording));
     let found = cut(recording, &Detector::default(), true, calibration.gravity);
@@ -51,44 +53,56 @@ pub fn doubts(calibration: &Calibration, recording: &Recording) -> Result<Vec<St
     ) else {
         return Ok(said);
     };
-    let name = &recording.name;
-    said.extend(rate_in_doubt(name, calibration, &left)?);
-    said.extend(direction_in_doubt(name, calibration, segmentation, &left)?);
-    said.extend(norm_in_doubt(name, calibration, &left));
+    said.extend(rate_in_doubt(recording, calibration, &left)?);
+    said.extend(direction_in_doubt(
+        recording,
+        calibration,
+        segmentation,
+        &left,
+    )?);
+    said.extend(norm_in_doubt(recording, calibration, &left));
     Ok(said)
 }
 
+/// A doubt that is none any more: only who knows that the device is the same goes on.
+fn beyond_doubt(doubt: Finding) -> Error {
+    let force = Remedy::set(OptionName::ForceDevice);
+    Error::input(doubt.at_level(Level::Error).only_remedies([force]))
+}
+
 fn rate_in_doubt(
-    name: &str,
+    recording: &Recording,
     calibration: &Calibration,
     left: &Misfits,
-) -> Result<Option<String>, Error> {
+) -> Result<Option<Finding>, Error> {
     if calibration.gyroscope.is_none() || left.rates.is_empty() {
         return Ok(None);
     }
     let mean = left.rates.iter().sum::<Vector3<f64>>() / left.rates.len() as f64;
     let size = mean.norm();
+    let doubt = || {
+        Finding::of(Kind::RateAtRestOff)
+            .in_recording(&recording.name)
+            .of_sensor(Sensor::Gyroscope)
+            .number("size", size, "rad/s")
+            .detail(
+                "rate",
+                format!("{:.4}, {:.4}, {:.4} rad/s", mean.x, mean.y, mean.z),
+            )
+            .affects("corrected_reading", size, "rad/s")
+    };
     if size > FOREIGN_RATE {
-        return Err(Error::input(format!(
-            "{name}: corrected by this calibration the rate at rest is {size:.2} rad/s, where it should be zero: the \
-             calibration is of another device or for another unit of the gyroscope (--force-device to go on)"
-        )));
+        return Err(beyond_doubt(doubt()));
     }
-    Ok((size > MOVED_RATE).then(|| {
-        format!(
-            "{name}: corrected by this calibration the rate at rest is {:.4}, {:.4}, {:.4} rad/s, where it should be zero: is it \
-             of this device? `stillpoint bias` estimates the bias again",
-            mean.x, mean.y, mean.z
-        )
-    }))
+    Ok((size > MOVED_RATE).then(doubt))
 }
 
 fn direction_in_doubt(
-    name: &str,
+    recording: &Recording,
     calibration: &Calibration,
     segmentation: &Segmentation,
     left: &Misfits,
-) -> Result<Option<String>, Error> {
+) -> Result<Option<Finding>, Error> {
     let Some(triad) = &calibration.gyroscope else {
         return Ok(None);
     };
@@ -102,39 +116,44 @@ fn direction_in_doubt(
     }
     let rms = root_mean_square(&angles);
     let usual = triad.residual_rms;
+    let doubt = || {
+        let found = Finding::of(Kind::DirectionOff)
+            .in_recording(&recording.name)
+            .of_sensor(Sensor::Gyroscope)
+            .count("count", angles.len())
+            .number("rms", rms.to_radians(), "rad")
+            .affects("turn", rms.to_radians(), "rad");
+        left_of_its_own(found, usual.to_radians(), "rad")
+    };
     // A calibration that misses its own recordings as much is bad, not foreign: its gate has said so.
     if rms > FOREIGN_ANGLE.max(WORSE * usual) {
-        return Err(Error::input(format!(
-            "{name}: corrected by this calibration the gyroscope misses gravity by {rms:.0}° through {} turns: it is of another \
-             device, or for another unit, sign or order of the axes (--force-device to go on)",
-            angles.len()
-        )));
+        return Err(beyond_doubt(doubt()));
     }
-    Ok((rms > (WORSE * usual).max(FINE.0)).then(|| {
-        format!(
-            "{name}: corrected by this calibration the gyroscope misses gravity by {rms:.2}° through {} turns{}: is it of this device?",
-            angles.len(),
-            left_of_its_own(usual, |usual| format!("{usual:.2}°"))
-        )
-    }))
+    Ok((rms > (WORSE * usual).max(FINE.0)).then(doubt))
 }
 
-fn norm_in_doubt(name: &str, calibration: &Calibration, left: &Misfits) -> Option<String> {
+fn norm_in_doubt(
+    recording: &Recording,
+    calibration: &Calibration,
+    left: &Misfits,
+) -> Option<Finding> {
     let usual = calibration.accelerometer.as_ref()?.residual_rms;
     let values: Vec<f64> = left.rests.iter().map(|rest| rest.value).collect();
     let rms = root_mean_square(&values);
     (!values.is_empty() && rms > (WORSE * usual).max(FINE.1)).then(|| {
-        format!(
-            "{name}: corrected by this calibration the specific force at rest differs from gravity by {rms:.3} m/s² rms{}: is it of this device?",
-            left_of_its_own(usual, |usual| format!("{usual:.3}"))
-        )
+        let found = Finding::of(Kind::NormOff)
+            .in_recording(&recording.name)
+            .of_sensor(Sensor::Accelerometer)
+            .number("rms", rms, "m/s^2")
+            .affects("corrected_reading", rms, "m/s^2");
+        left_of_its_own(found, usual, "m/s^2")
     })
 }
 
-/// What a calibration left of its own recordings; nothing of one that another tool made, which does not say.
-fn left_of_its_own(usual: f64, shown: impl Fn(f64) -> String) -> String {
+/// With what a calibration left of its own recordings; nothing of one that another tool made, which does not say.
+fn left_of_its_own(found: Finding, usual: f64, unit: &'static str) -> Finding {
     match usual > 0.0 {
-        true => format!("; it left {} of its own recordings", shown(usual)),
-        false => String::new(),
+        true => found.number("usual", usual, unit),
+        false => found,
     }
 }

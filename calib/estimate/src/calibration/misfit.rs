@@ -1,6 +1,6 @@
 //! What the data leave of a calibration, before any error is inflated.
 
-use findings::{Finding, Kind};
+use findings::{Finding, Kind, names};
 use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 
@@ -130,9 +130,9 @@ impl Remainder {
     /// `norm of specific force at static intervals`.
     pub fn what(&self) -> &'static str {
         match self.channel {
-            Channel::Force => "norm of specific force at static intervals",
-            Channel::Rate => "rate at static intervals",
-            Channel::Direction => "direction of gravity through turns",
+            Channel::Force => names::NORM_AT_REST,
+            Channel::Rate => names::RATE_AT_REST,
+            Channel::Direction => names::DIRECTION,
         }
     }
 
@@ -149,11 +149,11 @@ impl Remainder {
 /// What a dependence on the orientation is most like.
 fn like(pattern: Pattern) -> &'static str {
     match pattern {
-        Pattern::Quadratic => "the square of the specific force",
-        Pattern::Asymmetry => "its sign",
-        Pattern::Cubic => "the cube of the specific force",
-        Pattern::History => "the way that the device came",
-        Pattern::Force => "the specific force itself",
+        Pattern::Quadratic => names::QUADRATIC,
+        Pattern::Asymmetry => names::ASYMMETRY,
+        Pattern::Cubic => names::CUBIC,
+        Pattern::History => names::HISTORY,
+        Pattern::Force => names::FORCE,
     }
 }
 

@@ -19,6 +19,7 @@ mod values;
 
 pub use apply::{apply, apply_with};
 pub use check::FINDINGS_SCHEMA;
+pub(crate) use check::of_json;
 pub use check::refuse_newer;
 pub use check::{load, load_with, read_calibration};
 pub use clock::{BetweenSamples, RecordingClock};
@@ -36,11 +37,12 @@ pub use provenance::{
 };
 pub use units::{TriadUnits, check_units};
 
-use findings::Findings;
+use findings::{Finding, Findings, Kind, Remedy};
 use nalgebra::{Matrix3, Vector3};
 use recording::intervals::Segmentation;
+use recording::shown::shown;
 use recording::{Error, Recording};
-use sensor::{AnyEffect, Base, Definition, Model, Sensor};
+use sensor::{AnyEffect, Base, Definition, DefinitionError, Model, Sensor};
 use serde::{Deserialize, Serialize};
 
 use crate::gravity::GravitySource;
@@ -237,19 +239,26 @@ impl EffectValues {
     /// The effect: that of its definition, or of its name in the catalogue.
     ///
     /// # Errors
-    /// What is wrong with the definition, or that there is no such effect, in words.
-    pub fn effect(&self) -> Result<&'static dyn AnyEffect, String> {
+    /// What is wrong with the definition, or that there is no such effect.
+    pub fn effect(&self) -> Result<&'static dyn AnyEffect, Box<Finding>> {
         match &self.definition {
             Some(definition) if definition.name != self.name => {
-                Err(format!("its definition is of \"{}\"", definition.name))
+                let found = Finding::of(Kind::DefinitionOfOther)
+                    .detail("effect", shown(&self.name))
+                    .detail("other", shown(&definition.name));
+                Err(Box::new(found))
             }
-            Some(definition) => {
-                let effect = definition.effect();
-                effect.map_err(|e| format!("definition.{e}"))
-            }
+            Some(definition) => definition.effect().map_err(|error| {
+                let key = format!("definition.{}", error.key);
+                let fault = error.fault;
+                Box::new(DefinitionError { key, fault }.into())
+            }),
             None => effect_named(&self.name)
                 .or(self.outside.map(|outside| outside.0))
-                .ok_or_else(|| "is not in the catalogue (`stillpoint effects`)".to_owned()),
+                .ok_or_else(|| {
+                    let unknown = Finding::of(Kind::EffectUnknown).remedy(Remedy::ListEffects);
+                    Box::new(unknown.detail("effect", shown(&self.name)))
+                }),
         }
     }
 }
@@ -344,11 +353,8 @@ impl Calibration {
         self.effects.iter().try_for_each(|values| {
             let known = values.effect().map(|_| ());
             known.map_err(|what| {
-                Error::not_enough(format!(
-                    "the calibration has the effect {} and what it does is not known here: it {what}; load it with \
-                     the crate that has it (`load_with`)",
-                    values.name
-                ))
+                let found = Finding::of(Kind::EffectNotHere).detail("effect", values.name.clone());
+                Error::not_enough(found.because(*what))
             })
         })
     }

@@ -1,6 +1,6 @@
 //! A sensor that was recorded and is not calibrated: in its place in the file stands why.
 
-use findings::{Finding, Kind};
+use findings::{Finding, Kind, names};
 use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -25,9 +25,9 @@ impl NotCalibratedReason {
     /// In words.
     pub fn in_words(self) -> &'static str {
         match self {
-            Self::NoUsableTurn => "no turn can be used",
-            Self::TooFewTurns => "too few turns can be used",
-            Self::NotObservable => "the turns leave a parameter open",
+            Self::NoUsableTurn => names::NO_TURN,
+            Self::TooFewTurns => names::FEW_TURNS,
+            Self::NotObservable => names::OPEN_TURNS,
         }
     }
 }
@@ -54,7 +54,7 @@ impl NotCalibrated {
             .of_sensor(self.sensor)
             .detail("why", self.text.clone());
         match self.bias {
-            Some(_) => found.detail("kept", "its bias at rest is kept"),
+            Some(_) => found.detail("kept", "at rest"),
             None => found,
         }
     }

@@ -3,9 +3,10 @@
 use std::path::Path;
 
 use effects::catalogue;
+use findings::{Finding, Kind};
 use recording::shown::shown_path;
-use recording::toml_place::{explain_toml, key_position, place};
-use recording::{Error, did_you_mean};
+use recording::toml_place::{at_key, not_toml};
+use recording::{Error, figure};
 use sensor::{Sensor, base_names};
 
 use super::Limits;
@@ -34,20 +35,20 @@ pub fn read_limits(path: &Path) -> Result<Limits, Error> {
 /// ```
 pub fn parse_limits(text: &str, name: &str) -> Result<Limits, Error> {
     let limits: Limits = toml::from_str(text).map_err(|e| {
-        let at = place(text, e.span().map_or(0, |span| span.start));
-        Error::usage(format!("{name}:{at}: {}", explain_toml(e.message())))
+        let found = not_toml(name, text, &e);
+        Error::usage(found)
     })?;
     match complaint(&limits) {
         None => Ok(limits),
         Some((key, what)) => {
-            let at = place(text, key_position(text, &key).unwrap_or(0));
-            Err(Error::usage(format!("{name}:{at}: {key}: {what}")))
+            let found = at_key(what, name, text, &key);
+            Err(Error::usage(found.detail("key", key)))
         }
     }
 }
 
 /// The first key that makes no sense, and why.
-fn complaint(limits: &Limits) -> Option<(String, String)> {
+fn complaint(limits: &Limits) -> Option<(String, Finding)> {
     let (force, rate) = (&limits.accelerometer, &limits.gyroscope);
     let fixed = [
         ("accelerometer.residual_mm_s2", force.residual_mm_s2),
@@ -70,17 +71,18 @@ fn complaint(limits: &Limits) -> Option<(String, String)> {
     let errors = errors.map(|(name, v)| (format!("standard_errors.{name}"), Some(*v)));
     for (key, value) in fixed.chain(effects).chain(errors) {
         if let Some(v) = value.filter(|v| !(v.is_finite() && *v >= 0.0)) {
-            return Some((key, format!("is {v}, a number from 0 up expected")));
+            let found = Finding::of(Kind::OutOfRange)
+                .detail("value", figure(v))
+                .detail("expected", "0 or more");
+            return Some((key, found));
         }
     }
     let names: Vec<&str> = catalogue().map(|e| e.name()).collect();
     for name in limits.effects.keys() {
         if !names.contains(&name.as_str()) {
-            let hint = did_you_mean(name, names.iter().copied());
-            return Some((
-                format!("effects.{name}"),
-                format!("there is no such effect{hint}"),
-            ));
+            let found = Finding::of(Kind::EffectUnknown);
+            let found = found.or_nearest(name, names.iter().copied());
+            return Some((format!("effects.{name}"), found));
         }
     }
     let known = parameter_names();
@@ -96,19 +98,19 @@ fn complaint(limits: &Limits) -> Option<(String, String)> {
         .flat_map(|(t, names)| names.iter().map(move |n| (t, *n)))
     {
         if !known.contains(name) {
-            let hint = did_you_mean(name, known.iter().map(String::as_str));
-            return Some((
-                format!("{table}.{name}"),
-                format!("there is no such parameter{hint}"),
-            ));
+            let found = Finding::of(Kind::ParameterUnknown);
+            let found = found.or_nearest(name, known.iter().map(String::as_str));
+            return Some((format!("{table}.{name}"), found));
         }
     }
     let ranges = limits.values.iter();
     ranges
         .filter(|(_, [low, high])| !(*low..=*high).contains(low))
         .map(|(name, [low, high])| {
-            let what = format!("is [{low}, {high}], least and greatest in this order expected");
-            (format!("values.{name}"), what)
+            let found = Finding::of(Kind::Backwards)
+                .detail("from", figure(*low))
+                .detail("to", figure(*high));
+            (format!("values.{name}"), found)
         })
         .next()
 }

@@ -1,6 +1,7 @@
 //! The gyroscope by propagated gravity (Liu et al. 2021, section 2.2).
 
 use faer::Mat;
+use findings::{Finding, Kind};
 use nalgebra::Vector3;
 use recording::Error;
 use recording::averages::root_mean_square;
@@ -96,9 +97,7 @@ pub fn fit_gyroscope(request: &GyroscopeRequest) -> Result<GyroscopeFit, Error> 
     // One copy of all readings, changed in place: a long recording has no room for more.
     let mut turns: Vec<TurnData> = request.recordings.iter().flat_map(without_bias).collect();
     if turns.is_empty() {
-        return Err(Error::not_enough(
-            "no turn between two rests can be integrated",
-        ));
+        return Err(Error::not_enough(Finding::of(Kind::TurnsMissing)));
     }
     let guess = gyroscope_guess(&turns);
     let before = perfect_chords(&turns, guess.unit.scale);
@@ -224,7 +223,7 @@ fn with_effects(
         result = Some((report, chords));
     }
     let (report, chords) =
-        result.ok_or_else(|| Error::not_converged("no weighting round was run"))?;
+        result.ok_or_else(|| Error::not_converged(Finding::of(Kind::SolverRefused)))?;
     Ok(GyroscopeFit {
         model: request.model.clone(),
         fitted: Fitted::in_raw_units(&report, &unit, shared, 1.0),

@@ -1,5 +1,6 @@
 //! Biases estimated again on a recording, scale factors and misalignments kept.
 
+use findings::{Finding, Kind};
 use nalgebra::{Matrix3, Vector3};
 use recording::intervals::{Segmentation, Span};
 use recording::{Error, Recording};
@@ -44,10 +45,12 @@ pub fn gyroscope_stretches(
     // What is left is that of the bias which is updated.
     let corrected = apply_with(&calibration.with_one_bias(), recording, Some(segmentation))?;
     let (Some(stream), Some(_)) = (&corrected.gyroscope, &calibration.gyroscope) else {
-        return Err(Error::not_enough(format!(
-            "{}: recording and calibration must both have a gyroscope",
-            recording.name
-        )));
+        let kind = match calibration.gyroscope {
+            Some(_) => Kind::SensorNotRecorded,
+            None => Kind::SensorNotInCalibration,
+        };
+        let found = Finding::of(kind).in_recording(&recording.name);
+        return Err(Error::not_enough(found.of_sensor(Sensor::Gyroscope)));
     };
     let long = |span: &Span| span.length() > LONG_ENOUGH;
     let stretches: Vec<Stretch> = segmentation
@@ -71,10 +74,13 @@ pub fn gyroscope_stretches(
             .iter()
             .map(|r| r.span.length())
             .fold(0.0, f64::max);
-        return Err(Error::not_enough(format!(
-            "{}: the longest rest is {longest:.1} s; put the device down for more than {LONG_ENOUGH} s",
-            recording.name
-        )));
+        return Err(Error::not_enough(
+            Finding::of(Kind::RestTooShort)
+                .in_recording(&recording.name)
+                .of_sensor(Sensor::Gyroscope)
+                .number("longest", longest, "s")
+                .number("least", LONG_ENOUGH, "s"),
+        ));
     }
     Ok(stretches)
 }
@@ -126,22 +132,21 @@ pub fn update_accelerometer(
 ) -> Result<Calibration, Error> {
     let truth = Truth::of(recording, Some(segmentation), Models::of(calibration))?;
     let means = static_means_by(&truth, segmentation);
-    let (Some((model, p)), true) = (
-        calibration.model(Sensor::Accelerometer),
-        means.len() >= FEWEST_RESTS,
-    ) else {
-        return Err(Error::not_enough(format!(
-            "{}: {} rests and {} in the calibration; the accelerometer's bias needs at least \
-             {FEWEST_RESTS} rests in different orientations",
-            recording.name,
-            means.len(),
-            if calibration.accelerometer.is_some() {
-                "an accelerometer"
-            } else {
-                "no accelerometer"
-            },
-        )));
+    let of = |kind| {
+        Finding::of(kind)
+            .in_recording(&recording.name)
+            .of_sensor(Sensor::Accelerometer)
     };
+    let Some((model, p)) = calibration.model(Sensor::Accelerometer) else {
+        return Err(Error::not_enough(of(Kind::SensorNotInCalibration)));
+    };
+    if means.len() < FEWEST_RESTS {
+        return Err(Error::not_enough(
+            of(Kind::RestsTooFew)
+                .count("rests", means.len())
+                .count("least", FEWEST_RESTS),
+        ));
+    }
     let mut start = model.parameters();
     start.values_mut().copy_from_slice(&p);
     let mask = start.free_where(|name| name.starts_with("accel.b_"));
@@ -152,17 +157,18 @@ pub fn update_accelerometer(
     };
     let report = solve(&problem, &start, &mask, &Options::default())?;
     if !report.termination.converged() {
-        return Err(Error::not_converged(format!(
-            "{}: accelerometer bias",
-            recording.name
-        )));
+        return Err(Error::not_converged(
+            of(Kind::FitStopped)
+                .count("steps", report.iterations.len())
+                .detail("ending", format!("{:?}", report.termination)),
+        ));
     }
     let condition = condition(&report.uncertainty);
     if condition > WORST_CONDITION {
-        return Err(Error::not_enough(format!(
-            "{}: the rests do not tell the three axes apart (condition {condition:.0}): turn the \
-             device further",
-            recording.name
+        return Err(Error::not_enough(of(Kind::RestsInPlane).number(
+            "condition",
+            condition,
+            "1",
         )));
     }
     let sigma = report.reduced_chi2().map_or(f64::NAN, f64::sqrt);
@@ -195,8 +201,9 @@ fn shifted(
     let triad = updated.triad_mut(sensor);
     let back = triad.as_ref().and_then(|triad| inverse(&triad.base().t));
     let (Some(triad), Some(back)) = (triad, back) else {
+        let found = Finding::of(Kind::MatrixSingular).of_sensor(sensor);
         return Err(Error::not_enough(
-            "the calibration has no usable matrix for this sensor",
+            found.detail("key", format!("{}.T", sensor.name())),
         ));
     };
     let before = triad.bias;
@@ -337,7 +344,9 @@ mod tests {
         assert!(message.to_string().contains("more than 20 s"), "{message}");
         let message = update_accelerometer(&yesterday(), &recording, &rests).unwrap_err();
         assert!(
-            message.to_string().contains("3 rests and an accelerometer"),
+            message
+                .to_string()
+                .contains("3 rests: the bias of the accelerometer"),
             "{message}"
         );
     }

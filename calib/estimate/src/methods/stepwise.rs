@@ -1,5 +1,6 @@
 //! The stepwise accelerometer calibration, as published (Liu et al. 2021, section 4.1).
 
+use findings::{Finding, Kind};
 use nalgebra::Matrix3;
 use recording::Error;
 use recording::watch::{Stage, step};
@@ -78,12 +79,11 @@ pub fn fit_accelerometer(request: &AccelerometerRequest) -> Result<Accelerometer
     step(Stage::Fitting)?;
     let all: Vec<_> = request.recordings.iter().flatten().map(|m| m.raw).collect();
     let unit = accelerometer_unit(&all, request.gravity).ok_or_else(|| {
-        Error::not_enough(format!(
-            "{} static means lie on no sphere: the unit of the accelerometer cannot be told; {}; run \
-             `stillpoint plan` for the orientations",
-            all.len(),
-            plan::REQUIREMENT
-        ))
+        Error::not_enough(
+            Finding::of(Kind::NoSphere)
+                .count("count", all.len())
+                .because(plan::REQUIREMENT.finding()),
+        )
     })?;
     let near_si: Vec<Vec<StaticMean>> = request
         .recordings

@@ -21,8 +21,7 @@ impl Prior {
             .as_ref()
             .is_some_and(|o| o.frame == "symmetric");
         if symmetric {
-            let why = "--prior holds in the triangular frame; leave out --frame symmetric";
-            return Err(Error::usage(why));
+            return Err(Error::usage(Finding::of(Kind::PriorFrame)));
         }
         let all = &calibration.parameters;
         let common: Vec<(usize, usize)> = self
@@ -32,8 +31,7 @@ impl Prior {
             .filter_map(|(k, name)| Some((all.iter().position(|own| own == name)?, k)))
             .collect();
         if common.is_empty() {
-            let why = "the prior and the calibration have no parameter in common; was it fitted to such devices?";
-            return Err(Error::usage(why));
+            return Err(Error::usage(Finding::of(Kind::PriorForeign)));
         }
         let n = all.len();
         let c = DMatrix::from_fn(n, n, |i, j| calibration.covariance[i][j]);
@@ -47,9 +45,7 @@ impl Prior {
         let total = &prior + &own;
         let judged = belonging(&gap, &total);
         let Some((judged, solved)) = judged.zip(scaled_solve(&total, &cross, &gap)) else {
-            return Err(Error::input(
-                "the prior's covariance and the session's are none together",
-            ));
+            return Err(Error::input(Finding::of(Kind::PriorDegenerate)));
         };
         let (shift, shrink) = solved;
         let used = judged.belongs();

@@ -17,10 +17,13 @@ pub use belonging::{Belonging, belonging};
 
 use std::path::Path;
 
+use findings::{Finding, Kind};
 use nalgebra::{DMatrix, DVector};
 use recording::Error;
-use recording::shown::shown_path;
+use recording::shown::{shown, shown_path};
 use serde::{Deserialize, Serialize};
+
+use crate::calibration::of_json;
 
 /// Schema of prior.json.
 pub const PRIOR_SCHEMA: &str = "stillpoint.prior/1";
@@ -93,36 +96,31 @@ impl Prior {
     /// [`Error::Io`], or [`Error::Input`] for what is no prior or has a covariance that is none.
     pub fn read(path: &Path) -> Result<Self, Error> {
         let text = recording::read_text(path)?;
-        let name = shown_path(path);
-        let prior: Self = serde_json::from_str(&text).map_err(|e| {
-            Error::input(format!("{name}:{}:{}: no prior: {e}", e.line(), e.column()))
-        })?;
+        let of_file = |found: Finding| Error::input(found.in_file(shown_path(path)));
+        let prior: Self =
+            serde_json::from_str(&text).map_err(|e| of_file(of_json(Kind::NotJson, &e)))?;
         match prior.fault() {
             None => Ok(prior),
-            Some(what) => Err(Error::input(format!("{name}: no prior: {what}"))),
+            Some(found) => Err(of_file(found)),
         }
     }
 
-    fn fault(&self) -> Option<String> {
+    fn fault(&self) -> Option<Finding> {
         let n = self.parameters.len();
         if self.schema != PRIOR_SCHEMA {
-            return Some(format!(
-                "its schema is `{}`, `{PRIOR_SCHEMA}` expected",
-                self.schema
-            ));
+            return Some(
+                Finding::of(Kind::EntryOther)
+                    .detail("key", "schema")
+                    .detail("found", shown(&self.schema))
+                    .detail("expected", PRIOR_SCHEMA),
+            );
         }
         let square = |m: &[Vec<f64>]| m.len() == n && m.iter().all(|row| row.len() == n);
-        if self.mean.len() != n || !square(&self.covariance) || !square(&self.mean_covariance) {
-            return Some(format!(
-                "{n} parameters, and mean or covariance of another size"
-            ));
-        }
-        let finite = self
-            .mean
-            .iter()
-            .chain(self.covariance.iter().flatten())
-            .all(|v| v.is_finite());
-        (!finite).then(|| "mean or covariance is no number".to_owned())
+        let fits =
+            self.mean.len() == n && square(&self.covariance) && square(&self.mean_covariance);
+        let numbers = self.mean.iter().chain(self.covariance.iter().flatten());
+        let is_usable = fits && numbers.clone().all(|v| v.is_finite());
+        (!is_usable).then(|| Finding::of(Kind::PriorUnusable).count("count", n))
     }
 
     /// `μ`.

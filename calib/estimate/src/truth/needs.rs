@@ -1,13 +1,11 @@
 //! Whether what an effect needs can be known.
 
+use findings::{Finding, Kind};
 use recording::intervals::Segmentation;
 use recording::{Error, Recording};
 use sensor::{AnyEffect, Quantity, Role, Sensor, silent_at_rest};
 
 use super::sensing::Models;
-
-/// Why a quantity cannot be known of a recording, and what to do about it.
-type Why = (&'static str, &'static str);
 
 /// Refuses an effect that needs what cannot be known of the recording.
 ///
@@ -23,84 +21,57 @@ pub fn require(
         if Quantity::signal_of(effect.sensor()) == quantity {
             continue;
         }
-        if let Some((why, advice)) = lacking(recording, intervals, models, quantity) {
-            return Err(Error::not_enough(format!(
-                "{}: the effect {} needs the {quantity}, which cannot be known: {why}; {advice}",
-                recording.name,
-                effect.name()
-            )));
+        if let Some(found) = lacking(recording, intervals, models, quantity) {
+            return Err(Error::not_enough(
+                found
+                    .in_recording(&recording.name)
+                    .detail("effect", effect.name())
+                    .detail("quantity", quantity.to_string()),
+            ));
         }
     }
     Ok(())
 }
 
+/// Why a quantity cannot be known of a recording.
 fn lacking(
     recording: &Recording,
     intervals: Option<&Segmentation>,
     models: &Models,
     quantity: Quantity,
-) -> Option<Why> {
+) -> Option<Finding> {
     let rests = intervals.map_or(0, |s| s.statics.len());
-    let force = || {
-        let none: Why = (
-            "the recording has no accelerometer",
-            "record both sensors, or leave the effect out",
-        );
-        let unknown: Why = (
-            "nothing is known of the errors of the accelerometer",
-            "calibrate both sensors, or leave the effect out",
-        );
-        let missing = recording.accelerometer.is_none().then_some(none);
-        missing.or(models.accelerometer.is_none().then_some(unknown))
+    let unseen = |sensor| {
+        let is_missing = recording.stream(sensor).is_none();
+        is_missing.then(|| Finding::of(Kind::EffectNeedsSensor).of_sensor(sensor))
     };
-    let rate = || {
-        let none: Why = (
-            "the recording has no gyroscope",
-            "record both sensors, or leave the effect out",
-        );
-        let unknown: Why = (
-            "nothing is known of the errors of the gyroscope",
-            "calibrate both sensors, or leave the effect out",
-        );
-        let missing = recording.gyroscope.is_none().then_some(none);
-        missing.or(models.gyroscope.is_none().then_some(unknown))
+    let unknown = |sensor, is_known: bool| {
+        let found = || Finding::of(Kind::EffectNeedsErrors).of_sensor(sensor);
+        unseen(sensor).or_else(|| (!is_known).then(found))
     };
-    let still = |least: usize, why: &'static str| {
-        let advice = "let the device lie still in between, or leave the effect out";
-        (rests < least).then_some((why, advice))
+    let force = || unknown(Sensor::Accelerometer, models.accelerometer.is_some());
+    let rate = || unknown(Sensor::Gyroscope, models.gyroscope.is_some());
+    let still = |least: usize| {
+        (rests < least).then(|| {
+            Finding::of(Kind::EffectNeedsRests)
+                .count("least", least)
+                .count("rests", rests)
+        })
     };
     match quantity {
         Quantity::Time => None,
         Quantity::SpecificForce | Quantity::SpecificForceRate => force(),
         Quantity::AngularRate | Quantity::AngularAcceleration => rate(),
-        Quantity::MagneticField => Some((
-            "only the magnetometer's own effects see it",
-            "leave the effect out",
-        )),
-        Quantity::Temperature | Quantity::TemperatureRate | Quantity::Warming => recording.temperature.is_none().then_some((
-            "no temperature was recorded",
-            "record it, or leave the effect out",
-        )),
-        Quantity::LastTurn | Quantity::SinceTurn => recording
-            .gyroscope
-            .is_none()
-            .then_some((
-                "the recording has no gyroscope",
-                "record both sensors, or leave the effect out",
-            ))
-            .or_else(|| still(1, "no static interval shows where a turn ended")),
-        Quantity::LastChange => force().or_else(|| {
-            let why = "no static interval shows where the device came from";
-            still(1, why)
-        }),
-        Quantity::Vibration => force().or_else(|| {
-            let why = "fewer than two static intervals, and vibration is what one has beyond the quietest";
-            still(2, why)
-        }),
-        Quantity::Attitude => force().or_else(rate).or_else(|| {
-            let why = "no static interval shows which way is up";
-            still(1, why)
-        }),
+        Quantity::MagneticField => Some(Finding::of(Kind::EffectNeedsField)),
+        Quantity::Temperature | Quantity::TemperatureRate | Quantity::Warming => {
+            let is_missing = recording.temperature.is_none();
+            is_missing.then(|| Finding::of(Kind::EffectNeedsTemperature))
+        }
+        Quantity::LastTurn | Quantity::SinceTurn => unseen(Sensor::Gyroscope).or_else(|| still(1)),
+        Quantity::LastChange => force().or_else(|| still(1)),
+        // Vibration is what an interval has beyond the quietest.
+        Quantity::Vibration => force().or_else(|| still(2)),
+        Quantity::Attitude => force().or_else(rate).or_else(|| still(1)),
     }
 }
 
@@ -117,13 +88,12 @@ pub fn silent_at_static_intervals(effect: &dyn AnyEffect) -> Result<(), Error> {
         return Ok(());
     };
     let quantities: Vec<String> = quantities.iter().map(ToString::to_string).collect();
-    Err(Error::not_enough(format!(
-        "the effect {name}: its {} shows only where the {} is not zero, and a calibration sees the accelerometer at \
-         static intervals, where it is; leave it out of --effects (`stillpoint discover` looks for {name} where it can)",
-        effect.params()[place].name,
-        quantities.join(" or the "),
-        name = effect.name(),
-    )))
+    Err(Error::not_enough(
+        Finding::of(Kind::EffectSilentAtRest)
+            .detail("effect", effect.name())
+            .detail("parameter", effect.params()[place].name)
+            .detail("quantities", quantities.join(" or the ")),
+    ))
 }
 
 /// Refuses an effect with an instant: a fit has no derivative by it.
@@ -133,11 +103,10 @@ pub fn silent_at_static_intervals(effect: &dyn AnyEffect) -> Result<(), Error> {
 pub fn without_instant(effect: &dyn AnyEffect) -> Result<(), Error> {
     let instant = effect.params().iter().find(|p| p.role == Role::Instant);
     instant.map_or(Ok(()), |p| {
-        Err(Error::not_enough(format!(
-            "the effect {name} needs the time {}, which cannot be known by a calibration: leave it out of --effects \
-             (`stillpoint discover` looks for {name} at every time)",
-            p.name,
-            name = effect.name(),
-        )))
+        Err(Error::not_enough(
+            Finding::of(Kind::EffectNeedsInstant)
+                .detail("effect", effect.name())
+                .detail("parameter", p.name),
+        ))
     })
 }

@@ -3,7 +3,7 @@
 use crate::finding::Finding;
 use crate::remedy::{OptionName, Remedy};
 
-use super::remedies::names;
+use super::remedies::{names, turning_back};
 use super::shell::quoted;
 
 /// The command line of a remedy; none where no command does it.
@@ -46,6 +46,8 @@ pub fn of(remedy: &Remedy, finding: &Finding, recordings: &[&str]) -> Option<Str
         Remedy::UpdateBias => format!("stillpoint bias cal.json {names} -o cal.json"),
         Remedy::Validate => "stillpoint evaluate SECOND --calibration cal=cal.json".into(),
         Remedy::LookInto => format!("stillpoint info {names}"),
+        Remedy::TurnBack { recording, columns } => turning_back(recording, columns),
+        Remedy::ListEffects => "stillpoint effects".into(),
         Remedy::OtherMethod { method } => calibrate(&format!("--method {}", quoted(method))),
         _ => return None,
     })

@@ -41,6 +41,20 @@ pub struct Entry {
 }
 
 impl Entry {
+    /// The words of a doubt: it ends a run only where it is beyond doubt.
+    pub(super) const fn doubt(
+        kind: Kind,
+        text: &'static str,
+        advice: &'static str,
+        remedies: fn() -> Vec<Remedy>,
+    ) -> Self {
+        Self {
+            level: Level::Care,
+            severity: 0.1,
+            ..Self::error(kind, text, advice, remedies)
+        }
+    }
+
     /// The words of an error: it ends a run, so no verdict gives a reason for it.
     pub(super) const fn error(
         kind: Kind,

@@ -3,10 +3,12 @@
 pub(crate) mod command;
 mod entry;
 mod human;
+pub mod names;
 pub(crate) mod remedies;
 mod shell;
 mod tables;
 mod template;
+pub mod turns;
 
 pub use entry::{Entry, Front};
 pub use human::{human, significant};
@@ -53,9 +55,14 @@ impl Place {
             (_, Some(file)) => file.clone(),
             (None, None) => String::new(),
         };
-        for number in [self.line, self.column].into_iter().flatten() {
-            let colon = if place.is_empty() { "row " } else { ":" };
-            place = format!("{place}{colon}{number}");
+        let of_arrays = place.is_empty();
+        for (number, what) in [(self.line, "row"), (self.column, "column")] {
+            let Some(number) = number else { continue };
+            place = match (of_arrays, place.is_empty()) {
+                (false, _) => format!("{place}:{number}"),
+                (true, true) => format!("{what} {number}"),
+                (true, false) => format!("{place}, {what} {number}"),
+            };
         }
         if let Some(byte) = self.byte {
             let colon = if place.is_empty() { "" } else { ": " };

@@ -4,6 +4,7 @@ use crate::remedy::{OptionName, Remedy, Setting};
 
 use super::entry::Front;
 use super::shell::quoted;
+use super::turns;
 
 /// An option's name in plain English, on the command line, in Rust and in Python.
 pub(super) fn names(option: OptionName) -> [&'static str; 4] {
@@ -119,6 +120,7 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
             "DetectorOptions::min_static",
             "min_static",
         ],
+        O::Motion => ["when the motion was", "--motion", "motion", "motion"],
         O::Multiplier => [
             "the threshold of the detector",
             "--multiplier",
@@ -183,9 +185,9 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
 /// A remedy in words, an imperative.
 pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
     let fixed = match remedy {
-        Remedy::Set { any_of } => return format!("give {}", settings(any_of, front)),
+        Remedy::Set { any_of } => return given(any_of, front),
         Remedy::IfWrong { any_of } => {
-            return format!("if that is wrong, give {}", settings(any_of, front));
+            return format!("if that is wrong, {}", given(any_of, front));
         }
         Remedy::Example { any_of } => {
             let all: Vec<String> = any_of.iter().map(|s| example(s, front)).collect();
@@ -195,19 +197,10 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         Remedy::NameUnit { example } => {
             return format!("write the unit into the column's name, as `{example}`");
         }
-        Remedy::Without { option } => {
-            let [plain, flag, field, keyword] = names(*option);
-            return match front {
-                Front::Plain => format!("leave {plain} out"),
-                Front::CommandLine => format!("leave {flag} out"),
-                Front::Rust => format!("leave `{field}` out"),
-                Front::Python => format!("leave `{keyword}` out"),
-            };
-        }
         Remedy::AddPlacements { placements } => {
-            return format!("add placements: {}", placements.join(", "));
+            return turns::add_placements(placements);
         }
-        Remedy::AddTurns { turns } => return format!("add turns: {}", turns.join(", ")),
+        Remedy::AddTurns { turns } => return turns::add_turns(turns),
         Remedy::OtherMethod { method } => return format!("use the method {method}"),
         Remedy::ConvertToCsv { by } => return format!("convert it to CSV, as by `{by}`"),
         Remedy::ExportAs { format } => return format!("export it as {format}"),
@@ -217,9 +210,6 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
                 _ => String::new(),
             };
             return format!("build with the feature `{feature}`{flag}");
-        }
-        Remedy::Omit { option } => {
-            return format!("leave out {}", self::option(*option, front));
         }
         Remedy::RunShard { shard } => return run_shard(shard.as_deref(), front),
         Remedy::Discover => "search for the missing effect",
@@ -237,7 +227,6 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         Remedy::TurnBetween => "turn the device between the placements",
         Remedy::SampleFaster => "record at a higher rate",
         Remedy::FilterFirst => "filter before sampling",
-        Remedy::MeasureNoise => "measure the noise of a long rest",
         Remedy::TemperatureCycles => {
             "record while the temperature rises and falls at least twice, slowly and fast"
         }
@@ -272,6 +261,18 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         Remedy::LookInto => "look into the file",
         Remedy::ExportAgain => "export the file again",
         Remedy::OwnCalibration => "use the calibration of this device",
+        Remedy::Nearest { names } => return format!("did you mean `{}`?", names.join("` or `")),
+        Remedy::ListEffects => "see which effects there are",
+        Remedy::CalibrateAgain => "calibrate again",
+        Remedy::SwapFiles => "check whether the two files are swapped",
+        Remedy::SwapSensors => "check whether the two sensors are swapped",
+        Remedy::TurnBack { recording, columns } => return turn_back(recording, columns, front),
+        Remedy::TurnEachAxis => {
+            "turn the device about each axis both ways, still before and after each turn"
+        }
+        Remedy::LoseNoSamples => "record without losing samples",
+        Remedy::FreezeNoRows => "record without frozen rows",
+        Remedy::BothSensors => "record both sensors at the same time",
         Remedy::Report => "report it as a bug of ours",
         Remedy::UnpackFirst => "unpack it yourself if you trust it, and name the file",
         Remedy::NameFile => "name the file itself",
@@ -294,10 +295,8 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         (Front::CommandLine, Remedy::Discover) => " (`stillpoint discover`)",
         (Front::CommandLine, Remedy::Plan) => " (`stillpoint plan`)",
         (Front::CommandLine, Remedy::UpdateBias) => " (`stillpoint bias`)",
-        (Front::CommandLine, Remedy::MeasureNoise) => {
-            " (`stillpoint allan RECORDING -o noise.json`)"
-        }
-        (Front::CommandLine, Remedy::Validate) => " (`stillpoint evaluate`)",
+        (Front::CommandLine, Remedy::ListEffects) => " (`stillpoint effects`)",
+        (Front::Python | Front::Rust, Remedy::ListEffects) => " (`Catalogue::names`)",
         (Front::CommandLine, Remedy::LookInto) => " (`stillpoint info`)",
         (Front::CommandLine, Remedy::LeaveOut) => " (--leave-out)",
         (Front::CommandLine, Remedy::Replace) => " (--force)",
@@ -318,12 +317,6 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
     format!("{fixed}{command}")
 }
 
-/// An option without a value, as [`setting`].
-fn option(option: OptionName, front: Front) -> String {
-    let value = None;
-    setting(&Setting { option, value }, front)
-}
-
 fn run_shard(shard: Option<&str>, front: Front) -> String {
     let what = shard.map_or("run its shard again", |_| "run it");
     match (front, shard) {
@@ -333,9 +326,37 @@ fn run_shard(shard: Option<&str>, front: Front) -> String {
     }
 }
 
-fn settings(any_of: &[Setting], front: Front) -> String {
+/// `turn its axes back (…) and use what comes out`.
+fn turn_back(recording: &str, columns: &str, front: Front) -> String {
+    let how = match front {
+        Front::Plain => columns.to_owned(),
+        Front::CommandLine => format!("`{}`", turning_back(recording, columns)),
+        Front::Rust | Front::Python => {
+            let option = OptionName::Columns;
+            let value = Some(columns.to_owned());
+            return format!(
+                "turn its axes back by {}",
+                setting(&Setting { option, value }, front)
+            );
+        }
+    };
+    format!("turn its axes back ({how}) and use that")
+}
+
+/// The command that turns the axes of a recording back.
+pub(super) fn turning_back(recording: &str, columns: &str) -> String {
+    let (recording, columns) = (quoted(recording), quoted(columns));
+    format!("stillpoint convert {recording} --columns {columns} -o turned.csv")
+}
+
+/// `give the local gravity (--gravity)`, or `say that the device is the same (--force-device)`.
+fn given(any_of: &[Setting], front: Front) -> String {
     let all: Vec<String> = any_of.iter().map(|s| setting(s, front)).collect();
-    all.join(" or ")
+    let all = all.join(" or ");
+    match all.starts_with("that ") {
+        true => format!("say {all}"),
+        false => format!("give {all}"),
+    }
 }
 
 /// `the sampling rate, as in --rate 100`.

@@ -30,7 +30,7 @@ use crate::source::files::{Files, limits};
 pub use crate::source::input::Input;
 use crate::source::input::Origin;
 use crate::source::on_disk::{Unchanged, explained};
-use crate::source::place::{in_file, of_format};
+use crate::source::place::in_file;
 
 /// What a path leads to.
 #[derive(Debug)]

@@ -1,5 +1,6 @@
 //! Numbers that a spec must not have.
 
+use findings::{Finding, Kind};
 use recording::Error;
 
 use super::complaint::{Complaint, number};
@@ -138,9 +139,12 @@ impl Spec {
                 Fault::Gap { .. } | Fault::ClockChange { .. } => continue,
             };
             if place >= count {
-                let kind = if key == "turn" { "turns" } else { "placements" };
-                let what = format!("is {place}, but there are {count} {kind}, 0 the first");
-                return Err(Complaint::new(format!("faults.{k}.{key}"), what).into());
+                let things = if key == "turn" { "turns" } else { "placements" };
+                let found = Finding::of(Kind::PlaceMissing)
+                    .count("place", place)
+                    .count("count", count)
+                    .detail("things", things);
+                return Err(Complaint::new(format!("faults.{k}.{key}"), found).into());
             }
         }
         Ok(())
@@ -177,10 +181,8 @@ impl SensorSpec {
         number(&key("dead_zone"), self.dead_zone, 0.0..=LARGE)?;
         number(&key("range"), self.range.unwrap_or(1.0), 1e-9..=1e12)?;
         if self.counts && self.step == 0.0 {
-            return Err(Complaint::new(
-                key("counts"),
-                "needs a `step`, the unit of one count",
-            ));
+            let found = Finding::of(Kind::StepMissing);
+            return Err(Complaint::new(key("counts"), found));
         }
         let clock = &self.clock;
         let own_rate = clock.rate.unwrap_or(rate);
@@ -203,8 +205,8 @@ impl SensorSpec {
             .low_pass
             .is_some_and(|corner| corner >= 0.5 * effective)
         {
-            let what = "is above half the sampling rate: the noise would not change";
-            return Err(Complaint::new(key("low_pass"), what));
+            let found = Finding::of(Kind::FilterTooHigh);
+            return Err(Complaint::new(key("low_pass"), found));
         }
         // Jitter brings two stamps to a tenth of a step; a coarser clock would make them equal.
         let jitters = clock.jitter > 0.0 || clock.sampling_jitter > 0.0;
@@ -277,7 +279,7 @@ fn direction(key: &str, v: [f64; 3]) -> Result<(), Complaint> {
     v.iter().try_for_each(|&c| number(key, c, -LARGE..=LARGE))?;
     match v.iter().any(|c| c.abs() > 1e-6) {
         true => Ok(()),
-        false => Err(Complaint::new(key, "is zero, expected a direction")),
+        false => Err(Complaint::new(key, Finding::of(Kind::DirectionZero))),
     }
 }
 

@@ -2,7 +2,9 @@
 
 use std::ops::RangeInclusive;
 
-use recording::Error;
+use findings::{Finding, Kind};
+use recording::{Error, figure};
+use sensor::DefinitionError;
 
 /// A key of the spec and what is wrong with it.
 #[derive(Clone, Debug, PartialEq)]
@@ -10,21 +12,31 @@ pub(crate) struct Complaint {
     /// Dotted path, such as `motion.hand_held.rest`.
     pub key: String,
     /// What was found, what is expected.
-    pub what: String,
+    pub what: Box<Finding>,
 }
 
 impl Complaint {
-    pub fn new(key: impl Into<String>, what: impl Into<String>) -> Self {
+    pub fn new(key: impl Into<String>, what: Finding) -> Self {
+        let key = key.into();
         Self {
-            key: key.into(),
-            what: what.into(),
+            what: Box::new(what.detail("key", key.clone())),
+            key,
         }
     }
 }
 
 impl From<Complaint> for Error {
     fn from(complaint: Complaint) -> Self {
-        Self::usage(format!("{}: {}", complaint.key, complaint.what))
+        Self::usage(complaint.what)
+    }
+}
+
+impl From<DefinitionError> for Complaint {
+    fn from(error: DefinitionError) -> Self {
+        Self {
+            key: error.key.clone(),
+            what: Box::new(error.into()),
+        }
     }
 }
 
@@ -34,10 +46,10 @@ pub(crate) fn number(key: &str, value: f64, range: RangeInclusive<f64>) -> Resul
         return Ok(());
     }
     let (from, to) = range.into_inner();
-    Err(Complaint::new(
-        key,
-        format!("is {value}, expected {from} to {to}"),
-    ))
+    let found = Finding::of(Kind::OutOfRange)
+        .detail("value", figure(value))
+        .detail("expected", format!("{} to {}", figure(from), figure(to)));
+    Err(Complaint::new(key, found))
 }
 
 #[cfg(test)]

@@ -19,6 +19,7 @@ use effects::{
     catalogue_of, earth_rotation, is_earth_rotation, looks_at_temperature, looks_at_vibration,
     looks_at_warming,
 };
+use findings::{Finding, Kind};
 use gyroscope::EARTH_RATE;
 use sensor::{AnyEffect, Definition, Sensor};
 use serde::{Deserialize, Serialize};
@@ -322,8 +323,7 @@ impl Spec {
         &self,
         sensor: Sensor,
     ) -> Result<Vec<&'static dyn AnyEffect>, Complaint> {
-        let defined =
-            effects_of(&self.definitions).map_err(|(key, what)| Complaint { key, what })?;
+        let defined = effects_of(&self.definitions)?;
         let mut all: Vec<_> = catalogue_of(sensor)
             .iter()
             .copied()
@@ -332,8 +332,8 @@ impl Spec {
         all.retain(|effect| effect.sensor() == sensor);
         for own in self.own.of(sensor) {
             if all.iter().any(|other| other.name() == own.name()) {
-                let what = format!("`{}` is another effect already", own.name());
-                return Err(Complaint::new(format!("effects.{}", own.name()), what));
+                let found = Finding::of(Kind::EffectTaken).detail("name", own.name());
+                return Err(Complaint::new(format!("effects.{}", own.name()), found));
             }
             all.push(own);
         }

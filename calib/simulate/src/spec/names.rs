@@ -1,7 +1,7 @@
 //! Names in a spec: effects and parameters.
 
 use effects::{is_earth_rotation, looks_at_temperature, looks_at_vibration};
-use recording::did_you_mean;
+use findings::{Finding, Kind};
 use sensor::{AnyEffect, Param, Role, Sensor, base_names};
 
 use super::Spec;
@@ -19,20 +19,20 @@ impl Spec {
         for (name, wanted) in &self.effects {
             let key = format!("effects.{name}");
             let Some(effect) = all.iter().find(|e| e.name() == name) else {
-                let hint = did_you_mean(name, all.iter().map(|e| e.name()));
-                return Err(Complaint::new(
-                    key,
-                    format!("there is no such effect{hint}"),
-                ));
+                let found = Finding::of(Kind::EffectUnknown);
+                let known = all.iter().map(|e| e.name());
+                return Err(Complaint::new(key, found.or_nearest(name, known)));
             };
             for (parameter, value) in wanted {
                 let key = format!("{key}.{parameter}");
                 let own = || effect.params().iter().map(|p| p.name).chain([SIZE]);
                 if !own().any(|n| n == parameter) {
                     let known = own().collect::<Vec<_>>().join(", ");
-                    let hint = did_you_mean(parameter, own());
-                    let what = format!("`{name}` has no such parameter (it has {known}){hint}");
-                    return Err(Complaint::new(key, what));
+                    let found = Finding::of(Kind::ParameterUnknown)
+                        .detail("effect", name.clone())
+                        .detail("known", known)
+                        .or_nearest(parameter, own());
+                    return Err(Complaint::new(key, found));
                 }
                 let own = effect.params().iter().find(|p| p.name == parameter);
                 let is_shape =
@@ -45,8 +45,7 @@ impl Spec {
                 number(&key, *value, smallest..=HUGE)?;
             }
             if effect.sensor() == Sensor::Magnetometer && self.magnetic_field.is_none() {
-                let what = "is silent without a [magnetic_field] section";
-                return Err(Complaint::new(key, what));
+                return Err(silent(key, "magnetic_field"));
             }
             self.check_effect_shows(name)?;
         }
@@ -57,20 +56,14 @@ impl Spec {
     fn check_effect_shows(&self, name: &str) -> Result<(), Complaint> {
         let key = format!("effects.{name}");
         if looks_at_temperature(name) && self.temperature.is_none() {
-            let what = "is silent at constant temperature: add a [temperature] section";
-            return Err(Complaint::new(key, what));
+            return Err(silent(key, "temperature"));
         }
         if looks_at_vibration(name) && self.vibration.is_none() {
-            return Err(Complaint::new(
-                key,
-                "is silent without a [vibration] section",
-            ));
+            return Err(silent(key, "vibration"));
         }
         if is_earth_rotation(name) && self.latitude.is_some() {
-            return Err(Complaint::new(
-                key,
-                "is given twice: `latitude` switches it on too",
-            ));
+            let twice = Finding::of(Kind::GivenTwice).detail("other", "latitude");
+            return Err(Complaint::new(key, twice));
         }
         Ok(())
     }
@@ -88,14 +81,20 @@ impl Spec {
         for (name, value) in &self.parameters {
             let key = format!("parameters.{name}");
             if !known.contains(name) {
-                let hint = did_you_mean(name, known.iter().map(String::as_str));
-                return Err(Complaint::new(
-                    key,
-                    format!("there is no such parameter{hint}"),
-                ));
+                let found = Finding::of(Kind::ParameterUnknown);
+                let known = known.iter().map(String::as_str);
+                return Err(Complaint::new(key, found.or_nearest(name, known)));
             }
             number(&key, *value, -HUGE..=HUGE)?;
         }
         Ok(())
     }
+}
+
+/// An effect that a spec has no section for.
+fn silent(key: String, section: &'static str) -> Complaint {
+    Complaint::new(
+        key,
+        Finding::of(Kind::EffectSilent).detail("section", section),
+    )
 }

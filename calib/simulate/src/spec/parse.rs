@@ -1,7 +1,8 @@
 //! A spec from a TOML text, with errors that name the line.
 
+use findings::{Finding, Kind};
 use recording::Error;
-use recording::toml_place::{explain_toml, key_position, place};
+use recording::toml_place::{at_key, not_toml};
 
 use super::complaint::Complaint;
 use super::{OwnEffects, Spec};
@@ -25,16 +26,13 @@ impl Spec {
     /// As [`Spec::from_toml`].
     pub fn from_toml_with(text: &str, name: &str, own: OwnEffects) -> Result<Self, Error> {
         let mut spec: Self = toml::from_str(text).map_err(|e| {
-            let at = place(text, e.span().map_or(0, |span| span.start));
-            Error::input(format!("{name}:{at}: {}", explain_toml(e.message())))
+            let found = not_toml(name, text, &e);
+            Error::input(found)
         })?;
         spec.own = own;
         match spec.complaint() {
             None => Ok(spec),
-            Some(Complaint { key, what }) => {
-                let at = place(text, key_position(text, &key).unwrap_or(0));
-                Err(Error::input(format!("{name}:{at}: {key}: {what}")))
-            }
+            Some(Complaint { key, what }) => Err(Error::input(at_key(*what, name, text, &key))),
         }
     }
 
@@ -43,7 +41,10 @@ impl Spec {
     /// # Errors
     /// [`Error::Usage`] for a seed above 2⁶³ − 1, which TOML cannot hold.
     pub fn to_toml(&self) -> Result<String, Error> {
-        toml::to_string(self).map_err(|e| Error::usage(format!("spec cannot be written: {e}")))
+        let unwritable = |e: toml::ser::Error| {
+            Error::usage(Finding::of(Kind::Unwritable).detail("reason", e.to_string()))
+        };
+        toml::to_string(self).map_err(unwritable)
     }
 }
 

@@ -244,7 +244,8 @@ impl DetectorArgs {
 pub fn load(path: &Path) -> Result<Calibration, Failure> {
     let calibration = calib::calibration::load(path)?;
     if let Some(edited) = calibration.edited() {
-        show::warn(&format!("{}: {}", show::path(path), edited.in_words()));
+        let found = edited.finding().in_file(show::path(path));
+        show::warn(&found.text(Front::CommandLine));
     }
     Ok(calibration)
 }
@@ -298,7 +299,7 @@ impl DeviceArgs {
             check_units(calibration, recording)?;
             doubts(calibration, recording)?
                 .iter()
-                .for_each(|doubt| show::warn(doubt));
+                .for_each(|doubt| show::warn(&doubt.text(Front::CommandLine)));
         }
         Ok(())
     }

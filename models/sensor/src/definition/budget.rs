@@ -12,6 +12,23 @@ use crate::kinematics::Kinematics;
 /// Steps per reading in all fits of a command together: ten times what a fit of an effect as costly as any takes.
 const STEPS_PER_READING: u64 = 60_000;
 
+/// What went wrong with an effect that a user wrote.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum EffectFault {
+    /// Its steps are spent.
+    StepsSpent,
+    /// It was no number.
+    NoNumber {
+        /// Specific force there, m/s².
+        force: [f64; 3],
+        /// Angular rate there, rad/s.
+        rate: [f64; 3],
+        /// Its parameters.
+        parameters: Vec<f64>,
+    },
+}
+
 /// Steps left, and the first place where there was no number.
 #[derive(Debug)]
 pub(crate) struct Budget {
@@ -21,7 +38,7 @@ pub(crate) struct Budget {
     spent: AtomicU64,
     /// Steps granted.
     granted: AtomicU64,
-    no_number: RwLock<OnceLock<String>>,
+    no_number: RwLock<OnceLock<EffectFault>>,
 }
 
 impl Budget {
@@ -56,29 +73,22 @@ impl Budget {
     /// Remembers the first instant at which the effect is no number.
     pub fn note_no_number<D: Scalar>(&self, truth: &Kinematics<D>, parameters: &[f64]) {
         if let Ok(no_number) = self.no_number.read() {
-            no_number.get_or_init(|| {
-                let (f, w) = (truth.specific_force.map(|v| v.re()), truth.angular_rate.map(|v| v.re()));
-                format!(
-                    "is no number at a specific force of {:.3}, {:.3}, {:.3} m/s² and a rate of {:.4}, {:.4}, {:.4} rad/s with \
-                     parameters {parameters:?}; write it so that it is a number in every motion",
-                    f.x, f.y, f.z, w.x, w.y, w.z
-                )
+            no_number.get_or_init(|| EffectFault::NoNumber {
+                force: truth.specific_force.map(|v| v.re()).into(),
+                rate: truth.angular_rate.map(|v| v.re()).into(),
+                parameters: parameters.to_vec(),
             });
         }
     }
 
-    /// What went wrong, in words.
-    pub fn fault(&self) -> Option<String> {
+    /// What went wrong.
+    pub fn fault(&self) -> Option<EffectFault> {
         let (spent, granted) = (
             self.spent.load(Ordering::Relaxed),
             self.granted.load(Ordering::Relaxed),
         );
         if spent > granted {
-            return Some(
-                "took more steps than a fit of this recording may take, without getting anywhere: it changes too fast \
-                 with what it depends on, or is too costly; write it with fewer functions of smaller arguments"
-                    .to_owned(),
-            );
+            return Some(EffectFault::StepsSpent);
         }
         self.no_number.read().ok()?.get().cloned()
     }

@@ -5,8 +5,8 @@ use std::sync::{Mutex, PoisonError};
 use nalgebra::Vector3;
 use solver::{Jet, Jet2, Scalar};
 
-use super::budget::Budget;
-use super::{DefinedParam, Definition, DefinitionError};
+use super::budget::{Budget, EffectFault};
+use super::{DefinedParam, Definition, DefinitionError, DefinitionFault};
 use crate::axis::Axis;
 use crate::covariate::Covariate;
 use crate::effect::AnyEffect;
@@ -45,27 +45,30 @@ impl Definition {
         for axis in Axis::ALL {
             let text = self.axis(axis);
             if !text.trim().is_empty() {
+                let unreadable = |error| DefinitionFault::Unreadable {
+                    text: text.to_owned(),
+                    error,
+                };
                 let read = Expression::parse(text, &names)
-                    .map_err(|e| DefinitionError::new(axis.letter(), format!("`{text}`, {e}")))?;
+                    .map_err(|e| DefinitionError::new(axis.letter(), unreadable(e)))?;
                 axes[axis.index()] = Some(read);
             }
         }
         if axes.iter().all(Option::is_none) {
-            let what = "no expression on any axis: write one of x, y, z";
-            return Err(DefinitionError::new("x", what));
+            return Err(DefinitionError::new("x", DefinitionFault::NoExpression));
         }
         let cost: u64 = axes.iter().flatten().map(Expression::cost).sum();
         if cost > COSTLIEST {
-            let what = format!(
-                "the three expressions take {cost} steps, at most {COSTLIEST} may be: a function counts {} and an operation 1 \
-                 or 2; write it with fewer, or as a compiled effect",
-                crate::expression::CALL
-            );
+            let fault = DefinitionFault::Costly {
+                cost,
+                most: COSTLIEST,
+                call: crate::expression::CALL,
+            };
             let longest = Axis::ALL
                 .into_iter()
                 .max_by_key(|axis| axes[axis.index()].as_ref().map_or(0, Expression::cost));
             let key = longest.map_or("x", Axis::letter);
-            return Err(DefinitionError::new(key, what));
+            return Err(DefinitionError::new(key, fault));
         }
         let params: Vec<Param> = self.parameters.iter().map(parameter).collect();
         let defined = Defined {
@@ -127,9 +130,9 @@ pub fn grant_steps(effect: &dyn AnyEffect, samples: usize) {
     }
 }
 
-/// What went wrong with a defined effect since [`grant_steps`], in words: its steps are spent, or it was no number
+/// What went wrong with a defined effect since [`grant_steps`]: its steps are spent, or it was no number
 /// somewhere.
-pub fn fault_of(effect: &dyn AnyEffect) -> Option<String> {
+pub fn fault_of(effect: &dyn AnyEffect) -> Option<EffectFault> {
     defined(effect)?.budget.fault()
 }
 
@@ -167,15 +170,12 @@ impl Defined {
             for axis in Axis::ALL {
                 let (off, on) = (off[axis.index()], on[axis.index()]);
                 if off != 0.0 {
-                    let what = format!(
-                        "is {off} at the nominal parameters in some motion, must be 0: an effect is \
-                         silent in a perfect sensor"
-                    );
-                    return Err(DefinitionError::new(axis.letter(), what));
+                    let fault = DefinitionFault::NotSilent(off);
+                    return Err(DefinitionError::new(axis.letter(), fault));
                 }
                 if !on.is_finite() {
-                    let what = format!("is {on} at the typical parameters in some motion");
-                    return Err(DefinitionError::new(axis.letter(), what));
+                    let fault = DefinitionFault::NoNumber(on);
+                    return Err(DefinitionError::new(axis.letter(), fault));
                 }
             }
         }
@@ -267,10 +267,11 @@ mod tests {
         }
     }
 
-    fn refused(change: impl FnOnce(&mut Definition)) -> String {
+    fn refused(change: impl FnOnce(&mut Definition)) -> (String, DefinitionFault) {
         let mut definition = swirl();
         change(&mut definition);
-        definition.effect().unwrap_err().to_string()
+        let error = definition.effect().unwrap_err();
+        (error.key, error.fault)
     }
 
     #[test]
@@ -305,10 +306,11 @@ mod tests {
     #[test]
     fn a_costly_expression_is_refused_and_spent_steps_are_said() {
         let nested = format!("k*{}fx{}", "sin(".repeat(40), ")".repeat(40));
-        let message = refused(|d| d.y = nested);
+        let (key, fault) = refused(|d| d.y = nested);
+        assert_eq!(key, "y");
         assert!(
-            message.starts_with("y: the three expressions take 6"),
-            "{message}"
+            matches!(fault, DefinitionFault::Costly { cost: 600..700, .. }),
+            "{fault:?}"
         );
         let mut own = swirl();
         own.name = "gyro_swirl_counted".into();
@@ -319,7 +321,7 @@ mod tests {
         assert_eq!(fault_of(effect), None);
         let evaluations = (0..1_000_000).take_while(|_| effect.error_f64(&truth, &p).x.is_finite());
         assert!((1000..100_000).contains(&evaluations.count()));
-        assert!(fault_of(effect).unwrap().contains("more steps"));
+        assert_eq!(fault_of(effect), Some(EffectFault::StepsSpent));
         grant_steps(effect, 1);
         assert_eq!(fault_of(effect), None);
     }
@@ -340,28 +342,47 @@ mod tests {
         assert!(at(8.0).x.is_finite());
         assert_eq!(fault_of(effect), None);
         assert!(at(9.0).x.is_nan());
-        let fault = fault_of(effect).unwrap();
-        assert!(
-            fault.starts_with("is no number at a specific force of 9.000, 0.000"),
-            "{fault}"
-        );
+        let fault = EffectFault::NoNumber {
+            force: [9.0, 0.0, 0.0],
+            rate: [0.0; 3],
+            parameters: vec![0.1, 1.0, 60.0],
+        };
+        assert_eq!(fault_of(effect), Some(fault));
     }
 
     #[test]
     fn what_is_wrong_is_named_with_its_entry() {
-        let message = refused(|d| d.x = "k * fq".into());
-        let place = "x: `k * fq`, column 5: there is no `fq`: the variables are fx, fy";
-        assert!(message.starts_with(place), "{message}");
-        let message = refused(|d| d.y = "1 + k".into());
-        let silent = "y: is 1 at the nominal parameters";
-        assert!(message.starts_with(silent), "{message}");
-        let message = refused(|d| d.x = "k * sqrt(fy)".into());
-        assert!(message.starts_with("x: is NaN at"), "{message}");
-        assert!(refused(|d| d.name = "Swirl".into()).starts_with("name: `Swirl` found"));
-        assert!(refused(|d| d.parameters[1].name = "fx".into()).starts_with("parameters.1.name: "));
-        assert!(refused(|d| d.parameters[0].typical = 0.0).starts_with("parameters.0.typical: "));
-        assert!(refused(|d| d.parameters.clear()).starts_with("parameters: none found"));
-        let message = refused(|d| (d.x, d.z) = (String::new(), " ".into()));
-        assert!(message.starts_with("x: no expression"), "{message}");
+        use DefinitionFault as F;
+        let (key, fault) = refused(|d| d.x = "k * fq".into());
+        let F::Unreadable { text, error } = fault else {
+            panic!("{fault:?}");
+        };
+        assert_eq!(
+            (key.as_str(), text.as_str(), error.column),
+            ("x", "k * fq", 5)
+        );
+        let is = |change: fn(&mut Definition), key: &str, fault: F| {
+            assert_eq!(refused(change), (key.to_owned(), fault));
+        };
+        is(|d| d.y = "1 + k".into(), "y", F::NotSilent(1.0));
+        let (key, fault) = refused(|d| d.x = "k * sqrt(fy)".into());
+        assert!(key == "x" && matches!(fault, F::NoNumber(v) if v.is_nan()));
+        let name = |name: &str| name.to_owned();
+        is(
+            |d| d.name = "Swirl".into(),
+            "name",
+            F::NotSnakeCase(name("Swirl")),
+        );
+        let key = "parameters.1.name";
+        is(
+            |d| d.parameters[1].name = "fx".into(),
+            key,
+            F::NameTaken(name("fx")),
+        );
+        let key = "parameters.0.typical";
+        is(|d| d.parameters[0].typical = 0.0, key, F::NotPositive(0.0));
+        is(|d| d.parameters.clear(), "parameters", F::NoParameter);
+        let silent = |d: &mut Definition| (d.x, d.z) = (String::new(), " ".into());
+        is(silent, "x", F::NoExpression);
     }
 }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::axis::Axis;
 use crate::covariate::{Covariate, Dimension};
-use crate::definition::{DefinedParam, Definition, DefinitionError};
+use crate::definition::{DefinedParam, Definition, DefinitionError, DefinitionFault};
 use crate::effect::AnyEffect;
 use crate::kinematics::Sensor;
 
@@ -174,8 +174,8 @@ impl Formula {
     pub fn effect(&self, name: &str) -> Result<&'static dyn AnyEffect, DefinitionError> {
         for (k, term) in self.terms.iter().enumerate() {
             if let Some(zero) = term.factors.iter().find(|factor| factor.power == 0) {
-                let what = format!("{} to the power of 0: leave it out", zero.covariate);
-                return Err(DefinitionError::new(format!("terms.{k}"), what));
+                let fault = DefinitionFault::PowerOfZero(zero.covariate.name());
+                return Err(DefinitionError::new(format!("terms.{k}"), fault));
             }
         }
         self.definition(name).effect()

@@ -12,7 +12,7 @@ use node::Node;
 
 pub(crate) use node::CALL;
 pub use node::FUNCTIONS;
-pub use parse::ParseError;
+pub use parse::{Expected, ParseError, ParseFault};
 
 /// A parsed expression over numbered variables.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,8 +60,9 @@ mod tests {
             .eval(&|k| [x, y][k])
     }
 
-    fn refused(text: &str) -> String {
-        Expression::parse(text, &NAMES).unwrap_err().to_string()
+    fn refused(text: &str) -> (usize, ParseFault) {
+        let error = Expression::parse(text, &NAMES).unwrap_err();
+        (error.column, error.fault)
     }
 
     #[test]
@@ -115,29 +116,34 @@ mod tests {
 
     #[test]
     fn what_cannot_be_read_is_named_with_its_column() {
-        let known = "the variables are x, y";
-        assert_eq!(
-            refused("x + q*y"),
-            format!("column 5: there is no `q`: {known}")
-        );
-        assert_eq!(
-            refused("x + "),
-            "column 5: a number, a name or a bracket expected, the end found"
-        );
-        assert_eq!(
-            refused("x * * y"),
-            "column 5: a number, a name or a bracket expected, `*` found"
-        );
-        assert_eq!(refused("(x + y"), "column 7: `)` expected, the end found");
-        assert_eq!(refused("x y"), "column 3: an operator expected, `y` found");
-        assert_eq!(refused("2x"), "column 2: an operator expected, `x` found");
-        assert_eq!(refused("x $ y"), "column 3: `$` has no meaning here");
-        assert_eq!(refused("1.2.3"), "column 1: `1.2.3` is no number");
-        assert_eq!(refused("sin x"), "column 5: `(` expected, `x` found");
-        assert!(refused("sinn(x)").starts_with("column 1: there is no function `sinn`: sin, "));
-        assert!(refused("x^y").starts_with("column 3: the exponent must be a constant"));
-        assert!(refused(&"(".repeat(5000)).contains("longer than"));
-        assert!(refused(&"(".repeat(900)).contains("nested"));
-        assert!(refused(&"-".repeat(900)).contains("nested"));
+        use ParseFault as F;
+        let text = |text: &str| text.to_owned();
+        let unexpected = |expected, found: &str| F::Unexpected {
+            expected,
+            found: (!found.is_empty()).then(|| text(found)),
+        };
+        let unknown = F::NoVariable {
+            name: text("q"),
+            known: NAMES.map(text).to_vec(),
+        };
+        let value = Expected::Value;
+        for (expression, column, fault) in [
+            ("x + q*y", 5, unknown),
+            ("x + ", 5, unexpected(value, "")),
+            ("x * * y", 5, unexpected(value, "*")),
+            ("(x + y", 7, unexpected(Expected::Sign(')'), "")),
+            ("x y", 3, unexpected(Expected::Operator, "y")),
+            ("2x", 2, unexpected(Expected::Operator, "x")),
+            ("x $ y", 3, F::NoMeaning('$')),
+            ("1.2.3", 1, F::NoNumber(text("1.2.3"))),
+            ("sin x", 5, unexpected(Expected::Sign('('), "x")),
+            ("sinn(x)", 1, F::NoFunction(text("sinn"))),
+            ("x^y", 3, F::ExponentVaries),
+        ] {
+            assert_eq!(refused(expression), (column, fault), "{expression}");
+        }
+        assert!(matches!(refused(&"(".repeat(5000)).1, F::TooLong(2000)));
+        assert!(matches!(refused(&"(".repeat(900)).1, F::TooDeep(100)));
+        assert!(matches!(refused(&"-".repeat(900)).1, F::TooDeep(100)));
     }
 }

@@ -1,23 +1,75 @@
 //! From text to an expression, by precedence climbing.
 
 use std::f64::consts::PI;
+use std::fmt;
 
-use super::node::{FUNCTIONS, Function, Node};
+use super::node::{Function, Node};
 
 /// Longest text.
 const LONGEST: usize = 2000;
 /// Deepest nesting.
 const DEEPEST: usize = 100;
 
-/// What cannot be read, and where.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("column {column}: {what}")]
+/// What cannot be read, and where; the words are those of the crate `findings`.
+#[derive(Clone, Debug, PartialEq)]
 pub struct ParseError {
     /// Place in the text, counted in characters from 1.
     pub column: usize,
-    /// What was found and what is expected.
-    pub what: String,
+    /// What cannot be read.
+    pub fault: ParseFault,
 }
+
+/// What cannot be read of an expression.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ParseFault {
+    /// It is longer than so many characters.
+    TooLong(usize),
+    /// It is nested more than so deep.
+    TooDeep(usize),
+    /// This word is no number.
+    NoNumber(String),
+    /// This character has no meaning.
+    NoMeaning(char),
+    /// Something else stands where it has to go on otherwise.
+    Unexpected {
+        /// How it has to go on.
+        expected: Expected,
+        /// What stands there; none at the end.
+        found: Option<String>,
+    },
+    /// An exponent is no constant.
+    ExponentVaries,
+    /// There is no such function.
+    NoFunction(String),
+    /// There is no such variable.
+    NoVariable {
+        /// The name.
+        name: String,
+        /// The variables that there are.
+        known: Vec<String>,
+    },
+}
+
+/// How an expression has to go on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Expected {
+    /// With an operator.
+    Operator,
+    /// With a number, a name or a bracket.
+    Value,
+    /// With this sign.
+    Sign(char),
+}
+
+impl fmt::Display for ParseError {
+    /// The place and the fault as data.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {:?}", self.column, self.fault)
+    }
+}
+
+impl std::error::Error for ParseError {}
 
 #[derive(Clone, Debug, PartialEq)]
 enum Token {
@@ -28,13 +80,13 @@ enum Token {
 }
 
 impl Token {
-    /// As messages show it.
-    fn shown(&self) -> String {
+    /// As it is written; none at the end.
+    fn written(&self) -> Option<String> {
         match self {
-            Self::Number(number) => format!("`{number}`"),
-            Self::Name(name) => format!("`{name}`"),
-            Self::Sign(sign) => format!("`{sign}`"),
-            Self::End => "the end".to_owned(),
+            Self::Number(number) => Some(format!("{number}")),
+            Self::Name(name) => Some(name.clone()),
+            Self::Sign(sign) => Some(sign.to_string()),
+            Self::End => None,
         }
     }
 }
@@ -50,7 +102,7 @@ pub(super) fn parse(text: &str, names: &[&str]) -> Result<Node, ParseError> {
     let root = parser.sum()?;
     match parser.peek() {
         Token::End => Ok(root),
-        found => Err(parser.error(format!("an operator expected, {} found", found.shown()))),
+        _ => Err(parser.unexpected(Expected::Operator)),
     }
 }
 
@@ -58,8 +110,8 @@ pub(super) fn parse(text: &str, names: &[&str]) -> Result<Node, ParseError> {
 fn tokens(text: &str) -> Result<Vec<(usize, Token)>, ParseError> {
     let all: Vec<char> = text.chars().collect();
     if all.len() > LONGEST {
-        let (column, what) = (LONGEST, format!("longer than {LONGEST} characters"));
-        return Err(ParseError { column, what });
+        let (column, fault) = (LONGEST, ParseFault::TooLong(LONGEST));
+        return Err(ParseError { column, fault });
     }
     let mut tokens = Vec::new();
     let mut at = 0;
@@ -79,13 +131,13 @@ fn tokens(text: &str) -> Result<Vec<(usize, Token)>, ParseError> {
             c if c.is_whitespace() => continue,
             '0'..='9' | '.' => Token::Number(word.parse().map_err(|_| ParseError {
                 column,
-                what: format!("`{word}` is no number"),
+                fault: ParseFault::NoNumber(word.clone()),
             })?),
             'a'..='z' | 'A'..='Z' | '_' => Token::Name(word),
             '+' | '-' | '*' | '/' | '^' | '(' | ')' => Token::Sign(c),
             _ => {
-                let what = format!("`{c}` has no meaning here");
-                return Err(ParseError { column, what });
+                let fault = ParseFault::NoMeaning(c);
+                return Err(ParseError { column, fault });
             }
         };
         tokens.push((column, token));
@@ -133,11 +185,16 @@ impl Parser<'_> {
             .map_or(1, |(column, _)| *column)
     }
 
-    fn error(&self, what: impl Into<String>) -> ParseError {
+    fn error(&self, fault: ParseFault) -> ParseError {
         ParseError {
             column: self.column(),
-            what: what.into(),
+            fault,
         }
+    }
+
+    fn unexpected(&self, expected: Expected) -> ParseError {
+        let found = self.peek().written();
+        self.error(ParseFault::Unexpected { expected, found })
     }
 
     /// Steps over `sign` if it comes next.
@@ -151,7 +208,7 @@ impl Parser<'_> {
         if self.take(sign) {
             return Ok(());
         }
-        Err(self.error(format!("`{sign}` expected, {} found", self.peek().shown())))
+        Err(self.unexpected(Expected::Sign(sign)))
     }
 
     /// `product + product − …`
@@ -186,7 +243,7 @@ impl Parser<'_> {
     fn signed(&mut self) -> Result<Node, ParseError> {
         self.depth += 1;
         if self.depth > DEEPEST {
-            return Err(self.error(format!("nested more than {DEEPEST} deep")));
+            return Err(self.error(ParseFault::TooDeep(DEEPEST)));
         }
         let node = if self.take('-') {
             Node::Negative(Box::new(self.signed()?))
@@ -208,8 +265,7 @@ impl Parser<'_> {
         let column = self.column();
         let exponent = self.signed()?.constant().ok_or_else(|| ParseError {
             column,
-            what: "the exponent must be a constant; write exp(y*ln(x)) for x to the power of y"
-                .to_owned(),
+            fault: ParseFault::ExponentVaries,
         })?;
         let whole = exponent.fract() == 0.0 && exponent.abs() <= 1000.0;
         Ok(match whole {
@@ -232,10 +288,7 @@ impl Parser<'_> {
                 self.want(')')?;
                 Ok(inner)
             }
-            other => Err(self.error(format!(
-                "a number, a name or a bracket expected, {} found",
-                other.shown()
-            ))),
+            Token::Sign(_) | Token::End => Err(self.unexpected(Expected::Value)),
         }
     }
 
@@ -251,14 +304,14 @@ impl Parser<'_> {
         }
         let is_called = matches!(self.tokens.get(self.at + 1), Some((_, Token::Sign('('))));
         let Some(function) = Function::named(name) else {
-            let known = match is_called {
-                true => format!("there is no function `{name}`: {}", FUNCTIONS.join(", ")),
-                false => format!(
-                    "there is no `{name}`: the variables are {}",
-                    self.names.join(", ")
-                ),
-            };
-            return Err(self.error(known));
+            let name = name.to_owned();
+            return Err(self.error(match is_called {
+                true => ParseFault::NoFunction(name),
+                false => ParseFault::NoVariable {
+                    name,
+                    known: self.names.iter().map(|n| (*n).to_owned()).collect(),
+                },
+            }));
         };
         self.at += 1;
         self.want('(')?;

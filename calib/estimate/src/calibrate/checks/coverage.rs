@@ -1,5 +1,6 @@
 //! Which orientations were recorded.
 
+use findings::{Finding, Kind};
 use nalgebra::{Matrix3, Vector3};
 use plan::{FORCE_NAMES, force_information};
 use recording::Error;
@@ -14,17 +15,9 @@ const ENOUGH_FOR_A_PLANE: usize = 9;
 /// More placements that are asked for where only the noise is too large.
 const MORE: usize = 2;
 
-/// Why placements are refused: what is there, what is not known, the requirement, the placements to add.
-pub(in crate::calibrate) fn refusal(directions: &[Vector3<f64>], unknown: &str) -> String {
-    let found = plan::coverage(directions).or_more(MORE);
-    let parts = [
-        found.missing(),
-        plan::REQUIREMENT.to_string(),
-        found.advice(),
-    ];
-    let parts = parts.into_iter().filter(|part| !part.is_empty());
-    let parts: Vec<String> = parts.collect();
-    format!("{}: {unknown}; {}", found.found(), parts.join("; "))
+/// Why placements are refused: what is there, what is not known, the placements to add, the requirement.
+pub(in crate::calibrate) fn refusal(directions: &[Vector3<f64>], kind: Kind) -> Finding {
+    plan::coverage(directions).or_more(MORE).refusal(kind)
 }
 
 /// Directions nearer than this are the same placement again, rad (4°): what they differ by is a placement that is not
@@ -34,8 +27,9 @@ const SAME: f64 = 0.07;
 /// A combination of parameters of which the directions show less than this share of the best is open.
 const UNSEEN: f64 = 0.02;
 
-/// What so few directions leave open however often they are recorded, in words; `None` where they determine all.
-pub(in crate::calibrate) fn open_by_directions(directions: &[Vector3<f64>]) -> Option<String> {
+/// The refusal of so few directions where they leave parameters open however often they are recorded; `None` where they
+/// determine all.
+pub(in crate::calibrate) fn open_by_directions(directions: &[Vector3<f64>]) -> Option<Finding> {
     let distinct = distinct(directions);
     let seen = force_information(&distinct).symmetric_eigen();
     let least = (UNSEEN * UNSEEN) * seen.eigenvalues.max();
@@ -49,19 +43,16 @@ pub(in crate::calibrate) fn open_by_directions(directions: &[Vector3<f64>]) -> O
         .map(|k| FORCE_NAMES[k])
         .collect();
     (!open.is_empty()).then(|| {
-        format!(
-            "these {} directions, however often recorded, do not show {}",
-            distinct.len(),
-            open.join(", ")
-        )
+        refusal(directions, Kind::DirectionsTooFew)
+            .count("directions", distinct.len())
+            .detail("parameters", open.join(", "))
     })
 }
 
 /// Why the raw means of too few directions are refused; `None` where they are enough.
-pub(crate) fn few_directions(raw: &[Vector3<f64>]) -> Option<String> {
+pub(crate) fn few_directions(raw: &[Vector3<f64>]) -> Option<Finding> {
     let directions: Vec<Vector3<f64>> = raw.iter().map(Vector3::normalize).collect();
-    let open = open_by_directions(&directions)?;
-    Some(refusal(&directions, &open))
+    open_by_directions(&directions)
 }
 
 /// One direction for each placement that was repeated.
@@ -95,12 +86,14 @@ pub fn not_in_one_plane(means: &[Vec<StaticMean>]) -> Result<(), Error> {
     let directions: Vec<Vector3<f64>> = raw.iter().map(Vector3::normalize).collect();
     Err(Error::not_enough(refusal(
         &directions,
-        "all near one plane, what lies across it is not observable",
+        Kind::PlacementsInPlane,
     )))
 }
 
 #[cfg(test)]
 mod tests {
+    use findings::Front;
+
     use super::*;
 
     fn in_plane(normal: Vector3<f64>) -> Vec<Vector3<f64>> {
@@ -123,10 +116,8 @@ mod tests {
             tumbled.push((face + Vector3::new(tilt, -tilt, tilt) * 0.5).normalize());
         }
         let open = open_by_directions(&tumbled).unwrap();
-        assert!(
-            open.ends_with("do not show accel.alpha_yz, accel.alpha_zy, accel.alpha_zx"),
-            "{open}"
-        );
+        let names = "accel.alpha_yz, accel.alpha_zy, accel.alpha_zx";
+        assert_eq!(open.word("parameters"), Some(names));
         let edges = [(1.0, 1.0, 0.0), (1.0, 0.0, 1.0), (0.0, -1.0, 1.0)];
         tumbled.extend(edges.map(|(x, y, z)| Vector3::new(x, y, z).normalize()));
         assert_eq!(open_by_directions(&tumbled), None);
@@ -145,12 +136,14 @@ mod tests {
 
     #[test]
     fn a_refusal_names_what_is_not_known_the_requirement_and_the_placements() {
-        let words = refusal(&in_plane(Vector3::z()), "not observable: accel.s_z");
+        let found = refusal(&in_plane(Vector3::z()), Kind::PlacementsLeaveOpen)
+            .detail("parameters", "accel.s_z");
+        let words = found.to_string();
         assert!(
             words.starts_with("7 placements, 7 of which differ by more than 20°: not observable")
         );
         assert!(words.contains(&plan::REQUIREMENT.to_string()), "{words}");
-        let (_, advice) = words.rsplit_once("; ").unwrap();
+        let advice = found.advice(Front::Plain).unwrap();
         assert!(
             advice.starts_with("add 3 placements: 1) ") || advice.starts_with("add 4"),
             "{words}"

@@ -84,26 +84,25 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
     let free = fit.fitted.free.len();
     let count = directions.len();
     if fit.fitted.rank < free {
-        let unknown = format!("not observable: {}", involved(fit.fitted).join(", "));
-        return Err(Error::not_enough(refusal(directions, &unknown)));
+        let open = involved(fit.fitted).join(", ");
+        let found = refusal(directions, Kind::PlacementsLeaveOpen).detail("parameters", open);
+        return Err(Error::not_enough(found));
     }
     if count <= free {
-        let unknown = format!(
-            "{free} parameters leave nothing to check them with{}",
-            least_known(fit)
-        );
-        return Err(Error::not_enough(refusal(directions, &unknown)));
+        let found = refusal(directions, Kind::PlacementsTooFew).count("free", free);
+        return Err(Error::not_enough(with_weakest(found, fit)));
     }
     if !fit.ending.termination.converged()
         && let Some(open) = open_by_directions(&fit.seen)
     {
-        return Err(Error::not_enough(refusal(&fit.seen, &open)));
+        return Err(Error::not_enough(open));
     }
     if !fit.ending.termination.converged() {
-        return Err(Error::not_converged(format!(
-            "the accelerometer's fit stopped after {} steps ({:?}); is the gravity of {} m/s² right, \
-             and was the device still in the intervals that `segment` shows?",
-            fit.ending.steps, fit.ending.termination, fit.gravity
+        let stopped = stopped(Sensor::Accelerometer, &fit.ending);
+        return Err(Error::not_converged(stopped.number(
+            "gravity",
+            fit.gravity,
+            "m/s^2",
         )));
     }
     let weak = weak_parameters(fit.fitted, fit.scale, fit.gravity);
@@ -113,8 +112,9 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
         .map(|w| w.name.as_str())
         .collect();
     if !refused.is_empty() {
-        let unknown = format!("not known: {}{}", refused.join(", "), least_known(fit));
-        return Err(Error::not_enough(refusal(directions, &unknown)));
+        let found = refusal(directions, Kind::PlacementsTellLittle)
+            .detail("parameters", refused.join(", "));
+        return Err(Error::not_enough(with_weakest(found, fit)));
     }
     let found = plan::coverage(directions);
     if !found.is_complete() {
@@ -122,7 +122,7 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
             .of_sensor(Sensor::Accelerometer)
             .detail("found", found.found());
         let missing = match weakest(fit) {
-            Some((name, error, _)) => missing
+            Some((name, error)) => missing
                 .detail("parameter", name)
                 .detail("error", percent(error)),
             None => missing,
@@ -138,26 +138,37 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
     Ok(())
 }
 
-/// `known to 0.31 % only`, or not known: an error of a scale factor or of a bias, as a share.
-fn share_in_words(error: f64, decimals: usize, of: &str) -> String {
-    if error >= 1.0 || !error.is_finite() {
-        return "is not known".into();
+/// How a fit ended that came to no end.
+fn stopped(sensor: Sensor, ending: &Ending) -> Finding {
+    Finding::of(Kind::FitStopped)
+        .of_sensor(sensor)
+        .count("steps", ending.steps)
+        .detail("ending", format!("{:?}", ending.termination))
+}
+
+/// The finding with the parameter that has the largest error, a bias against gravity.
+fn with_weakest(found: Finding, fit: &ForceEvidence<'_>) -> Finding {
+    match weakest(fit) {
+        Some((name, error)) if name.contains(".b_") => {
+            known_to(found, name, error, (error * fit.gravity, "m/s^2"))
+        }
+        Some((name, error)) => known_to(found, name, error, (error, "share")),
+        None => found,
     }
-    let percent = 100.0 * error;
-    // Two digits at least, and no more decimals than a person reads.
-    let decimals = decimals.max((1.0 - percent.log10().floor()).clamp(0.0, 4.0) as usize);
-    format!("is known to {percent:.decimals$} %{of} only")
 }
 
-/// `; accel.s_z is known to 0.31 % only`: the parameter with the largest error, a bias against gravity.
-fn least_known(fit: &ForceEvidence<'_>) -> String {
-    weakest(fit).map_or(String::new(), |(name, error, of)| {
-        format!("; {name} {}", share_in_words(error, 2, of))
-    })
+/// The finding with a parameter that is known to a share of the whole, or is not known.
+fn known_to(found: Finding, name: &str, share: f64, error: (f64, &'static str)) -> Finding {
+    match share < 1.0 {
+        true => found
+            .detail("weakest", name)
+            .number("error", error.0, error.1),
+        false => found.detail("unknown", name),
+    }
 }
 
-/// The least known parameter of the accelerometer, its error as a share, and of what.
-fn weakest<'a>(fit: &'a ForceEvidence<'_>) -> Option<(&'a str, f64, &'static str)> {
+/// The least known parameter of the accelerometer, and its error as a share of the scale or of gravity.
+fn weakest<'a>(fit: &'a ForceEvidence<'_>) -> Option<(&'a str, f64)> {
     let fitted = fit.fitted;
     let relative = |name: &String| {
         let error = fitted.standard_error(name)?;
@@ -173,14 +184,7 @@ fn weakest<'a>(fit: &'a ForceEvidence<'_>) -> Option<(&'a str, f64, &'static str
         .filter(|name| name.starts_with("accel."))
         .filter_map(|name| Some((name, relative(name)?)))
         .max_by(|a, b| a.1.total_cmp(&b.1));
-    worst.map(|(name, error)| {
-        let of = if name.contains(".b_") {
-            " of gravity"
-        } else {
-            ""
-        };
-        (name.as_str(), error, of)
-    })
+    worst.map(|(name, error)| (name.as_str(), error))
 }
 
 /// A share in percent.
@@ -194,35 +198,32 @@ pub(in crate::calibrate) fn gyroscope_is_determined(
     warnings: &mut Findings,
 ) -> Result<(), Error> {
     let RateEvidence { fitted, turns, .. } = *fit;
-    let refusal = |unknown: String, names: &[&str]| {
-        let wanted = plan::turns_wanted(names.iter().copied());
-        Error::not_enough(format!(
-            "{turns} turns: {unknown}; {}; {wanted}",
-            plan::REQUIREMENT
-        ))
+    let refusal = |kind, names: &[&str]| {
+        let found = Finding::of(kind)
+            .of_sensor(Sensor::Gyroscope)
+            .count("count", turns)
+            .count("free", fitted.free.len())
+            .detail("axes", plan::axes_wanted(names.iter().copied()))
+            .because(plan::REQUIREMENT.finding());
+        match names {
+            [] => found,
+            names => found.detail("parameters", names.join(", ")),
+        }
     };
     if fitted.rank < fitted.free.len() {
         let open = involved(fitted);
-        let unknown = format!(
-            "they determine {} of the gyroscope's {} parameters, not observable: {}",
-            fitted.rank,
-            fitted.free.len(),
-            open.join(", ")
-        );
-        return Err(refusal(unknown, &open));
+        let found = refusal(Kind::TurnsLeaveOpen, &open).count("rank", fitted.rank);
+        return Err(Error::not_enough(found));
     }
     if 2 * turns <= fitted.free.len() {
-        let unknown = format!(
-            "they leave nothing to check the gyroscope's {} parameters with, at least {} turns are needed",
-            fitted.free.len(),
-            fitted.free.len() / 2 + 1
-        );
-        return Err(refusal(unknown, &[]));
+        let least = fitted.free.len() / 2 + 1;
+        let found = refusal(Kind::TurnsTooFew, &[]).count("least", least);
+        return Err(Error::not_enough(found));
     }
     if !fit.ending.termination.converged() {
-        return Err(Error::not_converged(format!(
-            "the gyroscope's fit stopped after {} steps ({:?})",
-            fit.ending.steps, fit.ending.termination
+        return Err(Error::not_converged(stopped(
+            Sensor::Gyroscope,
+            &fit.ending,
         )));
     }
     let weak = weak_parameters(fitted, fit.scale, 1.0);
@@ -232,8 +233,7 @@ pub(in crate::calibrate) fn gyroscope_is_determined(
         .map(|w| w.name.as_str())
         .collect();
     if !refused.is_empty() && fit.rms < LOST {
-        let unknown = format!("not known: {}", refused.join(", "));
-        return Err(refusal(unknown, &refused));
+        return Err(Error::not_enough(refusal(Kind::TurnsTellLittle, &refused)));
     }
     let found = format!("{turns} turns");
     warnings.extend(
@@ -336,18 +336,21 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_share_beyond_the_whole_is_not_known_and_a_small_one_has_two_digits() {
-        let words = [2.5e15, 1.2, f64::NAN, 0.314, 0.0567, 0.00031, 4e-6];
-        let words = words.map(|error| share_in_words(error, 1, ""));
-        let expected = [
-            "is not known",
-            "is not known",
-            "is not known",
-            "is known to 31.4 % only",
-            "is known to 5.7 % only",
-            "is known to 0.031 % only",
-            "is known to 0.0004 % only",
+    fn a_share_beyond_the_whole_is_not_known() {
+        let words = [2.5e15, 1.2, f64::NAN, 0.314, 0.0567, 0.00031].map(|share| {
+            let found = Finding::of(Kind::PlacementsTooFew);
+            known_to(found, "accel.s_x", share, (share, "share")).to_string()
+        });
+        let ends = [
+            "accel.s_x is not known",
+            "accel.s_x is not known",
+            "accel.s_x is not known",
+            "accel.s_x is known to 31.4 % only",
+            "accel.s_x is known to 5.67 % only",
+            "accel.s_x is known to 0.031 % only",
         ];
-        assert_eq!(words, expected);
+        for (words, end) in words.iter().zip(ends) {
+            assert!(words.ends_with(end), "{words}");
+        }
     }
 }

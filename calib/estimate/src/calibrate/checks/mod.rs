@@ -80,11 +80,11 @@ pub(super) fn force_is_all_they_need(effects: &[&'static dyn AnyEffect]) -> Resu
     for effect in effects {
         let all = effect.needs().into_iter();
         if let Some(need) = all.clone().find(|need| *need != Quantity::SpecificForce) {
-            return Err(Error::not_enough(format!(
-                "static means: the effect {} needs the {need}, which cannot be known: a file of means has none; \
-                 calibrate from the recording itself",
-                effect.name()
-            )));
+            return Err(Error::not_enough(
+                Finding::of(Kind::EffectNeedsMeans)
+                    .detail("effect", effect.name())
+                    .detail("quantity", need.to_string()),
+            ));
         }
     }
     Ok(())
@@ -97,58 +97,54 @@ pub(super) fn enough_rests(
     means: &[Vec<StaticMean>],
 ) -> Result<(), Error> {
     let names: Vec<&str> = recordings.iter().map(|r| r.name.as_str()).collect();
+    let of = |kind| Finding::of(kind).in_recording(names.join(", "));
     let rejected = choices.iter().flat_map(|c| &c.segmentation.rejected);
     let found = means.iter().map(Vec::len).sum::<usize>();
     if let Some(first) = rejected.clone().next().filter(|_| found < 2) {
-        return Err(Error::not_enough(format!(
-            "{}: {found} static intervals; {} quiet stretches are none, the first: {first}",
-            names.join(", "),
-            rejected.count()
-        )));
+        return Err(Error::not_enough(
+            of(Kind::QuietNotStatic)
+                .count("found", found)
+                .count("count", rejected.count())
+                .detail("first", first.to_string()),
+        ));
     }
     match found {
-        0 => Err(Error::not_enough(format!(
-            "{}: no static interval: the device is never still for long enough{}; {}; lay it down for {:.0} s \
-             between the turns, or lower --min-static or raise --multiplier",
-            names.join(", "),
-            quietest_in_words(recordings),
-            plan::REQUIREMENT,
-            plan::REQUIREMENT.rest
-        ))),
+        0 => {
+            let never = of(Kind::NeverStill)
+                .number("rest", plan::REQUIREMENT.rest, "s")
+                .because(plan::REQUIREMENT.finding());
+            Err(Error::not_enough(match quietest_of(recordings) {
+                Some(quietest) => never.detail("quietest", quietest),
+                None => never,
+            }))
+        }
         1 => {
             let length: f64 = choices
                 .iter()
                 .flat_map(|c| &c.segmentation.statics)
                 .map(|rest| rest.span.length())
                 .sum();
-            Err(Error::not_enough(format!(
-                "{}: all static: one rest of {length:.1} s and no turn; {}; run `stillpoint plan` for the orientations",
-                names.join(", "),
-                plan::REQUIREMENT
-            )))
+            Err(Error::not_enough(
+                of(Kind::AllStatic)
+                    .number("length", length, "s")
+                    .because(plan::REQUIREMENT.finding()),
+            ))
         }
         _ => Ok(()),
     }
 }
 
-/// ` (the quietest seconds: ...)`; empty without samples.
-fn quietest_in_words(recordings: &[&Recording]) -> String {
-    let Some(first) = recordings.first() else {
-        return String::new();
+/// `t = 12.0 s (1.2e-2 rad/s, 3.1e-1 m/s²), t = …`: the quietest seconds; none without samples.
+fn quietest_of(recordings: &[&Recording]) -> Option<String> {
+    let of = |quiet: &Quiet| {
+        let rate = quiet.rate.map(|r| format!("{r:.1e} rad/s"));
+        let force = quiet.force.map(|f| format!("{f:.1e} m/s²"));
+        let spread: Vec<String> = rate.into_iter().chain(force).collect();
+        format!("t = {:.1} s ({})", quiet.span.from, spread.join(", "))
     };
-    let words = |quiet: &Quiet| {
-        let rate = quiet.rate.map(|r| format!(" {r:.1e} rad/s"));
-        let force = quiet.force.map(|f| format!(" {f:.1e} m/s²"));
-        format!(
-            "t = {:.1} s with a spread of{}{}",
-            quiet.span.from,
-            rate.unwrap_or_default(),
-            force.unwrap_or_default()
-        )
-    };
-    let found: Vec<String> = quietest(first, QUIETEST).iter().map(words).collect();
-    match found.as_slice() {
-        [] => String::new(),
-        found => format!(" (the quietest seconds begin at {})", found.join(", ")),
-    }
+    let found: Vec<String> = quietest(recordings.first()?, QUIETEST)
+        .iter()
+        .map(of)
+        .collect();
+    (!found.is_empty()).then(|| found.join(", "))
 }

@@ -1,5 +1,6 @@
 //! Whether the norm of specific force tells the parameters of an accelerometer's effects.
 
+use findings::{Finding, Kind};
 use nalgebra::{DMatrix, Vector3};
 use recording::Error;
 use sensor::{Kinematics, Model, PLACES};
@@ -55,11 +56,8 @@ pub(in crate::calibrate) fn the_norm_tells_them(
     if names.is_empty() {
         return Ok(());
     }
-    Err(Error::not_enough(format!(
-        "{} cannot be told apart: they need the direction of the specific force, which the stepwise method does not know, as it \
-         sees the norm of it at static intervals only; use --method joint",
-        names.join(", ")
-    )))
+    let found = Finding::of(Kind::EffectsAlike).detail("parameters", names.join(", "));
+    Err(Error::not_enough(found))
 }
 
 /// What a unit of each parameter adds to the force in each placement: nine of the base, then those of the effects with

@@ -49,17 +49,15 @@ pub fn none_is_there_twice<'a>(
                 continue;
             };
             let (here, there) = (of_first.statics[i].span, of_second.statics[j].span);
-            return Err(Error::input(format!(
-                "{} has the readings of {}: static interval {} (t = {:.2} s) and those after it are interval {} (t = {:.2} s) \
-                 and those after it there, with the same noise. Counted twice they make the standard errors too small: leave one \
-                 of the two out (--force-device to count them)",
-                second.name,
-                first.name,
-                j + 1,
-                there.from,
-                i + 1,
-                here.from
-            )));
+            return Err(Error::input(
+                Finding::of(Kind::ReadingsTwice)
+                    .in_recording(&second.name)
+                    .at_interval(j)
+                    .from_time(there.from)
+                    .detail("other", first.name.clone())
+                    .count("interval", i + 1)
+                    .detail("time", format!("{:.2} s", here.from)),
+            ));
         }
     }
     Ok(())

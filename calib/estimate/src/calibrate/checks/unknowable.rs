@@ -1,5 +1,6 @@
 //! Effects that a calibration cannot know, by what they look at.
 
+use findings::{Finding, Kind};
 use recording::intervals::Segmentation;
 use recording::{Error, Recording};
 use sensor::{AnyEffect, Quantity, Sensor};
@@ -39,10 +40,7 @@ pub fn refuse_attitude(effects: &[&'static dyn AnyEffect]) -> Result<(), Error> 
         effect.sensor() == Sensor::Accelerometer && effect.needs().contains(&Quantity::Attitude)
     };
     effects.iter().find(looks).map_or(Ok(()), |effect| {
-        Err(Error::not_enough(format!(
-            "the effect {} needs the attitude, which the stepwise method does not know before it has calibrated the \
-             gyroscope; use --method joint, or leave the effect out",
-            effect.name()
-        )))
+        let found = Finding::of(Kind::EffectNeedsAttitude).detail("effect", effect.name());
+        Err(Error::not_enough(found))
     })
 }

@@ -1,6 +1,6 @@
 //! What a joint fit leaves in doubt, in words.
 
-use crate::methods::joint::{Disturbance, Flagged, JointFit, Missing, Reason};
+use crate::methods::joint::{Disturbance, Flagged, JointFit, Missing, Reason, Seen};
 use findings::{Finding, Findings, Kind};
 
 /// A placement off by so much, m/s², though nothing shook it, was not touched: the sensor lies otherwise in its case, or
@@ -99,10 +99,23 @@ pub fn disturbances(fit: &JointFit, warnings: &mut Findings) {
             Kind::TurnMissed => found.at_turn(flagged.interval),
             _ => found.at_interval(flagged.interval),
         };
-        warnings.push(match flagged.detail.is_empty() {
-            true => found,
-            false => found.detail("more", flagged.detail.clone()),
-        });
+        warnings.push(with_what_is_seen(found, flagged.seen));
+    }
+}
+
+/// The finding with what is known of the disturbance.
+fn with_what_is_seen(found: Finding, seen: Seen) -> Finding {
+    match seen {
+        Seen::Nothing => found,
+        Seen::Shaken { time, ratio } => found
+            .detail("shaken", format!("{time:.2} s"))
+            .detail("times", format!("{ratio:.1}")),
+        Seen::Cut => found.detail("cut", "static interval"),
+        Seen::Crept { angle, slope } => found
+            .number("angle", angle, "rad")
+            .number("slope", slope, "m/s³"),
+        Seen::Slipped(angle) => found.number("slip", angle, "rad"),
+        Seen::Off(force) => found.number("force", force, "m/s^2"),
     }
 }
 

@@ -6,7 +6,7 @@ mod latitude;
 mod triads;
 mod written_down;
 
-use findings::Findings;
+use findings::{Finding, Findings, Kind};
 use recording::{Error, Recording};
 
 pub use self::determined::refuse_unobservable;
@@ -31,9 +31,7 @@ pub fn calibrate(
     mut warnings: Findings,
 ) -> Result<Outcome, Error> {
     if !request.static_means.is_empty() || recordings.iter().any(|r| r.accelerometer.is_none()) {
-        return Err(Error::usage(
-            "the joint method needs recordings with an accelerometer: use --method stepwise",
-        ));
+        return Err(Error::usage(Finding::of(Kind::MethodNeedsForce)));
     }
     let means: Vec<_> = recordings
         .iter()

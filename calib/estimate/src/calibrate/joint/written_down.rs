@@ -58,7 +58,7 @@ fn without_a_turn(
         bias_std: triad.bias_std,
     };
     let reason = NotCalibratedReason::NoUsableTurn;
-    NotCalibrated::gyroscope(reason, count.in_words(), Some(bias))
+    NotCalibrated::gyroscope(reason, &count.finding(), Some(bias))
 }
 
 /// The fit as a [`Calibration`], checked; `warnings` stay outside.

@@ -13,8 +13,8 @@ mod write;
 
 use findings::{Finding, Kind};
 use inertial::Inertial;
-use recording::{Error, FieldUnit, Recording};
-use sensor::{AnyEffect, Sensor};
+use recording::{Error, FieldUnit, Recording, figure};
+use sensor::{AnyEffect, Quantity, Sensor};
 
 use super::checks::turned_field;
 use super::outcome::Outcome;
@@ -23,9 +23,6 @@ use crate::methods::magnetic::{MagneticRequest, fit_magnetometer};
 
 /// Strengths of a magnetic field that may be given, µT. The earth's is 22 to 67.
 pub const FIELDS: std::ops::RangeInclusive<f64> = 1.0..=1000.0;
-
-/// What a magnetometer by itself lacks.
-pub const ALONE: &str = "a magnetometer alone: its offset and axes are found against gravity, which only the accelerometer sees; record the accelerometer, and best the gyroscope, of the same device beside it, at rest in twelve attitudes or more";
 
 /// The outcome with its magnetometer; with a warning that says why where that cannot be calibrated.
 ///
@@ -41,10 +38,12 @@ pub(super) fn with_magnetometer(
     let asked = request.effects.iter().find(asked);
     if recordings.iter().all(|r| r.magnetometer.is_none()) {
         return match asked {
-            Some(effect) => Err(Error::not_enough(format!(
-                "no magnetometer in the recording: the effect {} cannot be estimated",
-                effect.name()
-            ))),
+            Some(effect) => Err(Error::not_enough(
+                Finding::of(Kind::EffectNeedsSensor)
+                    .of_sensor(Sensor::Magnetometer)
+                    .detail("effect", effect.name())
+                    .detail("quantity", Quantity::MagneticField.to_string()),
+            )),
             None => Ok(outcome),
         };
     }
@@ -66,7 +65,9 @@ pub(super) fn with_magnetometer(
 /// [`Error::NotEnough`] with what to record beside it.
 pub(super) fn refuse_alone(recordings: &[&Recording]) -> Result<(), Error> {
     match recordings.iter().find(|r| r.is_magnetometer_only()) {
-        Some(alone) => Err(Error::not_enough(format!("{}: {ALONE}", alone.name))),
+        Some(alone) => Err(Error::not_enough(
+            Finding::of(Kind::MagnetometerAlone).in_recording(&alone.name),
+        )),
         None => Ok(()),
     }
 }
@@ -78,9 +79,7 @@ fn fitted(
 ) -> Result<(), Error> {
     let unit = common_unit(recordings, request)?;
     if outcome.calibration.accelerometer.is_none() {
-        return Err(Error::not_enough(
-            "without an accelerometer nobody knows how the device was held",
-        ));
+        return Err(Error::not_enough(Finding::of(Kind::AttitudeNotSeen)));
     }
     let effects = request.effects.iter();
     let model = effects.fold(magnetometer::model(), |model, effect| model.with(*effect));
@@ -151,20 +150,23 @@ fn common_unit(recordings: &[&Recording], request: &Request) -> Result<Option<Fi
     let unit = all.first().and_then(|(_, unit)| *unit);
     if let Some((other, differs)) = all.iter().find(|(_, other)| *other != unit) {
         let word = |unit: Option<FieldUnit>| unit.map_or("no stated unit", FieldUnit::name);
-        return Err(Error::usage(format!(
-            "{}: its magnetometer is in {}, that of {} in {}: name the columns' unit in both files alike",
-            other.name,
-            word(*differs),
-            all[0].0.name,
-            word(unit)
-        )));
+        return Err(Error::usage(
+            Finding::of(Kind::FieldUnitsDiffer)
+                .in_recording(&other.name)
+                .of_sensor(Sensor::Magnetometer)
+                .detail("unit", word(*differs))
+                .detail("other", all[0].0.name.clone())
+                .detail("others", word(unit)),
+        ));
     }
-    if request.field.is_some_and(|field| !FIELDS.contains(&field)) {
-        return Err(Error::usage(format!(
-            "a magnetic field of {} to {} µT expected; the earth's is 22 to 67",
-            FIELDS.start(),
-            FIELDS.end()
-        )));
+    if let Some(field) = request.field.filter(|field| !FIELDS.contains(field)) {
+        let expected = format!("{} to {} µT", FIELDS.start(), FIELDS.end());
+        return Err(Error::usage(
+            Finding::of(Kind::OutOfRange)
+                .detail("key", "field")
+                .detail("value", figure(field))
+                .detail("expected", expected),
+        ));
     }
     Ok(unit)
 }

@@ -54,18 +54,12 @@ impl Change {
     pub fn finding(&self) -> Finding {
         use findings::Kind as Found;
         let Place { after, before } = self.place;
-        let between = format!(
-            "between static intervals {} and {} (t = {:.2} to {:.2} s)",
-            after.0 + 1,
-            before.0 + 1,
-            after.1,
-            before.1
-        );
         let of = |kind, sensor| {
             Finding::of(kind)
                 .of_sensor(sensor)
                 .between(after.1, before.1)
-                .detail("where", between.clone())
+                .count("after", after.0 + 1)
+                .count("before", before.0 + 1)
         };
         match self.kind {
             Kind::Bias(sensor, axis, size) => {
@@ -82,14 +76,14 @@ impl Change {
             Kind::Scale(sensor, axis, share) => {
                 let cause = match (sensor, axis) {
                     (_, Some(_)) => None,
-                    (Sensor::Accelerometer, None) => Some("another unit or range"),
-                    (_, None) => Some("another range, or a clock that runs at another rate"),
+                    (Sensor::Accelerometer, None) => Some("force"),
+                    (_, None) => Some("rate"),
                 };
                 let found = of(Found::ScaleChange, sensor)
                     .detail("axis", axis.map_or("all axes", axis_name))
                     .number("size", share, "share");
                 match cause {
-                    Some(cause) => found.detail("cause", cause),
+                    Some(cause) => found.detail(cause, sensor.name()),
                     None => found,
                 }
             }

@@ -1,5 +1,6 @@
 //! What a system had made of the readings that a calibration is of: it is on top of that.
 
+use findings::{Finding, Kind};
 use recording::{AppliedBefore, Recording};
 use sensor::Sensor;
 
@@ -27,7 +28,7 @@ pub fn system_name(by: &str) -> &str {
         "px4" => "PX4",
         "ardupilot" => "ArduPilot",
         "ios" => "iOS",
-        AppliedBefore::UNKNOWN => "the system that recorded them",
+        AppliedBefore::UNKNOWN => "the recording system",
         other => other,
     }
 }
@@ -66,7 +67,7 @@ impl Calibration {
     }
 
     /// What to say where its own recordings, or it and a recording that it is used on, were corrected differently before.
-    pub fn doubts_corrections_of(&self, recording: &Recording) -> Option<String> {
+    pub fn doubts_corrections_of(&self, recording: &Recording) -> Option<Finding> {
         let other = &recording.description.applied_before;
         let differ = |sensor: &Sensor| {
             self.triad(*sensor)?;
@@ -85,24 +86,24 @@ impl Calibration {
             |(_, own, by): &(Sensor, &str, &str)| ![*own, *by].contains(&AppliedBefore::UNKNOWN);
         let (sensor, own, by) = Sensor::ALL.iter().filter_map(differ).find(named)?;
         let of = |by: &str| match by {
-            "" => "are those of the sensor".to_owned(),
-            by => format!("were corrected by {} before", system_name(by)),
+            "" => "no system".to_owned(),
+            by => system_name(by).to_owned(),
         };
-        Some(format!(
-            "{}: the readings of the {} {}, and those that the calibration is of {}: it does not hold for them; use it on \
-             readings of one kind",
-            recording.name,
-            sensor.name(),
-            of(by),
-            match (own, self.readings(sensor)) {
-                ("", Readings::NotStated) => "are not said to be".to_owned(),
-                (own, _) => of(own),
-            }
-        ))
+        let own = match (own, self.readings(sensor)) {
+            ("", Readings::NotStated) => "none stated".to_owned(),
+            (own, _) => of(own),
+        };
+        Some(
+            Finding::of(Kind::CorrectedOtherwise)
+                .in_recording(&recording.name)
+                .of_sensor(sensor)
+                .detail("by", of(by))
+                .detail("own", own),
+        )
     }
 
     /// What to say where its recordings were not all corrected alike before.
-    pub fn mixed_corrections(&self) -> Option<String> {
+    pub fn mixed_corrections(&self) -> Option<Finding> {
         let mixed = Sensor::ALL
             .into_iter()
             .find_map(|sensor| match self.readings(sensor) {
@@ -119,14 +120,13 @@ impl Calibration {
             let names: Vec<&str> = inputs.iter().map(|i| i.recording.as_str()).collect();
             names.join(", ")
         };
-        Some(format!(
-            "{}: {} had corrected the readings of the {} before, and not those of {}: one calibration does not hold for both; \
-             calibrate them apart",
-            names(&corrected),
-            system_name(by),
-            sensor.name(),
-            names(&others)
-        ))
+        Some(
+            Finding::of(Kind::CorrectedInPart)
+                .in_recording(names(&corrected))
+                .of_sensor(sensor)
+                .detail("by", system_name(by))
+                .detail("others", names(&others)),
+        )
     }
 }
 
@@ -176,7 +176,9 @@ mod tests {
         let (alike, said) = readings(vec![input("a", px4), input("b", None)]);
         assert!(
             !alike
-                && said.is_some_and(|said| said.contains("a: PX4") && said.contains("those of b"))
+                && said
+                    .map(|said| said.to_string())
+                    .is_some_and(|said| said.contains("a: PX4") && said.contains("those of b"))
         );
         let restored = of(vec![input("a", Some(("px4", true)))]);
         assert_eq!(

@@ -1,6 +1,6 @@
 //! The hashes of a calibration as it was written: other ones show an edit.
 
-use findings::Finding;
+use findings::{Finding, Kind};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
@@ -17,18 +17,17 @@ pub enum Edited {
 }
 
 impl Edited {
-    /// What is said of it.
-    pub fn in_words(self) -> &'static str {
-        match self {
-            Self::Numbers => {
-                "the calibration was edited since it was written: gravity, a sensor or an effect is not what `calibrate` \
-                 found (its numbers_sha256 differs)"
-            }
-            Self::Basis => {
-                "the calibration was edited since it was written: method, covariance, limits, inputs or another entry beside \
-                 the parameters is not what `calibrate` wrote (its basis_sha256 differs)"
-            }
-        }
+    /// The same as a finding.
+    pub fn finding(self) -> Finding {
+        Finding::of(match self {
+            Self::Numbers => Kind::NumbersEdited,
+            Self::Basis => Kind::BasisEdited,
+        })
+    }
+
+    /// The same in words.
+    pub fn in_words(self) -> String {
+        self.finding().to_string()
     }
 }
 

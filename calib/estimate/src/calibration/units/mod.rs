@@ -4,6 +4,7 @@ mod reading_unit;
 
 pub use reading_unit::TriadUnits;
 
+use findings::{Finding, Kind};
 use recording::{Error, Recording};
 use sensor::Sensor;
 
@@ -39,10 +40,11 @@ pub fn check_units(calibration: &Calibration, recording: &Recording) -> Result<(
     if PLAUSIBLE.contains(&(median / calibration.gravity)) {
         return Ok(());
     }
-    Err(Error::input(format!(
-        "{}: corrected by this calibration the specific force has a median of {median:.3e} m/s² \
-         where gravity is {:.3}: the calibration is for readings in another unit or of another \
-         device (--force-device to go on)",
-        recording.name, calibration.gravity
-    )))
+    Err(Error::input(
+        Finding::of(Kind::OfOtherUnits)
+            .in_recording(&recording.name)
+            .of_sensor(Sensor::Accelerometer)
+            .number("median", median, "m/s^2")
+            .number("gravity", calibration.gravity, "m/s^2"),
+    ))
 }

@@ -44,6 +44,34 @@ pub enum Reason {
     BiasStepped,
 }
 
+/// What is known of a disturbance.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Seen {
+    /// Nothing beside its size.
+    #[default]
+    Nothing,
+    /// The readings shook.
+    Shaken {
+        /// When most, s.
+        time: f64,
+        /// How many times as much as usual.
+        ratio: f64,
+    },
+    /// It cut a rest in two, of which the shorter part counts as part of a turn.
+    Cut,
+    /// The device crept.
+    Crept {
+        /// By this in all, rad.
+        angle: f64,
+        /// The specific force changed by up to this in a second, m/s³.
+        slope: f64,
+    },
+    /// The device moved at once by this, rad.
+    Slipped(f64),
+    /// The specific force is off by this, m/s².
+    Off(f64),
+}
+
 /// Something that was found disturbed and has parameters of its own since.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flagged {
@@ -61,8 +89,8 @@ pub struct Flagged {
     pub size: f64,
     /// Whether the readings shook there.
     pub shook: bool,
-    /// In words.
-    pub detail: String,
+    /// What is known of it.
+    pub seen: Seen,
 }
 
 /// Chunks of a rest in which a drifting bias shows.
@@ -79,8 +107,8 @@ pub struct Suspect {
     pub place: usize,
     /// `∂r/∂d`, one column per parameter.
     pub columns: Vec<Column>,
-    /// What is known of it in words.
-    pub detail: String,
+    /// What is known of it.
+    pub seen: Seen,
     /// What else the rows may have that looks like it: what these columns explain is no evidence.
     pub nuisance: Vec<Column>,
     /// What the slopes of the accelerometer within chunks say of it, whitened: `∂s/∂d` and `s`.
@@ -109,7 +137,7 @@ pub fn suspects(rows: &Rows<'_>, x: &[f64], rotations: &[Matrix3<f64>]) -> Vec<S
         columns: unit_columns(first + 2 * k, 2),
         nuisance: Vec::new(),
         slopes: Vec::new(),
-        detail: String::new(),
+        seen: Seen::default(),
     }));
     all
 }
@@ -146,7 +174,7 @@ fn plain(kind: Disturbance, place: usize, columns: Vec<Column>) -> Suspect {
         columns,
         nuisance: Vec::new(),
         slopes: Vec::new(),
-        detail: String::new(),
+        seen: Seen::default(),
     }
 }
 
@@ -195,7 +223,7 @@ fn pushed(chunk: usize, row: usize) -> Suspect {
         columns: unit_columns(row, 3),
         nuisance: Vec::new(),
         slopes: Vec::new(),
-        detail: String::new(),
+        seen: Seen::default(),
     }
 }
 
@@ -213,10 +241,10 @@ pub fn pushed_chunk(
     let rest = rows.data.chunks[chunk].rest;
     let creep = slip(rows, x, rest, rotations);
     suspect.columns.extend(creep.columns);
-    suspect.detail = format!(
-        "shakes at t = {:.2} s, {:.1} times as much as usual",
-        shake.time, shake.ratio
-    );
+    suspect.seen = Seen::Shaken {
+        time: shake.time,
+        ratio: shake.ratio,
+    };
     Some(suspect)
 }
 
@@ -282,7 +310,7 @@ fn slip(rows: &Rows<'_>, x: &[f64], k: usize, rotations: &[Matrix3<f64>]) -> Sus
         columns,
         nuisance: drift(rows, k),
         slopes,
-        detail: String::new(),
+        seen: Seen::default(),
     }
 }
 

@@ -5,7 +5,7 @@ use solver::Termination;
 
 use super::approach::{Weighted, approach};
 use super::data::budget::Steps;
-use super::disturbance::{Disturbance, Flagged, Reason, Suspect};
+use super::disturbance::{Disturbance, Flagged, Reason, Seen, Suspect};
 use super::fit::JointFit;
 use super::graph::{Ended, solve_rows};
 use super::minimum::{Point, Run};
@@ -137,7 +137,7 @@ impl Run<'_> {
                 span,
                 size: 0.0,
                 shook: true,
-                detail: "it cut a rest in two: the shorter part counts as part of a turn".into(),
+                seen: Seen::Cut,
             })
     }
 
@@ -172,26 +172,17 @@ impl Run<'_> {
             }
         };
         let norm = fitted.iter().take(3).map(|v| v * v).sum::<f64>().sqrt();
-        let seen = suspect.detail.clone();
-        let (size, detail) = match suspect.kind {
+        let (size, seen) = match suspect.kind {
             Disturbance::MountSlip => {
-                let angle = norm * span.length();
-                let (all, slope) = (angle.to_degrees(), norm * self.request.gravity);
-                let detail = format!(
-                    "{}° in all, a slope of up to {} m/s³ in the force",
-                    two_digits(all),
-                    two_digits(slope)
-                );
-                (angle, detail)
+                let (angle, slope) = (norm * span.length(), norm * self.request.gravity);
+                (angle, Seen::Crept { angle, slope })
             }
-            Disturbance::SuddenSlip => {
-                (norm, format!("{}° at once", two_digits(norm.to_degrees())))
+            Disturbance::SuddenSlip => (norm, Seen::Slipped(norm)),
+            Disturbance::DisturbedInterval if suspect.seen == Seen::Nothing => {
+                (norm, Seen::Off(norm))
             }
-            Disturbance::DisturbedInterval if seen.is_empty() => {
-                (norm, format!("off by {:.0} mm/s²", 1e3 * norm))
-            }
-            Disturbance::DisturbedInterval => (norm, seen),
-            Disturbance::BadTurn | Disturbance::RateExcursion => (0.0, seen),
+            Disturbance::DisturbedInterval => (norm, suspect.seen),
+            Disturbance::BadTurn | Disturbance::RateExcursion => (0.0, suspect.seen),
         };
         Flagged {
             kind: suspect.kind,
@@ -200,16 +191,10 @@ impl Run<'_> {
             interval,
             span,
             size,
-            shook: !suspect.detail.is_empty(),
-            detail,
+            shook: suspect.seen != Seen::Nothing,
+            seen,
         }
     }
-}
-
-/// With two digits at least, and two decimals.
-fn two_digits(value: f64) -> String {
-    let decimals = (1.0 - value.abs().log10().floor()).clamp(2.0, 6.0) as usize;
-    format!("{value:.decimals$}")
 }
 
 /// Whether the minimum is nearer than a hundredth of the standard errors: of whitened residuals, what the

@@ -44,7 +44,7 @@ pub use clock::undersampled::Undersampled;
 pub use clock::{ClockMode, ClockState, DecidedClock, SourceClock, TurnClock};
 pub use data::budget::{MOST_IN_A_SEARCH, MOST_STATIC_INTERVALS, within_budget};
 pub use data::{Chunk, Data, LostTurn, Mean, Rest, Source, TurnSamples};
-pub use disturbance::{Disturbance, Flagged, Reason, Suspect, excursions, suspects};
+pub use disturbance::{Disturbance, Flagged, Reason, Seen, Suspect, excursions, suspects};
 pub use fit::JointFit;
 pub use noise::SensorNoise;
 pub use noise::bias::{BiasNoise, Within, within};

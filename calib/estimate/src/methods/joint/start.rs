@@ -1,5 +1,6 @@
 //! Where the joint fit starts: units, a first accelerometer, directions.
 
+use findings::{Finding, Kind};
 use nalgebra::{Matrix3, Vector3};
 use recording::intervals::Segmentation;
 use recording::{Error, Recording};
@@ -51,12 +52,11 @@ pub fn start(request: &JointRequest<'_>) -> Result<Start, Error> {
         .collect();
     let raw: Vec<Vector3<f64>> = means.iter().flatten().map(|m| m.raw).collect();
     let force_unit = accelerometer_unit(&raw, request.gravity).ok_or_else(|| {
-        Error::not_enough(format!(
-            "{} static means lie on no sphere: the unit of the accelerometer cannot be told; {}; run \
-             `stillpoint plan` for the orientations",
-            raw.len(),
-            plan::REQUIREMENT
-        ))
+        Error::not_enough(
+            Finding::of(Kind::NoSphere)
+                .count("count", raw.len())
+                .because(plan::REQUIREMENT.finding()),
+        )
     })?;
     let names = request
         .recordings
@@ -75,12 +75,14 @@ pub fn start(request: &JointRequest<'_>) -> Result<Start, Error> {
         if let Some(reason) = few_directions(&raw) {
             return Err(Error::not_enough(reason));
         }
-        return Err(Error::not_converged(format!(
-            "the accelerometer's fit stopped after {} steps ({:?}) and leaves {left:.2} m/s² of the norms; is the gravity of \
-             {gravity} m/s² right, and was the device still in the intervals that `segment` shows?",
-            first.iterations.len(),
-            first.termination,
-        )));
+        return Err(Error::not_converged(
+            Finding::of(Kind::FitStopped)
+                .of_sensor(sensor::Sensor::Accelerometer)
+                .count("steps", first.iterations.len())
+                .detail("ending", format!("{:?}", first.termination))
+                .number("left", left, "m/s^2")
+                .number("gravity", gravity, "m/s^2"),
+        ));
     }
     let nominal = request.accelerometer.parameters();
     let near_si = fit.first.parameters.values();
@@ -192,16 +194,17 @@ pub fn charts(data: &Data, model: &Model, start: &Start) -> Result<Vec<Chart>, E
                 });
             let p = &start.accelerometer[rest.recording];
             let force = model.correct(&(sum / count), &rest.known, p);
-            Chart::around(&force).filter(|c| c.reference.iter().all(|v| v.is_finite())).ok_or_else(|| {
-                Error::not_enough(format!(
-                    "{}: static interval {} (t = {:.2} to {:.2} s) has no accelerometer samples or \
-                     shows no gravity",
-                    data.sources[rest.recording].name,
-                    rest.interval + 1,
-                    rest.span.from,
-                    rest.span.to
-                ))
-            })
+            Chart::around(&force)
+                .filter(|c| c.reference.iter().all(|v| v.is_finite()))
+                .ok_or_else(|| {
+                    Error::not_enough(
+                        Finding::of(Kind::NoGravityAtRest)
+                            .in_recording(&data.sources[rest.recording].name)
+                            .of_sensor(sensor::Sensor::Accelerometer)
+                            .at_interval(rest.interval)
+                            .between(rest.span.from, rest.span.to),
+                    )
+                })
         })
         .collect()
 }

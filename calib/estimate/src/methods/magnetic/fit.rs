@@ -1,7 +1,8 @@
 //! The fit: start, unevenness, disturbed placements, result.
 
+use findings::{Finding, Kind};
 use recording::Error;
-use sensor::Model;
+use sensor::{Model, Sensor};
 
 use super::disturbed::most_disturbed;
 use super::fitted::MagneticFit;
@@ -66,9 +67,12 @@ pub fn fit_magnetometer(mut request: MagneticRequest<'_>) -> Result<MagneticFit,
 fn fit_all(request: &MagneticRequest<'_>) -> Result<(MagneticFit, Option<(usize, f64)>), Error> {
     let used = request.placements.iter().filter(|p| p.is_used).count();
     if used < LEAST_PLACEMENTS {
-        return Err(Error::not_enough(format!(
-            "{used} static intervals have readings of the magnetometer, {LEAST_PLACEMENTS} at least are needed"
-        )));
+        return Err(Error::not_enough(
+            Finding::of(Kind::AttitudesTooFew)
+                .of_sensor(Sensor::Magnetometer)
+                .count("count", used)
+                .count("least", LEAST_PLACEMENTS),
+        ));
     }
     let (placements, changes) = (&request.placements, &request.changes);
     let start = linear_start(placements, changes, request.recordings, request.strength)?;

@@ -1,7 +1,8 @@
 //! The graph of one set of placements, at one unevenness of the field.
 
+use findings::{Finding, Kind};
 use recording::Error;
-use sensor::Model;
+use sensor::{Model, Sensor};
 use solver::{Block, Euclidean, Graph, GraphOptions, GraphReport, Products, solve_graph};
 
 use super::factors::{FIELD, Reading, UnitDeterminant};
@@ -85,7 +86,7 @@ impl<'a> Problem<'a> {
         p[..sensor::BASE_PARAMETERS].copy_from_slice(&base.parameters());
         let add = |graph: &mut Graph<'a>, name: String, start: &[f64]| {
             let block = graph.add(name, Euclidean(start.len()), start);
-            block.map_err(|e| Error::not_converged(e.to_string()))
+            block.map_err(refused)
         };
         let model = add(&mut graph, "mag".into(), &p)?;
         let errors = add(&mut graph, "errors".into(), &vec![0.0; self.errors])?;
@@ -139,7 +140,7 @@ impl<'a> Problem<'a> {
                 };
                 let block = graph
                     .add(format!("rate {place}"), Euclidean(3), rest.mean.as_slice())
-                    .map_err(|e| Error::not_converged(e.to_string()))?;
+                    .map_err(refused)?;
                 let weight = rest.noise.recip();
                 graph.add_factor(&[block], Linear::axes(weight, &[1.0], rest.mean.into()));
                 blocks.rates[place] = Some(block);
@@ -245,17 +246,16 @@ impl<'a> Problem<'a> {
         if let Some(values) = from {
             graph.start_at(values);
         }
-        let failed = |e: solver::Error| Error::not_converged(e.to_string());
-        let report = solve_graph(&graph, options).map_err(failed)?;
+        let report = solve_graph(&graph, options).map_err(refused)?;
         if !report.termination.converged() {
-            let why = &report.termination;
-            return Err(Error::not_enough(format!(
-                "its fit did not end ({why}), as where the attitudes hardly determine it: hold every face up and turn the \
-                 device to other headings in between"
-            )));
+            return Err(Error::not_enough(
+                Finding::of(Kind::AttitudesLeaveOpen)
+                    .of_sensor(Sensor::Magnetometer)
+                    .detail("ending", report.termination.to_string()),
+            ));
         }
         let log_determinant = Products::new(&graph, &report.values)
-            .map_err(failed)?
+            .map_err(refused)?
             .log_determinant();
         Ok(Minimum {
             report,
@@ -264,6 +264,12 @@ impl<'a> Problem<'a> {
             variances: self.variances(uneven),
         })
     }
+}
+
+/// The solver's refusal of a graph.
+pub(super) fn refused(refusal: solver::Error) -> Error {
+    let found = Finding::of(Kind::SolverRefused).of_sensor(Sensor::Magnetometer);
+    Error::not_converged(found.detail("reason", refusal.to_string()))
 }
 
 /// Every point of a search begins near its minimum: the last digits are of no use there.

@@ -2,16 +2,17 @@
 
 use std::ops::Range;
 
+use findings::{Finding, Kind};
 use nalgebra::{DMatrix, Vector3};
 use recording::Error;
-use sensor::{BASE_PARAMETERS, PLACES};
+use sensor::{BASE_PARAMETERS, PLACES, Sensor};
 use solver::{Block, Products};
 
 use super::disturbed::readings_left;
 use super::factors::FIELD;
 use super::fitted::{Field, Fitted, MagneticFit, OwnBias};
 use super::placement::Placement;
-use super::problem::{Minimum, Problem};
+use super::problem::{Minimum, Problem, refused};
 use super::start::Start;
 use crate::methods::small_sample::{by_chance, widening};
 
@@ -42,13 +43,13 @@ impl<'a> Judged<'a> {
         minimum: &'a Minimum,
     ) -> Result<Self, Error> {
         let graph = problem.graph(start, uneven, TIE)?.graph;
-        let failed = |e: solver::Error| Error::not_converged(e.to_string());
-        let products = Products::new(&graph, &minimum.report.values).map_err(failed)?;
+        let products = Products::new(&graph, &minimum.report.values).map_err(refused)?;
         if let Some(open) = products.null_space().first() {
-            return Err(Error::not_enough(format!(
-                "the attitudes do not determine it ({}): hold every face up and turn the device to other headings in between",
-                open.words
-            )));
+            return Err(Error::not_enough(
+                Finding::of(Kind::AttitudesLeaveOpen)
+                    .of_sensor(Sensor::Magnetometer)
+                    .detail("open", open.words.clone()),
+            ));
         }
         let blocks = &minimum.blocks;
         let all = [blocks.model, blocks.errors].into_iter();
@@ -75,10 +76,11 @@ impl<'a> Judged<'a> {
     pub fn written(&self) -> Result<MagneticFit, Error> {
         let dof = self.freedom();
         if dof == 0 {
-            return Err(Error::not_enough(format!(
-                "{} static intervals leave nothing to judge it by",
-                self.used().count()
-            )));
+            return Err(Error::not_enough(
+                Finding::of(Kind::AttitudesTooFew)
+                    .of_sensor(Sensor::Magnetometer)
+                    .count("count", self.used().count()),
+            ));
         }
         // Where the unevenness was estimated, few places say little of it: Student's t.
         let widened = match self.uneven > 0.0 {

@@ -1,7 +1,9 @@
 //! A start without a guess: the readings' model is linear in `T`, `T b` and the field, but for a factor.
 
+use findings::{Finding, Kind};
 use nalgebra::{DMatrix, Matrix3, SymmetricEigen, Vector3};
 use recording::Error;
+use sensor::Sensor;
 
 use super::placement::{HeadingChange, Placement};
 
@@ -75,10 +77,11 @@ pub fn linear_start(
         horizontal += if connected { 2 } else { 0 };
     }
     if rows < unknowns {
-        return Err(Error::not_enough(format!(
-            "{} static intervals with readings of the magnetometer are too few",
-            placements.len()
-        )));
+        return Err(Error::not_enough(
+            Finding::of(Kind::AttitudesTooFew)
+                .of_sensor(Sensor::Magnetometer)
+                .count("count", placements.len()),
+        ));
     }
     let x = smallest(normal);
     let t = Matrix3::from_fn(|i, j| x[3 * i + j]) / scale;
@@ -87,7 +90,8 @@ pub fn linear_start(
     let (t, offset) = (t * sign, offset * sign);
     let bias = t.try_inverse().map(|inverse| inverse * offset);
     let bias = bias.ok_or_else(|| {
-        Error::not_enough("the attitudes do not determine the magnetometer's axes")
+        let found = Finding::of(Kind::AttitudesLeaveOpen).of_sensor(Sensor::Magnetometer);
+        Error::not_enough(found)
     })?;
     Ok(scaled(placements, &chains, recordings, (t, bias), strength))
 }

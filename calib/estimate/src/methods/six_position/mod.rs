@@ -215,9 +215,9 @@ impl SixPosition {
     /// # Errors
     /// Means that make `I + M` singular.
     pub fn calibration(&self, first_order: bool) -> Result<Calibration, Error> {
-        let exact = self.base().ok_or_else(|| {
-            Error::not_enough("six positions: I + M has no inverse; are two axes the same?")
-        })?;
+        let exact = self
+            .base()
+            .ok_or_else(|| Error::not_enough(Finding::of(Kind::AxesSame)))?;
         let base = if first_order {
             self.first_order_base()
         } else {

@@ -105,15 +105,11 @@ impl Six {
             })
             .collect();
         if !missing.is_empty() {
-            let also = if doubled.is_empty() {
-                String::new()
-            } else {
-                format!(", {}", doubled.join(", "))
-            };
-            return Err(Error::not_enough(format!(
-                "six positions: no rest with {}{also}; every axis must once point up and once down",
-                missing.join(", no rest with ")
-            )));
+            let found = Finding::of(Kind::FaceMissing).detail("missing", missing.join(", "));
+            return Err(Error::not_enough(match doubled.is_empty() {
+                true => found,
+                false => found.detail("also", doubled.join(", ")),
+            }));
         }
         warnings.extend(
             doubled
@@ -128,7 +124,7 @@ impl Six {
         let six: Vec<Placement> = (0..6).filter_map(next).collect();
         let placements = six
             .try_into()
-            .map_err(|_| Error::not_enough("six positions: a face is missing"))?;
+            .map_err(|_| Error::not_enough(Finding::of(Kind::FaceMissing)))?;
         Ok(Self {
             placements,
             warnings,
@@ -185,10 +181,11 @@ pub fn placements<R: Borrow<Recording>>(
                 .max_by(|a, b| a.span.length().total_cmp(&b.span.length()));
             let found = longest.and_then(|rest| placement(rest, recording.name.clone()));
             all.push(found.ok_or_else(|| {
-                Error::not_enough(format!(
-                    "{}: no rest of the accelerometer found",
-                    recording.name
-                ))
+                Error::not_enough(
+                    Finding::of(Kind::NoRest)
+                        .in_recording(&recording.name)
+                        .of_sensor(sensor::Sensor::Accelerometer),
+                )
             })?);
         }
     }

@@ -14,7 +14,11 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "the recording speaks against the latitude",
         text: "at a latitude of {given}° the vertical rate of the earth is {expected}. The recording shows {shown} ± {error}, as at a latitude of {seen}°. {what} may be wrong",
         advice: "check its sign and its value",
-        remedies: || vec![Remedy::without(OptionName::Latitude)],
+        remedies: || {
+            vec![Remedy::Omit {
+                option: OptionName::Latitude,
+            }]
+        },
     },
     Entry {
         kind: Kind::BiasRemovedBefore,
@@ -48,7 +52,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.05,
         reason: "the parameters differ from recording to recording",
-        text: "{first} and {second}: {what}{temperatures}",
+        text: "{first} and {second}: {parameter} is {one} in one and {two} in the other ({distance} standard errors)[, at {celsius}]",
         advice: "",
         remedies: || vec![Remedy::Discover],
     },
@@ -120,7 +124,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.05,
         reason: "the effect {effect} gives no number",
-        text: "the effect {effect} {what}. It was not looked for beyond that",
+        text: "the effect {effect} failed, and was not looked for beyond that",
         advice: "",
         remedies: Vec::new,
     },
@@ -138,7 +142,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Bad,
         severity: 20.0,
         reason: "the {sensor} is not calibrated",
-        text: "the {sensor} is not calibrated: {why}[ ({kept})]",
+        text: "the {sensor} is not calibrated: {why}[ (its bias {kept} is kept)]",
         advice: "",
         remedies: || {
             vec![

@@ -61,7 +61,15 @@ pub fn entries() -> impl Iterator<Item = &'static Entry> {
         errors::recordings::rows::ENTRIES,
         errors::recordings::stamps::ENTRIES,
         errors::recordings::units::ENTRIES,
-        errors::requests::ENTRIES,
+        errors::requests::effects::ENTRIES,
+        errors::requests::names::ENTRIES,
+        errors::requests::expressions::ENTRIES,
+        errors::requests::values::ENTRIES,
+        errors::requests::placements::ENTRIES,
+        errors::requests::fits::ENTRIES,
+        errors::requests::calibrations::ENTRIES,
+        errors::requests::doubts::ENTRIES,
+        errors::requests::tracks::ENTRIES,
         other::ENTRIES,
     ]
     .into_iter()

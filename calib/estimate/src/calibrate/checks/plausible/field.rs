@@ -22,42 +22,31 @@ pub(in crate::calibrate) fn turned_field(
 ) -> Option<Finding> {
     let axes = SignedAxes::nearest(t)?;
     let columns = Columns::of(recordings, Sensor::Magnetometer);
-    let points = format!(
-        "{:.0}° {} the horizontal",
-        inclination.abs(),
-        if inclination < 0.0 { "above" } else { "below" }
-    );
-    let of = |how: String| {
-        Finding::of(Kind::FieldTurned)
+    let side = if inclination < 0.0 { "above" } else { "below" };
+    let of = |kind| {
+        Finding::of(kind)
             .of_sensor(Sensor::Magnetometer)
-            .detail("how", how)
+            .detail("angle", format!("{:.0}°", inclination.abs()))
+            .detail("side", side)
     };
     let known = latitude.filter(|latitude| latitude.abs() > PLAIN && inclination.abs() > PLAIN);
     let read = || columns.turned(&axes.opposite());
     if let Some(latitude) = known {
         return (inclination * latitude < 0.0).then(|| {
-            let how = format!(
-                "the magnetic field points {points}, at a latitude of {latitude}°: the signs of an odd number of the \
-                 magnetometer's axes, or of all of the accelerometer's, are wrong, and headings by the corrected field may be turned"
-            );
-            of(how).only_remedies([read()])
+            of(Kind::FieldSignsWrong)
+                .detail("latitude", format!("{latitude}°"))
+                .only_remedies([read()])
         });
     }
     if axes.is_unchanged() {
         return None;
     }
-    let turned = format!(
-        "the magnetometer's axes are turned against the accelerometer's: {}; T turns them back, and the corrected field points {points}",
-        axes.in_words()
-    );
+    let turned = of(Kind::FieldTurned).detail("axes", axes.in_words());
     Some(match axes.is_half_turn() {
-        false => of(turned).at_level(Level::Remark),
-        true => of(format!(
-            "{turned}, as it does {} of the magnetic equator. Elsewhere the readings are mirrored and the corrected field points \
-             backwards",
-            if inclination < 0.0 { "south" } else { "north" },
-        ))
-        .only_remedies([read(), Remedy::set(OptionName::Latitude)]),
+        false => turned.at_level(Level::Remark),
+        true => turned
+            .detail("half", if inclination < 0.0 { "south" } else { "north" })
+            .only_remedies([read(), Remedy::set(OptionName::Latitude)]),
     })
 }
 

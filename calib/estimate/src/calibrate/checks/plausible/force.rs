@@ -81,16 +81,16 @@ pub(super) fn said(fit: &ForceFit<'_>, columns: &Columns) -> Said {
             continue;
         }
         let (why, by) = match GRAVITY.contains(&share) {
-            true if bias < 0.0 => ("gravity was taken off it", STANDARD_GRAVITY),
-            true => ("gravity was added to it", -STANDARD_GRAVITY),
-            false => ("a constant was added to it", rounded(-bias)),
+            true if bias < 0.0 => ("without", STANDARD_GRAVITY),
+            true => ("with", -STANDARD_GRAVITY),
+            false => ("moved", rounded(-bias)),
         };
         said.gate(
             Finding::of(Kind::ZeroOff)
                 .of_sensor(Sensor::Accelerometer)
                 .detail("axis", columns.roles[axis])
                 .number("bias", bias, "m/s^2")
-                .detail("why", why)
+                .detail(why, columns.roles[axis])
                 .only_remedies([columns.shifted(axis, by)]),
         );
     }
@@ -118,17 +118,10 @@ fn of_all(fit: &ForceFit<'_>, columns: &Columns, scales: &Scales, said: &mut Sai
     match off > BEYOND {
         true => said.gate(
             found
-                .detail("so", "It has another unit or range, or gravity is another")
+                .detail("beyond", "it")
                 .only_remedies([read, Remedy::set(OptionName::Gravity)]),
         ),
-        false => said.warn(
-            found
-                .detail(
-                    "so",
-                    "The calibration's matrix carries it back, unless the factor to m/s² was wrong",
-                )
-                .only_remedies([read]),
-        ),
+        false => said.warn(found.detail("carried", "it").only_remedies([read])),
     }
 }
 

@@ -18,9 +18,6 @@ const COMMON_SCALE: f64 = 0.03;
 /// The same to a factor of two, the commonest of wrong rates, and the sensor's own errors on top.
 const COMMON_SCALES: std::ops::RangeInclusive<f64> = 0.45..=2.2;
 
-/// Beside axes turned by half a turn.
-const OR_MIRRORED: &str = "A mirrored accelerometer looks the same: if it is mounted as the gyroscope is, the corrected frame is left-handed";
-
 /// A finding of the gyroscope.
 fn of(kind: Kind) -> Finding {
     Finding::of(kind).of_sensor(Sensor::Gyroscope)
@@ -75,17 +72,19 @@ fn of_axes(fit: &RateFit<'_>, columns: &Columns, force: &Columns, said: &mut Sai
     let Some(axes) = nearest.filter(|axes| !axes.is_unchanged() && fit.missed <= LOST) else {
         let off = near_si - nalgebra::Matrix3::from_diagonal(&near_si.diagonal());
         if fit.missed <= LOST && off.amax() > TURNED {
-            said.warn(of(Kind::AxesTurned).detail("axes", " by no right angle"));
+            said.warn(of(Kind::AxesTurned).detail("angle", "right angle"));
         }
         return;
     };
-    let turned = of(Kind::AxesTurned).detail("axes", format!(": {}", axes.in_words()));
+    let turned = of(Kind::AxesTurned).detail("axes", axes.in_words());
     said.warn(match axes.is_half_turn() {
         false => turned,
-        true => turned.detail("or", OR_MIRRORED).only_remedies([
-            columns.turned(&axes),
-            force.turned(&axes.opposite().inverse()),
-        ]),
+        true => turned
+            .detail("other", Sensor::Accelerometer.name())
+            .only_remedies([
+                columns.turned(&axes),
+                force.turned(&axes.opposite().inverse()),
+            ]),
     });
 }
 

@@ -1,5 +1,6 @@
 //! Recordings of one device of which one has its axes turned, as a phone's follow its screen.
 
+use findings::{Finding, Kind, Remedy};
 use nalgebra::{Matrix3, Vector3};
 use recording::intervals::Segmentation;
 use recording::{Error, Recording};
@@ -47,27 +48,25 @@ pub fn none_is_turned<'a>(
     for (k, (second, b)) in own.iter().enumerate() {
         for (first, a) in &own[..k] {
             if let Some(axes) = turned(a, b) {
-                return Err(Error::input(words(first, second, &axes)));
+                return Err(Error::input(refusal(first, second, &axes)));
             }
         }
     }
     Ok(())
 }
 
-fn words(first: &Recording, second: &Recording, axes: &SignedAxes) -> String {
+fn refusal(first: &Recording, second: &Recording, axes: &SignedAxes) -> Finding {
     let back = axes.inverse();
     let columns = [Sensor::Accelerometer, Sensor::Gyroscope]
         .map(|sensor| Columns::of(&[second], sensor).rearranged(&back));
-    format!(
-        "{}: its axes are turned against those of {}: by their biases and scale factors {}. One calibration of both would be wrong for \
-         either: turn it back with `stillpoint convert {} --columns '{}' -o turned.csv` and calibrate that, calibrate each alone, or say \
-         --force-device if they are as they should be",
-        second.name,
-        first.name,
-        axes.in_words(),
-        second.name,
-        columns.concat().join(",")
-    )
+    Finding::of(Kind::AxesOfOtherTurned)
+        .in_recording(&second.name)
+        .detail("other", first.name.clone())
+        .detail("axes", axes.in_words())
+        .remedy(Remedy::TurnBack {
+            recording: second.name.clone(),
+            columns: columns.concat().join(","),
+        })
 }
 
 fn own(recording: &Recording, segmentation: &Segmentation, gravity: f64) -> Option<Own> {

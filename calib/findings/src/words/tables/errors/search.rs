@@ -54,7 +54,11 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         Kind::WalkUnbounded,
         "the random walk of the {sensor} is not bounded",
         "record longer at rest (an hour or more)",
-        || vec![Remedy::without(OptionName::Noise)],
+        || {
+            vec![Remedy::Omit {
+                option: OptionName::Noise,
+            }]
+        },
     ),
     Entry::error(
         Kind::WalkImpossible,
@@ -63,7 +67,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         Vec::new,
     ),
     Entry::error(Kind::NotANoiseFile, "no noise file: {reason}", "", || {
-        vec![Remedy::MeasureNoise]
+        vec![Remedy::AnalyseNoise]
     }),
     Entry::error(
         Kind::OtherSchema,

@@ -89,7 +89,12 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
         "",
         Vec::new,
     ),
-    Entry::error(Kind::BatchPartMissing, "part {part} is missing", "", Vec::new),
+    Entry::error(
+        Kind::BatchPartMissing,
+        "part {part} is missing",
+        "",
+        Vec::new,
+    ),
     Entry::error(
         Kind::DeviceInNoPart,
         "device {index} of the manifest is in no part",

@@ -88,12 +88,6 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
         || vec![Remedy::set(OptionName::Instance)],
     ),
     Entry::error(
-        Kind::MatrixSingular,
-        "a matrix of the calibration has no inverse",
-        "",
-        Vec::new,
-    ),
-    Entry::error(
         Kind::ScaleZero,
         "{target} divides by the scale factors, and one of them is zero",
         "",

@@ -15,16 +15,6 @@ pub struct Place<'a> {
 
 impl<'a> Place<'a> {
     /// The place that `message` begins with, if it does.
-    ///
-    /// # Examples
-    /// ```
-    /// use stillpoint_calib::message::Place;
-    ///
-    /// let place = Place::of("a.csv:2:7: `x` found").unwrap();
-    /// assert_eq!((place.file, place.line, place.column), ("a.csv", 2, Some(7)));
-    /// assert_eq!(place.what, "`x` found");
-    /// assert_eq!(Place::of("a.csv: at 12:30:00"), None);
-    /// ```
     pub fn of(message: &'a str) -> Option<Self> {
         let colons = message.match_indices(':');
         colons.filter(|(at, _)| *at > 0).find_map(|(at, _)| {
@@ -54,14 +44,6 @@ fn number(text: &str) -> Option<(u64, &str)> {
 }
 
 /// What a message says is to be done: what stands behind its last semicolon, if that begins as advice does.
-///
-/// # Examples
-/// ```
-/// use stillpoint_calib::message::advice;
-///
-/// assert_eq!(advice("5 cells, 7 expected; split it here"), Some("split it here"));
-/// assert_eq!(advice("all static; nothing turned"), None);
-/// ```
 pub fn advice(message: &str) -> Option<&str> {
     let (_, advice) = message.rsplit_once("; ")?;
     let advice = advice.trim();
@@ -127,5 +109,12 @@ mod tests {
         );
         assert_eq!(place("a.csv: at 12:30:00 and"), None);
         assert_eq!(place("no place"), None);
+    }
+
+    #[test]
+    fn advice_is_what_a_message_ends_with() {
+        let split = "5 cells, 7 expected; split it here";
+        assert_eq!(advice(split), Some("split it here"));
+        assert_eq!(advice("all static; nothing turned"), None);
     }
 }

@@ -1,0 +1,103 @@
+//! Words of effects that are written as expressions.
+
+use crate::kind::Kind;
+use crate::words::entry::Entry;
+
+pub(in super::super::super) const ENTRIES: &[Entry] = &[
+    Entry::error(
+        Kind::ParametersMissing,
+        "[{key}: ]none found: an effect needs one that switches it off",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::ExpressionMissing,
+        "[{key}: ]no expression on any axis",
+        "write one of x, y, z",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::ExpressionCostly,
+        "[{key}: ]the three expressions take {cost} steps, at most {most} may be: a function counts {call} and an operation 1 or 2",
+        "write it with fewer, or as a compiled effect",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::NotSilent,
+        "[{key}: ]is {value} at the nominal parameters in some motion, must be 0: an effect is silent in a perfect sensor",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::NoNumberInMotion,
+        "[{key}: ]is {value} at the typical parameters in some motion",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::PowerOfZero,
+        "[{key}: ]{covariate} to the power of 0",
+        "leave it out",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::ExpressionLong,
+        "[{key}: ][`{text}`, ]column {column}: longer than {most} characters",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::ExpressionDeep,
+        "[{key}: ][`{text}`, ]column {column}: nested more than {most} deep",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::ExpressionNoNumber,
+        "[{key}: ][`{text}`, ]column {column}: `{found}` is no number",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::ExpressionCharacter,
+        "[{key}: ][`{text}`, ]column {column}: `{found}` has no meaning here",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::OperatorExpected,
+        "[{key}: ][`{text}`, ]column {column}: an operator expected, {found} found",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::OperandExpected,
+        "[{key}: ][`{text}`, ]column {column}: a number, a name or a bracket expected, {found} found",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::SignExpected,
+        "[{key}: ][`{text}`, ]column {column}: `{expected}` expected, {found} found",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::ExponentVaries,
+        "[{key}: ][`{text}`, ]column {column}: the exponent must be a constant",
+        "write exp(y*ln(x)) for x to the power of y",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::FunctionUnknown,
+        "[{key}: ][`{text}`, ]column {column}: there is no function `{found}`: {known}",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::VariableUnknown,
+        "[{key}: ][`{text}`, ]column {column}: there is no `{found}`: the variables are {known}",
+        "",
+        Vec::new,
+    ),
+];

@@ -1,0 +1,43 @@
+//! Words of names that nothing has, or that something else has.
+
+use crate::kind::Kind;
+use crate::words::entry::Entry;
+
+pub(in super::super::super) const ENTRIES: &[Entry] = &[
+    Entry::error(
+        Kind::EffectUnknown,
+        "[{key}: ]there is no such effect[: {effect} is not in the catalogue]",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::ParameterUnknown,
+        "[{key}: ]there is no such parameter[: `{effect}` has {known}]",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::EffectTaken,
+        "[{key}: ]`{name}` is another effect already",
+        "choose another name",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::NameTaken,
+        "[{key}: ]`{name}` means something else already",
+        "choose another name",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::NameNotSnakeCase,
+        "[{key}: ]`{name}` found, a name in snake case expected",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::DefinitionOfOther,
+        "[{key}: ]the definition of `{effect}` is that of `{other}`",
+        "",
+        Vec::new,
+    ),
+];

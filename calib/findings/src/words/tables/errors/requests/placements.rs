@@ -1,0 +1,152 @@
+//! Words of recordings whose placements and turns do not determine the parameters.
+
+use crate::kind::Kind;
+use crate::remedy::{OptionName, Remedy};
+use crate::words::entry::Entry;
+
+pub(in super::super::super) const ENTRIES: &[Entry] = &[
+    Entry::error(
+        Kind::Requirement,
+        "a calibration takes at least {least} placements ({advised} are better), each face up and down among them, {rest} still in each, and turns of at most {fastest} between them",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::PlacementsLeaveOpen,
+        "{count:placement}, {distinct} of which differ by more than 20°: not observable: {parameters}[; no placement has {missing}]",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::PlacementsTooFew,
+        "{count:placement}, {distinct} of which differ by more than 20°: {free} parameters leave nothing to check them with[; {weakest} is known to {error} only][; {unknown} is not known][; no placement has {missing}]",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::PlacementsTellLittle,
+        "{count:placement}, {distinct} of which differ by more than 20°: not known: {parameters}[; {weakest} is known to {error} only][; {unknown} is not known][; no placement has {missing}]",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::PlacementsInPlane,
+        "{count:placement}, {distinct} of which differ by more than 20°: all near one plane, what lies across it is not observable[; no placement has {missing}]",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::DirectionsTooFew,
+        "{count:placement}, {distinct} of which differ by more than 20°: these {directions} directions, however often recorded, do not show {parameters}[; no placement has {missing}]",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::TurnsLeaveOpen,
+        "{count:turn}: they determine {rank} of the gyroscope's {free} parameters, not observable: {parameters}",
+        "turn it about its {axes} too, by half a turn or more while that axis lies level",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::TurnsTooFew,
+        "{count:turn}: they leave nothing to check the gyroscope's {free} parameters with, at least {least} turns are needed",
+        "turn it about its {axes} too, by half a turn or more while that axis lies level",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::TurnsTellLittle,
+        "{count:turn}: not known: {parameters}",
+        "turn it about its {axes} too, by half a turn or more while that axis lies level",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::TurnsMissing,
+        "there is no turn between two static intervals",
+        "",
+        || vec![Remedy::TurnEachAxis],
+    ),
+    Entry::error(
+        Kind::TurnsUnusable,
+        "none of {count:turn} can be used[, {gaps} with a gap][, {frozen} with frozen readings][, {saturated} saturated][, {empty} without samples]",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::TurnsUsableFew,
+        "{usable} of {count:turn} can be used[, {gaps} with a gap][, {frozen} with frozen readings][, {saturated} saturated][, {empty} without samples][, and {least} or more are needed]",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::TurnsUsableOpen,
+        "{usable} of {count:turn} can be used[, {gaps} with a gap][, {frozen} with frozen readings][, {saturated} saturated][, {empty} without samples], and they leave a parameter open",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::NeverStill,
+        "no static interval: the device is never still for long enough[ (the quietest seconds and their spread: {quietest})]",
+        "lay it down for {rest} between the turns",
+        || {
+            vec![Remedy::any_of([
+                OptionName::MinStatic,
+                OptionName::Multiplier,
+            ])]
+        },
+    ),
+    Entry::error(
+        Kind::NeverQuiet,
+        "no quiet stretch is long enough to show a device at rest (in the quietest the rate wavers by {rate})",
+        "lay it down for 5 s between the turns",
+        || vec![Remedy::set(OptionName::Multiplier)],
+    ),
+    Entry::error(
+        Kind::QuietNotStatic,
+        "{found:static interval}; {count:quiet stretch} are none, the first: {first}",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::AllStatic,
+        "all static: one rest of {length} and no turn",
+        "",
+        || vec![Remedy::Plan],
+    ),
+    Entry::error(
+        Kind::NoSphere,
+        "{count:static mean} lie on no sphere: the unit of the accelerometer cannot be told",
+        "",
+        || vec![Remedy::Plan],
+    ),
+    Entry::error(
+        Kind::NoGravityAtRest,
+        "{at} has no accelerometer samples or shows no gravity",
+        "",
+        Vec::new,
+    ),
+    Entry::error(Kind::NoRest, "no rest of the {sensor} found", "", Vec::new),
+    Entry::error(
+        Kind::FaceMissing,
+        "six positions: no rest with {missing}[, {also}]",
+        "record every axis once up and once down",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::RestTooShort,
+        "the longest rest is {longest}",
+        "put the device down for more than {least}",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::RestsTooFew,
+        "{rests:rest}: the bias of the {sensor} needs at least {least} in different orientations",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::RestsInPlane,
+        "the rests do not tell the three axes apart (condition {condition})",
+        "turn the device further",
+        Vec::new,
+    ),
+];

@@ -1,0 +1,111 @@
+//! Words of values that a request, a specification or a limit cannot have.
+
+use crate::kind::Kind;
+use crate::remedy::{OptionName, Remedy};
+use crate::words::entry::Entry;
+
+pub(in super::super::super) const ENTRIES: &[Entry] = &[
+    Entry::error(
+        Kind::OutOfRange,
+        "[{key}: ]is {value}, expected {expected}",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::GravityNotOnEarth,
+        "gravity is {gravity}, on the earth it lies between {least} and {most} m/s²; an error of 0.01 changes every scale factor by 0.1 %",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::Backwards,
+        "[{key}: ]from {from} to {to}: the smaller first expected",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::NotOfThisMethod,
+        "{setting} means nothing to the {method} method",
+        "leave it out",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::MethodNeedsForce,
+        "the joint method needs recordings with an accelerometer",
+        "",
+        || vec![Remedy::set_to(OptionName::Method, "stepwise")],
+    ),
+    Entry::error(
+        Kind::RecordingsMissing,
+        "no recording given",
+        "give one or more",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::SectionsDoNotFit,
+        "{count:list} of sections for {recordings:recording}",
+        "give one for all or one for each",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::InstantOutside,
+        "{time} s of recording {recording} to leave out: a stamp and a recording from 1 to {recordings} expected",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::CountOther,
+        "[{key}: ]{found} found, {expected} expected",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::DirectionZero,
+        "[{key}: ]is zero, expected a direction",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::StepMissing,
+        "[{key}: ]needs a `step`, the unit of one count",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::FilterTooHigh,
+        "[{key}: ]is above half the sampling rate: the noise would not change",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::PlaceMissing,
+        "[{key}: ]is {place}, but there are {count} {things}, 0 the first",
+        "",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::EffectSilent,
+        "[{key}: ]is silent without a `{section}` section",
+        "add one",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::GivenTwice,
+        "[{key}: ]is given twice: `{other}` switches it on too",
+        "leave one out",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::TooLongForMemory,
+        "{samples} samples do not go into memory",
+        "write them",
+        Vec::new,
+    ),
+    Entry::error(Kind::NotToml, "{reason}", "", Vec::new),
+    Entry::error(
+        Kind::ValidationSeen,
+        "validation has the data of {other}, which the fit has seen: what it shows there is no proof",
+        "give another recording of the device",
+        Vec::new,
+    ),
+];
