@@ -1,7 +1,7 @@
 //! Sentences in the code of a crate: what libraries have to say stands in the tables of findings alone.
 //!
-//! A sentence is a text of five words or more. Contents of files that a library writes, and names of quantities, are no sentences of
-//! its own; [`CONTENTS`] lists the files that hold them.
+//! A sentence is a text of five words or more. Contents of files that a library writes, names of quantities and descriptions of formats
+//! are no messages; [`CONTENTS`] and [`DESCRIPTIONS`] list them.
 
 use std::path::{Path, PathBuf};
 
@@ -10,8 +10,23 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 /// Words of a sentence, at least.
 const WORDS: usize = 5;
 
-/// Files that write files: text in another tool's language, headers, formats.
-const CONTENTS: [&str; 0] = [];
+/// Files that hold other texts than messages.
+const CONTENTS: [&str; 9] = [
+    // Files in another tool's language, and what they lose.
+    "exchange/src/targets/",
+    "exchange/src/source.rs",
+    "exchange/src/loss.rs",
+    "formats/src/make/",
+    "sensor/src/definition/emit.rs",
+    "facade/src/example.rs",
+    // Names of quantities.
+    "sensor/src/covariate.rs",
+    "sensor/src/quantity.rs",
+    "discover/src/pictures.rs",
+];
+
+/// Names of texts that describe a thing in a line: a format, an effect, a convention.
+const DESCRIPTIONS: [&str; 3] = ["about", "EQUATION", "SIGN_CONVENTION"];
 
 /// Sentences, flags and commands in the code of the crates at these folders, each with its file.
 pub fn sentences(folders: &[PathBuf]) -> Vec<String> {
@@ -98,6 +113,17 @@ fn collect(tokens: TokenStream, all: &mut Vec<String>) {
                 let mark =
                     matches!(tokens.get(k + 1), Some(TokenTree::Punct(p)) if p.as_char() == '!');
                 k += if mark { 3 } else { 2 };
+                continue;
+            }
+            TokenTree::Ident(name) if DESCRIPTIONS.contains(&name.to_string().as_str()) => {
+                let is_text = |token: &TokenTree| match token {
+                    TokenTree::Literal(_) => true,
+                    TokenTree::Group(group) => group.delimiter() == Delimiter::Brace,
+                    TokenTree::Punct(mark) => mark.as_char() == ',',
+                    TokenTree::Ident(_) => false,
+                };
+                let text = tokens[k..].iter().position(is_text);
+                k += text.map_or(1, |length| length + 1);
                 continue;
             }
             TokenTree::Group(group) => collect(group.stream(), all),
