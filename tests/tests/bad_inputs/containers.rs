@@ -354,7 +354,7 @@ fn case_057_a_px4_log_at_one_hertz_says_what_to_set() {
     );
     calibrate("a.ulg", log, &[])
         .ends(4)
-        .says(&["1.0 Hz", "SDLOG_PROFILE"]);
+        .says(&["1 Hz only", "SDLOG_PROFILE"]);
     let (accel, gyro) = (sensor(&rows, false, 1), sensor(&rows, true, 1));
     let log = make::ulog(
         &[

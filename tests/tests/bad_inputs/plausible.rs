@@ -94,7 +94,8 @@ fn swapped_sensors_are_told_whatever_unit_they_state() {
     let swapped: Vec<Row> = good().iter().map(swap).collect();
     for header in [HEADER, SI] {
         let run = calibrate(table(header, &lines(&swapped)), &[]);
-        run.ends(3).says(&["names are swapped", "--columns gx=ax"]);
+        run.ends(3)
+            .says(&["names are swapped", "--columns", "gx=ax"]);
     }
 }
 

@@ -265,7 +265,7 @@ fn case_073_a_time_base_that_is_wrong_by_two() {
 fn case_074_one_sample_a_second() {
     let rows: Vec<Row> = slow(100);
     let run = calibrate(csv(&rows), &[]);
-    run.ends(4).says(&["1.0 Hz", "turn"]);
+    run.ends(4).says(&["1 Hz", "turn"]);
 }
 
 /// Placements of a minute, one sample in `every`.

@@ -2,7 +2,7 @@
 
 /// Characters of a word that no shell changes.
 fn is_plain(c: char) -> bool {
-    c.is_alphanumeric() || "/._-+=:,@%".contains(c)
+    c.is_alphanumeric() || "/._-+=:,@%^".contains(c)
 }
 
 /// A word as a shell reads it.
