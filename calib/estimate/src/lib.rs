@@ -18,6 +18,7 @@ pub mod methods;
 pub mod prior;
 pub mod residuals;
 pub mod truth;
+mod unreadable;
 
 pub use calibration::Calibration;
 pub use evaluate::{Evaluation, FieldMisfit, Misfit, Misfits, evaluate, misfits};

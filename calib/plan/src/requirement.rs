@@ -161,13 +161,11 @@ impl Coverage {
             Some(faces) => found.detail("missing", faces),
             None => found,
         };
-        match self.wanted.is_empty() {
-            true => found,
-            false => {
-                let placements = self.wanted.iter().map(Wanted::named).collect();
-                found.remedy(Remedy::AddPlacements { placements })
-            }
+        if self.wanted.is_empty() {
+            return found;
         }
+        let placements = self.wanted.iter().map(Wanted::named).collect();
+        found.remedy(Remedy::AddPlacements { placements })
     }
 
     /// `add 2 placements: 1) z up (a phone: flat on its back, screen up), 2) x down (…)`; empty where nothing is wanted.

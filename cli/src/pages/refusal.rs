@@ -38,7 +38,7 @@ pub fn page(
     );
     warnings = show::folded(&warnings);
     let Some(session) = session.filter(|s| !s.parts.is_empty()) else {
-        next.extend(verdict::advice_in(&failure.message));
+        next.extend(verdict::advice_of(failure));
         if next.is_empty() {
             next.push("See what is in the file: stillpoint info RECORDING".into());
         }
@@ -49,7 +49,7 @@ pub fn page(
         next.extend(coverage.as_ref().and_then(coverage::Coverage::advice));
     }
     if next.is_empty() {
-        next.extend(verdict::advice_in(&failure.message));
+        next.extend(verdict::advice_of(failure));
     }
     if lacking.is_none() {
         next.push(format!(

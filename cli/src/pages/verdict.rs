@@ -1,12 +1,13 @@
 //! Is the calibration good, and what next: in sentences.
 
-use ::findings::{Grade, Step};
+use ::findings::{Front, Grade, Step};
 use calib::Calibration;
 
 use super::coverage::Coverage;
 use super::parameters;
 use super::residual::Residual;
 use super::session::Session;
+use crate::exit::Failure;
 use crate::report::{Figure, Level};
 use crate::show::{self, capital};
 
@@ -103,11 +104,23 @@ pub fn residual(session: &Session<'_>) -> Figure {
     }
 }
 
+/// What to do about a failure, by its finding, else by its message.
+pub fn advice_of(failure: &Failure) -> Option<String> {
+    let finding = failure.finding.as_deref();
+    let known = finding.and_then(|finding| finding.advice(Front::CommandLine));
+    known
+        .map(|advice| sentence(&advice))
+        .or_else(|| advice_in(&failure.message))
+}
+
 /// The advice after the semicolon of a message.
-pub fn advice_in(message: &str) -> Option<String> {
+fn advice_in(message: &str) -> Option<String> {
     let (_, advice) = message.rsplit_once("; ")?;
-    let advice = advice.trim().trim_end_matches('.');
-    Some(format!("{}.", capital(advice)))
+    Some(sentence(advice))
+}
+
+fn sentence(words: &str) -> String {
+    format!("{}.", capital(words.trim().trim_end_matches('.')))
 }
 
 #[cfg(test)]

@@ -214,7 +214,7 @@ fn another_gyroscope_is_refused() {
     let both = [recorded(&device, 1, "one"), recorded(&other, 2, "other")];
     let both = recordings(&both);
     let refused = |error: Error| {
-        let words = error.to_string();
+        let words = error.text(findings::Front::CommandLine);
         assert!(
             words.contains("of the gyroscope differs") && words.contains("--force-device"),
             "{words}"
@@ -251,7 +251,10 @@ fn the_same_readings_on_another_clock_are_not_counted_twice() {
         found(&both, device.gravity).unwrap_err(),
     ] {
         let words = error.to_string();
-        assert!(words.contains("again has the readings of whole"), "{words}");
+        assert!(
+            words.contains("again: has the readings of whole"),
+            "{words}"
+        );
     }
 }
 

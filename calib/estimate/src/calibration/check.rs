@@ -9,6 +9,7 @@ use sensor::AnyEffect;
 
 use super::document::marks;
 use super::{Calibration, Outside, SCHEMA, Triad};
+use crate::unreadable::of_json;
 
 /// Largest ratio of the singular values of `T`: sensitivities of one chip differ by a tenth, units of its axes not at all.
 const MOST_UNEQUAL: f64 = 10.0;
@@ -91,16 +92,6 @@ pub fn refuse_newer(path: &Path, text: &str, schema: &str) -> Result<(), Error> 
                 .detail("schema", schema),
         )),
         _ => Ok(()),
-    }
-}
-
-/// A finding of JSON that cannot be read, where it stands.
-pub(crate) fn of_json(kind: Kind, error: &serde_json::Error) -> Finding {
-    let found = Finding::of(kind).detail("reason", shown(&error.to_string()));
-    match error.line() {
-        // Of a value there is no place.
-        0 => found,
-        line => found.at_line(line as u64).at_column(error.column() as u64),
     }
 }
 

@@ -19,7 +19,6 @@ mod values;
 
 pub use apply::{apply, apply_with};
 pub use check::FINDINGS_SCHEMA;
-pub(crate) use check::of_json;
 pub use check::refuse_newer;
 pub use check::{load, load_with, read_calibration};
 pub use clock::{BetweenSamples, RecordingClock};

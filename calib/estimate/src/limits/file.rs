@@ -163,7 +163,7 @@ mod tests {
         );
         let found = refused("[values]\n\"gyro.b_x\" = [1.0, -1.0]");
         assert!(
-            found.starts_with("l.toml:2:1: values.gyro.b_x: is [1, -1]"),
+            found.starts_with("l.toml:2:1: values.gyro.b_x: from 1 to -1"),
             "{found}"
         );
         let found = refused("[gyroscope]\nbias = nan");

@@ -23,7 +23,7 @@ use recording::Error;
 use recording::shown::{shown, shown_path};
 use serde::{Deserialize, Serialize};
 
-use crate::calibration::of_json;
+use crate::unreadable::of_json;
 
 /// Schema of prior.json.
 pub const PRIOR_SCHEMA: &str = "stillpoint.prior/1";

@@ -366,7 +366,7 @@ mod tests {
         };
         is(|d| d.y = "1 + k".into(), "y", F::NotSilent(1.0));
         let (key, fault) = refused(|d| d.x = "k * sqrt(fy)".into());
-        assert!(key == "x" && matches!(fault, F::NoNumber(v) if v.is_nan()));
+        assert!(key == "x" && matches!(fault, F::NotSilent(v) if v.is_nan()));
         let name = |name: &str| name.to_owned();
         is(
             |d| d.name = "Swirl".into(),

@@ -303,7 +303,7 @@ fn too_few_attitudes_leave_the_magnetometer_out_and_an_effect_of_it_is_refused()
     let refused = calibrate(std::slice::from_ref(&session.recording), &[], &asked);
     let words = refused.unwrap_err().to_string();
     assert!(
-        words.contains("no magnetometer in the recording"),
+        words.contains("the recording has no magnetometer"),
         "{words}"
     );
 }

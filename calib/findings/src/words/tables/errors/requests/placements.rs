@@ -67,19 +67,19 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::TurnsUnusable,
-        "none of {count:turn} can be used[, {gaps} with a gap][, {frozen} with frozen readings][, {saturated} saturated][, {empty} without samples]",
+        "none of {count:turn} can be used[; with a gap: {gaps}][; with frozen readings: {frozen}][; saturated: {saturated}][; without samples: {empty}]",
         "",
         Vec::new,
     ),
     Entry::error(
         Kind::TurnsUsableFew,
-        "{usable} of {count:turn} can be used[, {gaps} with a gap][, {frozen} with frozen readings][, {saturated} saturated][, {empty} without samples][, and {least} or more are needed]",
+        "{usable} of {count:turn} can be used[, and {least} or more are needed][; with a gap: {gaps}][; with frozen readings: {frozen}][; saturated: {saturated}][; without samples: {empty}]",
         "",
         Vec::new,
     ),
     Entry::error(
         Kind::TurnsUsableOpen,
-        "{usable} of {count:turn} can be used[, {gaps} with a gap][, {frozen} with frozen readings][, {saturated} saturated][, {empty} without samples], and they leave a parameter open",
+        "{usable} of {count:turn} can be used, and they leave a parameter open[; with a gap: {gaps}][; with frozen readings: {frozen}][; saturated: {saturated}][; without samples: {empty}]",
         "",
         Vec::new,
     ),
