@@ -53,7 +53,7 @@ impl Loss {
             (Some(size), unit) => format!("{size:.3e} {unit}"),
             (None, _) => return lost,
         };
-        lost.detail("size", size).detail("at", self.at)
+        lost.detail("size", size).detail("signal", self.at)
     }
 }
 

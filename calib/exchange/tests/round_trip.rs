@@ -783,7 +783,7 @@ fn what_cannot_be_imported_is_refused_with_its_place() {
     let said = |text: &str| import::kalibr(text).unwrap_err().to_string();
     assert!(said("").contains("empty"));
     let open = import::kalibr("a: [1, 2").unwrap_err().finding();
-    assert_eq!(open.place.line, Some(1), "{open}");
+    assert_eq!(open.place.line, Some(2), "{open}");
     assert!(said("rostopic: /imu0\n").contains("no accelerometers and no gyroscopes"));
     assert!(said("accelerometers: {}\n").contains("accelerometers.M: missing"));
     let yaml = text(&device(), "kalibr");

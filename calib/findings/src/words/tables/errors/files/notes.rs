@@ -64,7 +64,7 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     note(
         Kind::LostInExport,
-        "{what}[: up to {size} at {at}]",
+        "{what}[: up to {size} at {signal}]",
         "",
         Vec::new,
     ),
