@@ -291,8 +291,7 @@ fn resting_gyroscope(turning: &[(&Recording, &Segmentation)], table: &mut Table)
         rank: 3,
         condition: 1.0,
         unobservable: vec![
-            "gyro scale factors and misalignments: there is no gravity to see them by, they are those of a perfect sensor"
-                .into(),
+            Finding::of(Kind::NotSeenWithoutGravity).what(),
         ],
         units: None,
         recordings: Vec::new(),
