@@ -101,12 +101,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
         "write them to a file",
         Vec::new,
     ),
-    Entry::error(
-        Kind::NotToml,
-        "{reason}",
-        "",
-        Vec::new,
-    ),
+    Entry::error(Kind::NotToml, "{reason}", "", Vec::new),
     Entry::error(
         Kind::ValidationSeen,
         "validation has the data of {other}, which the fit has seen: what it shows there is no proof",
