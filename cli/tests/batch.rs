@@ -119,7 +119,7 @@ fn case_141_shards_merge_to_the_bytes_of_one_run_and_a_rerun_changes_nothing() {
     std::fs::remove_file(folder.join("two/part-2-of-2.jsonl")).unwrap();
     let run = stillpoint(&folder, &["batch", "merge", "two", "-o", "c"]);
     assert!(
-        stderr(&run).contains("part 2/2 is missing; run it with --shard 2/2"),
+        stderr(&run).contains("part 2/2 of the batch is missing; run this part with --shard 2/2"),
         "{}",
         stderr(&run)
     );

@@ -136,7 +136,7 @@ fn a_flight_controller_that_had_corrected_is_put_together_with_its_parameters_or
         let restored = calibration(system, true);
         let refused = exported(&restored, system, Some(in_force)).unwrap_err();
         assert!(
-            refused.contains("leave out the parameters that were in force (--logged-with)"),
+            refused.contains("run it again without --logged-with"),
             "{refused}"
         );
         let made = exported(&restored, system, None).unwrap();

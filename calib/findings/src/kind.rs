@@ -1354,6 +1354,11 @@ kinds! {
     NoSamplesAtRest = "no_samples_at_rest",
     /// The device was never at rest for long enough to see its noise.
     NeverAtRest = "never_at_rest",
+    // Parameters that a recording does not show.
+    /// The gyroscope turned without gravity to see its scale factors and misalignments by.
+    NotSeenWithoutGravity = "not_seen_without_gravity",
+    /// The earth's rate is too small to show the gyroscope's scale factors.
+    NotSeenByEarthRate = "not_seen_by_earth_rate",
     // Last of all.
     /// A finding of another version, or one with a text of its own.
     Remark = "remark",

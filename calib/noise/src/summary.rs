@@ -366,7 +366,8 @@ mod tests {
         let step = found.warnings.iter().find(|f| f.kind == Kind::MeanSteps);
         let said = step.unwrap().text(findings::Front::CommandLine);
         assert!(
-            said.starts_with("accelerometer x steps by") && said.contains("--rest 0,30"),
+            said.starts_with("the mean of accelerometer x jumps by")
+                && said.contains("--rest 0,30"),
             "{said}"
         );
         assert!(!summary("m/s^2", 0.0).warnings.has(Kind::MeanSteps));

@@ -332,7 +332,7 @@ mod tests {
         );
         recording.gyroscope = None;
         let found = message(reckon(&recording, &MOTION, Mode::Full, Ending::Free));
-        assert_eq!(found, "run: the recording has no gyroscope");
+        assert_eq!(found, "run: the recording has no gyroscope; record it too");
         assert!(reckon(&recording, &MOTION, Mode::Level, Ending::Free).is_ok());
     }
 }

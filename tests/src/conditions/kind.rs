@@ -59,9 +59,9 @@ const PATTERNS: &[(&str, Kind)] = &[
     ("touched", Kind::Touched),
     ("mount_slip", Kind::Crept),
     ("crept", Kind::Crept),
-    ("as from a creep", Kind::Crept),
+    ("slowly slips", Kind::Crept),
     ("noisier", Kind::Shakes),
-    ("would move by", Kind::Influence),
+    ("would change by", Kind::Influence),
     ("undersampled", Kind::Undersampled),
     ("sample faster", Kind::Undersampled),
     ("in the hand", Kind::Shakes),
@@ -127,6 +127,7 @@ const PATTERNS: &[(&str, Kind)] = &[
     ("units of g", Kind::Statement),
     ("degrees per second", Kind::Statement),
     ("is not used", Kind::Unused),
+    ("does not use", Kind::Unused),
 ];
 
 impl Kind {
@@ -157,7 +158,7 @@ mod tests {
         let touched = "static interval 3: something touched or pushed the device; its clock";
         assert_eq!(Kind::of(touched), Kind::Touched);
         assert_eq!(
-            Kind::of("Without static interval 3 s_x would move by 5"),
+            Kind::of("Without static interval 3 s_x would change by 5"),
             Kind::Influence
         );
         assert_eq!(Kind::of("abracadabra"), Kind::Unknown);

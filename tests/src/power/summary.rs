@@ -6,11 +6,11 @@ use super::session::Record;
 
 /// Words that say what a session outside the catalogue hides.
 const SAYS: [(&str, &[&str]); 5] = [
-    ("periodic", &["periodic with"]),
-    ("pattern", &["fine pattern", "goes with the placement"]),
+    ("periodic", &["periodic in time, with"]),
+    ("pattern", &["finer pattern", "goes with the placement"]),
     ("telegraph", &["jumps"]),
     ("heading", &["horizontal direction"]),
-    ("relaxation", &["relaxation"]),
+    ("relaxation", &["fades away"]),
 ];
 
 /// Figures of one row, or of one kind of session in it.

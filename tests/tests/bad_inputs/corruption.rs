@@ -156,7 +156,7 @@ fn units_that_change_half_way() {
     let refused_by = runs(&degrees, |run, command| {
         names(
             run,
-            "bias of the gyroscope on x steps by",
+            "bias of the gyroscope on x jumps by",
             Place::Around(half()),
         );
         assert!(command == "evaluate" || run.status == Some(1), "{run:#?}");
@@ -274,10 +274,10 @@ fn an_axis_that_is_stuck_from_half_on() {
 fn biases_that_step_half_way() {
     let at = Place::Around(half());
     for (column, size, kind) in [
-        (1, 0.02, "bias of the accelerometer on x steps by 1.8"),
-        (1, 0.2, "bias of the accelerometer on x steps by 19"),
-        (4, 1e-3, "bias of the gyroscope on x steps by +9.8"),
-        (4, 1e-2, "bias of the gyroscope on x steps by +1.0"),
+        (1, 0.02, "bias of the accelerometer on x jumps by 1.8"),
+        (1, 0.2, "bias of the accelerometer on x jumps by 19"),
+        (4, 1e-3, "bias of the gyroscope on x jumps by +9.8"),
+        (4, 1e-2, "bias of the gyroscope on x jumps by +1.0"),
     ] {
         let rows = from_half(|row| row[column] += size);
         named(&rows, kind.split(" by ").next().unwrap(), at);
@@ -355,7 +355,7 @@ fn readings_that_a_filter_or_a_bus_has_touched() {
     let held = spoilt(|k, row| row[1..4].copy_from_slice(&good()[k - k % 4][1..4]));
     named(
         &held,
-        "its readings are held",
+        "the file repeats its readings",
         Place::Words("accelerometer"),
     );
     let noise = |k: usize, column: usize| {

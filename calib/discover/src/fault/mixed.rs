@@ -155,7 +155,7 @@ mod tests {
         assert!(
             warnings
                 .iter()
-                .any(|w| w.contains("the bias steps within it")),
+                .any(|w| w.contains("jumps within this interval")),
             "{warnings:?}"
         );
         assert!(!warnings.iter().any(|w| w.contains("something touched")));

@@ -290,10 +290,7 @@ fn resting_gyroscope(turning: &[(&Recording, &Segmentation)], table: &mut Table)
         dynamic_intervals: None,
         rank: 3,
         condition: 1.0,
-        unobservable: vec![
-            "gyro scale factors and misalignments: there is no gravity to see them by, they are those of a perfect sensor"
-                .into(),
-        ],
+        unobservable: vec![Finding::of(Kind::NotSeenWithoutGravity).what()],
         units: None,
         recordings: Vec::new(),
     };

@@ -133,7 +133,9 @@ fn late(recording: &str, (offset, other): (f64, Option<f64>)) -> Finding {
         .in_recording(recording)
         .of_sensor(late)
         .detail("other", early.name())
-        .number("late", offset.abs(), "s");
+        .number("late", offset.abs(), "s")
+        // While the device turns at 1 rad/s.
+        .affects("turn", offset.abs(), "rad");
     match other {
         Some(other) => found.number("also", other, "s"),
         None => found,

@@ -16,7 +16,11 @@ pub use tables::{entries, entry};
 
 use crate::finding::{Finding, Place};
 use crate::kind::Kind;
+use crate::level::Level;
 use crate::remedy::Remedy;
+
+/// What a remark ends with that asks for nothing.
+const NOTHING_TO_DO: &str = "nothing has to be done";
 
 /// The table of all kinds for the manual: name, level, text with its names in braces, ways out.
 pub fn manual_table() -> String {
@@ -80,7 +84,9 @@ impl Finding {
             Some(place) => format!("{place}: {what}"),
             None => what,
         };
-        if let Some(advice) = self.advice(front) {
+        let advice = self.advice(front);
+        let nothing = || (self.level == Level::Remark).then(|| NOTHING_TO_DO.to_owned());
+        if let Some(advice) = advice.or_else(nothing) {
             text.push_str("; ");
             text.push_str(&advice);
         }

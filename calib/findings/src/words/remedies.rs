@@ -47,7 +47,7 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
             "field",
         ],
         O::Flip => [
-            "the axes to change the sign of",
+            "the axes whose sign is changed",
             "--flip",
             "ReadOptions::flip",
             "flip",
@@ -84,7 +84,7 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
             "latitude",
         ],
         O::LeaveOut => [
-            "what to leave out",
+            "the static intervals to leave out",
             "--leave-out",
             "Request::left_out",
             "leave_out",
@@ -161,13 +161,13 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
             "sort_time",
         ],
         O::TimeFormat => [
-            "the format of the stamps",
+            "the format of the time stamps",
             "--time-format",
             "ReadOptions::time_format",
             "time_format",
         ],
         O::TimeUnit => [
-            "the unit of the stamps",
+            "the unit of the time stamps",
             "--time-unit",
             "ReadOptions::time_unit",
             "time_unit",
@@ -193,7 +193,7 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
             let all: Vec<String> = any_of.iter().map(|s| example(s, front)).collect();
             return format!("give {}", all.join(" or "));
         }
-        Remedy::Omit { option } => return format!("do not give {}", omitted(*option, front)),
+        Remedy::Omit { option } => return omitted(*option, front),
         Remedy::NameUnit { example } => {
             return format!("write the unit into the column's name, as `{example}`");
         }
@@ -202,8 +202,8 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         }
         Remedy::AddTurns { turns } => return turns::add_turns(turns),
         Remedy::OtherMethod { method } => return format!("use the method {method}"),
-        Remedy::ConvertToCsv { by } => return format!("convert it to CSV, as by `{by}`"),
-        Remedy::ExportAs { format } => return format!("export it as {format}"),
+        Remedy::ConvertToCsv { by } => return format!("convert the file to CSV, as by `{by}`"),
+        Remedy::ExportAs { format } => return format!("export the file as {format}"),
         Remedy::Build { feature } => {
             let flag = match front {
                 Front::CommandLine => format!(" (`--features {feature}`)"),
@@ -214,19 +214,19 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         Remedy::RunShard { shard } => return run_shard(shard.as_deref(), front),
         Remedy::Discover => "search for the missing effect",
         Remedy::Plan => "plan the next recording",
-        Remedy::RecordAgain => "record it again",
-        Remedy::LeaveOut => "leave it out",
+        Remedy::RecordAgain => "record again",
+        Remedy::LeaveOut => "leave the static interval out",
         Remedy::Level => "level the device on each face",
-        Remedy::Split => "split the recording there",
-        Remedy::SortRows => "sort the rows by their stamps",
+        Remedy::Split => "split the recording at this place",
+        Remedy::SortRows => "sort the rows by their time stamps",
         Remedy::FilePerSensor => "name the file of each sensor",
-        Remedy::OneSensor => "go on with one sensor and name its columns alone",
+        Remedy::OneSensor => "calibrate one sensor alone and name only its columns",
         Remedy::LayDown => "lay the device down",
         Remedy::RestLonger => "keep the device still for longer",
         Remedy::TurnSlower => "turn more slowly",
         Remedy::TurnBetween => "turn the device between the placements",
         Remedy::SampleFaster => "record at a higher rate",
-        Remedy::FilterFirst => "filter before sampling",
+        Remedy::FilterFirst => "let the sensor filter its readings before they are sampled",
         Remedy::TemperatureCycles => {
             "record while the temperature rises and falls at least twice, slowly and fast"
         }
@@ -241,17 +241,17 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         Remedy::TiltsBetweenFaces => {
             "add placements between the faces: tilts of 20 to 70 degrees on every axis"
         }
-        Remedy::OtherSides => "reach the same placements from different sides, in mixed order",
+        Remedy::OtherSides => "turn into the same placements from different sides, in mixed order",
         Remedy::LongRests => {
             "rest longer (30 s) in at least twelve orientations, and give the latitude"
         }
         Remedy::OtherOrder => "record a second time with the placements in another order",
         Remedy::LargerRange => "record with a larger range of the sensor",
-        Remedy::SensorStamps => "record with the sensor's own stamps",
+        Remedy::SensorStamps => "record the time stamps of the sensor itself",
         Remedy::OneClock => "record all sensors by one clock",
         Remedy::RawReadings => "record readings that are neither rounded nor filtered",
         Remedy::Uncalibrated => "record uncalibrated readings, as the sensor itself gives them",
-        Remedy::WriteFolder => "write a folder, which keeps both clocks",
+        Remedy::WriteFolder => "write a folder, which keeps the clocks of both sensors",
         Remedy::Thermometer => "record the temperature too",
         Remedy::WarmUp => "let the device reach a steady temperature first",
         Remedy::FixSensor => "fix the sensor to its case and record again",
@@ -270,18 +270,20 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         Remedy::TurnEachAxis => {
             "turn the device about each axis both ways, still before and after each turn"
         }
-        Remedy::LoseNoSamples => "record without losing samples",
-        Remedy::FreezeNoRows => "record without frozen rows",
+        Remedy::LoseNoSamples => "record again without losing samples",
+        Remedy::FreezeNoRows => "record again without rows that repeat the one before",
         Remedy::BothSensors => "record both sensors at the same time",
-        Remedy::Report => "report it as a bug of ours",
-        Remedy::UnpackFirst => "unpack it yourself if you trust it, and name the file",
-        Remedy::NameFile => "name the file itself",
+        Remedy::Report => "report this to us as a bug of the program",
+        Remedy::UnpackFirst => {
+            "unpack it yourself if you trust it, and name the file that comes out"
+        }
+        Remedy::NameFile => "name the file itself instead of what holds it",
         Remedy::CopyAgain => "copy the file again, for it may be incomplete",
         Remedy::SaveAsCsv => "save the sheet as CSV and name that file",
-        Remedy::SaveAsV7 => "save it in MATLAB with `save -v7`",
-        Remedy::OtherName => "choose another name",
-        Remedy::Replace => "replace it",
-        Remedy::KeepExisting => "keep it",
+        Remedy::SaveAsV7 => "save the file in MATLAB with `save -v7`",
+        Remedy::OtherName => "choose another name for the output",
+        Remedy::Replace => "replace the file",
+        Remedy::KeepExisting => "keep the file",
         Remedy::MakeRoom => "make room, or write to another disk",
         Remedy::RaiseFileLimit => "raise the limit on file sizes (ulimit -f)",
         Remedy::MakeFolder => "make the folder first",
@@ -318,7 +320,7 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
 }
 
 fn run_shard(shard: Option<&str>, front: Front) -> String {
-    let what = shard.map_or("run its shard again", |_| "run it");
+    let what = shard.map_or("run this part of the batch again", |_| "run this part");
     match (front, shard) {
         (Front::CommandLine, Some(shard)) => format!("{what} with --shard {shard} --resume"),
         (Front::CommandLine, None) => format!("{what} with --resume"),
@@ -349,14 +351,37 @@ pub(super) fn turning_back(recording: &str, columns: &str) -> String {
     format!("stillpoint convert {recording} --columns {columns} -o turned.csv")
 }
 
-/// `give the local gravity (--gravity)`, or `say that the device is the same (--force-device)`.
+/// `give the local gravity (--gravity)`, or `sort the rows by time (--sort-time)`.
 fn given(any_of: &[Setting], front: Front) -> String {
-    let all: Vec<String> = any_of.iter().map(|s| setting(s, front)).collect();
-    let all = all.join(" or ");
-    match all.starts_with("that ") {
-        true => format!("say {all}"),
-        false => format!("give {all}"),
+    let mut all: Vec<String> = Vec::new();
+    let mut is_giving = false;
+    for each in any_of {
+        let own = doing(each);
+        all.push(match (&own, is_giving) {
+            (Some(doing), _) => with_setting(doing, each, front),
+            (None, true) => setting(each, front),
+            (None, false) => format!("give {}", setting(each, front)),
+        });
+        is_giving = own.is_none();
     }
+    all.join(" or ")
+}
+
+/// What an option does, an imperative, where one gives nothing by it but switches something on.
+fn doing(setting: &Setting) -> Option<String> {
+    use OptionName as O;
+    let doing = match (setting.option, setting.value.as_deref()) {
+        (O::Flip, _) => "change the sign of axes",
+        (O::ForceDevice, _) => "say that the device is the same",
+        (O::LeaveOut, _) => "leave static intervals out",
+        (O::Method, Some(method)) => return Some(format!("use the {method} method")),
+        (O::Na, None) => "say how missing values are treated",
+        (O::Na, Some(_)) => "leave missing values out",
+        (O::SkipBadRows, _) => "leave damaged rows out",
+        (O::SortTime, _) => "sort the rows by time",
+        _ => return None,
+    };
+    Some(doing.to_owned())
 }
 
 /// `the sampling rate, as in --rate 100`.
@@ -365,14 +390,14 @@ fn example(setting: &Setting, front: Front) -> String {
     format!("{plain}, as in {}", setting.text(front))
 }
 
-/// `the recording to take (--part)`.
+/// `run it again without --part`.
 fn omitted(option: OptionName, front: Front) -> String {
     let [plain, flag, field, keyword] = names(option);
     match front {
-        Front::Plain => plain.to_owned(),
-        Front::CommandLine => format!("{plain} ({flag})"),
-        Front::Rust => format!("{plain} (`{field}`)"),
-        Front::Python => format!("{plain} (`{keyword}`)"),
+        Front::Plain => format!("do not give {plain}"),
+        Front::CommandLine => format!("run it again without {flag}"),
+        Front::Rust => format!("run it again without `{field}`"),
+        Front::Python => format!("run it again without `{keyword}`"),
     }
 }
 
@@ -396,8 +421,13 @@ impl Setting {
 /// `the local gravity (--gravity 9.81)`.
 fn setting(setting: &Setting, front: Front) -> String {
     let [plain, ..] = names(setting.option);
+    with_setting(plain, setting, front)
+}
+
+/// `words (--gravity 9.81)`.
+fn with_setting(words: &str, setting: &Setting, front: Front) -> String {
     match (front, &setting.value) {
-        (Front::Plain, None) => plain.to_owned(),
-        _ => format!("{plain} ({})", setting.text(front)),
+        (Front::Plain, None) => words.to_owned(),
+        _ => format!("{words} ({})", setting.text(front)),
     }
 }

@@ -47,7 +47,7 @@ impl Recording {
     ///
     /// let rows = Rows { t: &[0.0, 0.01], accel: &[[0.0, 0.0, 9.8]], ..Rows::default() };
     /// let refused = Recording::from_rows("mine", rows).unwrap_err().to_string();
-    /// assert_eq!(refused, "mine: accel has 1 row, t has 2");
+    /// assert_eq!(refused, "mine: accel has 1 row, t has 2; give arrays of one length");
     /// ```
     pub fn from_rows(name: &str, rows: Rows<'_>) -> Result<Self, Error> {
         rows.check_lengths(name)?;

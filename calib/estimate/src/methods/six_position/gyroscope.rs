@@ -1,5 +1,6 @@
 //! The gyroscope's part of the six-position method, and why it means nothing for a phone.
 
+use findings::{Finding, Kind};
 use nalgebra::{Matrix3x6, Vector3};
 use sensor::Sensor;
 
@@ -104,10 +105,7 @@ impl GyroscopePart {
             dynamic_intervals: None,
             rank: 3,
             condition: 1.0,
-            unobservable: vec![
-                "gyro scale factors: the earth's rate is too small a signal, they are left at one"
-                    .into(),
-            ],
+            unobservable: vec![Finding::of(Kind::NotSeenByEarthRate).what()],
             units: None,
             recordings: Vec::new(),
         }

@@ -12,9 +12,9 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.02,
         reason: "the {channel} misfits: {rms} is left where the noise makes {noise}",
-        text: "the {channel} misfits: {rms} rms is left where the noise makes {noise} ({ratio} times the noise, p {p})[. It changes with \
-               the orientation, most like {pattern} (p {pattern_p}), as neither noise nor a slow change of the bias does]. The standard \
-               errors are enlarged to it",
+        text: "the {channel} misfits: {rms} rms is left after the fit where the noise makes {noise} ({ratio} times the \
+               noise, p {p})[. It changes with the orientation, most like {pattern} (p {pattern_p}), as neither noise \
+               nor a slow change of the bias does]. The program has enlarged the standard errors to cover it",
         advice: "",
         remedies: || vec![Remedy::Discover],
     },
@@ -23,8 +23,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.02,
         reason: "the model of the {sensor} lacks an effect, most like {effect}",
-        text: "the model of the {sensor} lacks an effect, most like {effect} (χ² {statistic} of {dof} degrees of freedom, p = {p}). The \
-               standard errors do not contain it",
+        text: "the model of the {sensor} lacks an effect, most like {effect} (χ² {statistic} of {dof} degrees of \
+               freedom, p = {p}). The standard errors do not cover it",
         advice: "",
         remedies: || vec![Remedy::Discover],
     },
@@ -50,10 +50,10 @@ pub(super) const ENTRIES: &[Entry] = &[
         kind: Kind::InfluentialInterval,
         level: Level::Remark,
         severity: 0.05,
-        reason: "{at} alone carries {parameter}",
-        text: "without {at} {parameter} would move by {change} of its standard errors, because few others show it. If the device was \
-               not still there, leave it out",
-        advice: "",
+        reason: "{parameter} depends on {at} alone",
+        text: "without {at} {parameter} would change by {change} of its standard errors, because too few other \
+               intervals determine it",
+        advice: "leave the interval out if the device was not still in it",
         remedies: || vec![Remedy::RecordAgain],
     },
     Entry {
@@ -61,8 +61,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.01,
         reason: "gravity was assumed",
-        text: "gravity is taken to be {gravity}, because nobody gave it. The accelerometer's scale factors may all be wrong by {share}, and \
-               their standard errors contain it",
+        text: "gravity is taken to be {gravity}, because nobody gave it. The accelerometer's scale factors may all be \
+               wrong by {share}. Their standard errors include that",
         advice: "",
         remedies: || vec![Remedy::any_of([OptionName::Gravity, OptionName::Latitude])],
     },
@@ -70,9 +70,9 @@ pub(super) const ENTRIES: &[Entry] = &[
         kind: Kind::AltitudeAssumed,
         level: Level::Remark,
         severity: 0.001,
-        reason: "the height was assumed",
-        text: "gravity is taken to be {gravity}, that of the latitude {latitude} at sea level. The accelerometer's scale factors may \
-               all be wrong by {share}, and their standard errors contain it",
+        reason: "the height above the sea was assumed",
+        text: "gravity is taken to be {gravity}, that of the latitude {latitude} at sea level. The accelerometer's \
+               scale factors may all be wrong by {share}. Their standard errors include that",
         advice: "",
         remedies: || vec![Remedy::set(OptionName::Altitude)],
     },

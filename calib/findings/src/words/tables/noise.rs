@@ -12,7 +12,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.01,
         reason: "the noise of {sensor} {axis} is not known",
-        text: "{sensor} {axis} is too short, or its signal never changes: no noise terms",
+        text: "the program cannot tell the noise of {sensor} {axis}: the recording is too short, or the signal never \
+               changes",
         advice: "",
         remedies: || vec![Remedy::RestLonger],
     },
@@ -20,9 +21,10 @@ pub(super) const ENTRIES: &[Entry] = &[
         kind: Kind::NoiseModelMisses,
         level: Level::Remark,
         severity: 0.001,
-        reason: "five noise terms do not describe {sensor} {axis}",
-        text: "five noise terms miss the Allan variance of {sensor} {axis} by {share} (a filter, a resonance or a motion): \
-               the intervals include that",
+        reason: "the five usual kinds of noise do not describe {sensor} {axis}",
+        text: "the five usual kinds of noise do not describe {sensor} {axis}: its Allan variance (how the mean of the \
+               readings wanders over time) is off by {share}. A filter, a resonance or a motion may be the reason. The \
+               error intervals include that",
         advice: "",
         remedies: Vec::new,
     },
@@ -31,8 +33,9 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.001,
         reason: "single samples of the {sensor} are missing",
-        text: "the {sensor} lacks {bridged} of {samples} samples ({share}), singly or a few at a time: straight lines \
-               bridge them[. The white noise may be stated up to {excess} too large]",
+        text: "the {sensor} lacks {bridged} of {samples} samples ({share}), singly or a few at a time. The program \
+               bridges them by straight lines[. The white noise (from sample to sample) may be stated up to {excess} \
+               too large]",
         advice: "",
         remedies: Vec::new,
     },
@@ -41,7 +44,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.001,
         reason: "the rest of the {sensor} is interrupted",
-        text: "the {sensor} has {count:gap} without samples: no difference reaches across",
+        text: "the {sensor} has {count:gap} without samples. The program compares no readings across a gap",
         advice: "",
         remedies: Vec::new,
     },
@@ -49,9 +52,9 @@ pub(super) const ENTRIES: &[Entry] = &[
         kind: Kind::MeanSteps,
         level: Level::Care,
         severity: 0.05,
-        reason: "the mean of {sensor} {axis} steps during the rest",
-        text: "{sensor} {axis} steps by {listed}[ and {more} more times]. That looks like a random walk of {walk}, and the \
-               bias instability includes it",
+        reason: "the mean of {sensor} {axis} jumps during the rest",
+        text: "the mean of {sensor} {axis} jumps by {listed}[ and {more} more times]. The jumps look like a random \
+               walk (slow drift at random) of {walk}. The bias instability includes them",
         advice: "",
         remedies: || vec![Remedy::set(OptionName::Rest)],
     },
@@ -59,9 +62,10 @@ pub(super) const ENTRIES: &[Entry] = &[
         kind: Kind::MeanDrifts,
         level: Level::Care,
         severity: 0.05,
-        reason: "{sensor} {axis} drifts as no noise does",
-        text: "{sensor} {axis} drifts by {change} in {time}, as smoothly as no noise does: the ramp and the random walk \
-               include it[, and beyond τ = {tau} the Allan deviation is mostly that]",
+        reason: "{sensor} {axis} drifts more smoothly than noise does",
+        text: "{sensor} {axis} drifts by {change} in {time}, more smoothly than noise does. The noise found as ramp \
+               (steady drift) and random walk (drift at random) includes this[. Beyond averaging times of τ = {tau} \
+               the Allan deviation is mostly this drift]",
         advice: "",
         remedies: || vec![Remedy::WarmUp, Remedy::set(OptionName::Rest)],
     },
@@ -70,8 +74,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.05,
         reason: "the readings of the {sensor} stand still for a while",
-        text: "the readings of the {sensor} stand still at t = {listed}: nothing was measured there, and the noise is \
-               stated too small",
+        text: "the readings of the {sensor} stand still at t = {listed}: nothing was measured in that time. The noise \
+               is therefore stated too small",
         advice: "",
         remedies: || vec![Remedy::set(OptionName::Rest)],
     },
@@ -80,8 +84,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.001,
         reason: "the {sensor} is slower than the rows",
-        text: "the {sensor} is slower than the rows: {share} of them repeat the readings before. The deviation below a few \
-               samples and the quantisation noise are not the sensor's",
+        text: "the {sensor} is slower than the rows: {share} of the rows repeat the readings before. The Allan \
+               deviation below a few samples and the quantisation noise (from rounding) are not the sensor's",
         advice: "",
         remedies: Vec::new,
     },
@@ -89,8 +93,9 @@ pub(super) const ENTRIES: &[Entry] = &[
         kind: Kind::SettlingUnknown,
         level: Level::Remark,
         severity: 0.001,
-        reason: "the length of the first rest stays unknown",
-        text: "the gyroscope's deviation does not turn flat: a longer rest tells how long the initial one must be",
+        reason: "how long the first rest must be is not known",
+        text: "the recording is too short to tell how long the first rest of a calibration must be: the mean of the \
+               gyroscope does not settle in it (its Allan deviation reaches no flat part)",
         advice: "",
         remedies: || vec![Remedy::RestLonger],
     },

@@ -12,8 +12,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.5,
         reason: "the {sensor} is saturated on {axis}",
-        text: "{sensor} {axis} is saturated at {limit} in {rows:row}[ between rows {from_row} and {to_row}]: its range ends \
-               there, and the true value is larger",
+        text: "{sensor} {axis} is saturated at {limit} in {rows:row}[ between rows {from_row} and {to_row}]: its range \
+               ends at this value, and the true value is larger",
         advice: "",
         remedies: || vec![Remedy::LargerRange, Remedy::TurnSlower],
     },
@@ -22,8 +22,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.05,
         reason: "the {sensor} reads in steps wider than its noise",
-        text: "the {sensor} reads in steps of {step} on {axes}, wider than its noise ({noise}): no mean at rest is known \
-               better than to {error}",
+        text: "the {sensor} reads in steps of {step} on {axes}, wider than its noise ({noise}). No mean at rest is \
+               known better than to {error}",
         advice: "",
         remedies: || vec![Remedy::RawReadings],
     },
@@ -32,9 +32,9 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.5,
         reason: "the {sensor} reads small rates as zero",
-        text: "the {sensor} reads exactly zero on {axes} and nothing between zero and {least}: a dead zone, or readings \
-               from a fusion filter. The errors of slow turns cannot be known[, and neither can the bias, for {share} of \
-               the readings at rest are zero]",
+        text: "the {sensor} reads exactly zero on {axes} and nothing between zero and {least}: it has a dead zone, or \
+               the readings come from a fusion filter (software that combines sensors). The errors of slow turns \
+               cannot be known[, and neither can the bias, for {share} of the readings at rest are zero]",
         advice: "",
         remedies: || vec![Remedy::Uncalibrated],
     },
@@ -43,8 +43,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.05,
         reason: "the readings of the {sensors} stand still for a while",
-        text: "{rows:row} repeated the reading of the {sensors} before, in {places:place} ({listed}): frozen readings, left \
-               out",
+        text: "{rows:row} repeated the reading of the {sensors} before, in {places:place} ({listed}). The program \
+               leaves out these frozen readings",
         advice: "",
         remedies: || vec![Remedy::RecordAgain],
     },
@@ -53,8 +53,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.001,
         reason: "the end of the recording is erased memory",
-        text: "from row {first_row} (t = {t0}) on, the last {rows:row} repeated one reading on all axes: erased memory, \
-               left out",
+        text: "from row {first_row} (t = {t0}) on, the last {rows:row} repeated one reading on all axes, as erased \
+               memory of a logger does. The program leaves them out",
         advice: "",
         remedies: Vec::new,
     },
@@ -63,8 +63,9 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.5,
         reason: "the device sets the zero of the {sensor} anew while it rests",
-        text: "the bias of the {sensor} jumps {after} into the static intervals, by {size} (rms over {intervals} of them): \
-               the device sets its zero anew while it rests. Turns and rests are then read about different zeros",
+        text: "the bias (the reading at rest) of the {sensor} jumps {after} into the static intervals, by {size} (rms \
+               over {intervals} of them): the device sets its zero anew while it rests. Turns and rests are then read \
+               about different zeros",
         advice: "",
         remedies: || vec![Remedy::Uncalibrated],
     },
@@ -74,7 +75,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "single readings of the {sensor} were replaced",
         text: "the {sensor} has {count:single reading} on {axes} far from both neighbours, by up to {largest} (rows \
-               {listed}): transfer errors or knocks. The mean of the neighbours replaces each",
+               {listed}), as from transfer errors or knocks. The program puts the mean of the neighbours in place of \
+               each",
         advice: "",
         remedies: Vec::new,
     },
@@ -92,8 +94,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.1,
         reason: "the noise of the {sensor} changes part of the way",
-        text: "the {sensor} is up to {ratio} times noisier in {intervals} than in the others: a fan or a motor runs there, \
-               or the range or the filter was changed",
+        text: "the {sensor} is up to {ratio} times noisier in {intervals} than in the others. Perhaps a fan or a motor \
+               ran then, or the range or the filter was changed",
         advice: "",
         remedies: || vec![Remedy::RecordAgain, Remedy::Split],
     },
@@ -102,7 +104,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.1,
         reason: "the device was held in the hand and never lies still",
-        text: "the device never lies still: its rate wavers by {rate} in the quietest stretches, as in a hand",
+        text: "the device never lies still: its rate of rotation wavers by {rate} in the quietest stretches, as in a \
+               hand",
         advice: "",
         remedies: || vec![Remedy::LayDown],
     },
@@ -111,8 +114,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.001,
         reason: "the {sensor} is slower than the rows",
-        text: "the {sensor} is {ratio} times slower than the rows, and its readings are held between: \
-               {repetitions:repetition} left out",
+        text: "the {sensor} is {ratio} times slower than the rows, so the file repeats its readings in between. The \
+               program leaves these out: {repetitions:repetition}",
         advice: "",
         remedies: Vec::new,
     },
@@ -121,7 +124,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.001,
         reason: "the recording has no {missing}[ and no {neither}]",
-        text: "no {missing}[ and no {neither}]: {only} only[ (columns not used: {unused})]",
+        text: "the recording has no {missing}[ and no {neither}], only the {only}[ (columns not used: {unused})]",
         advice: "",
         remedies: Vec::new,
     },
@@ -130,7 +133,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 1.0,
         reason: "the recording has no sensor",
-        text: "no sensor[ (columns not used: {unused})]",
+        text: "the program found no sensor in the recording[ (columns not used: {unused})]",
         advice: "",
         remedies: || vec![Remedy::LookInto],
     },
@@ -138,8 +141,9 @@ pub(super) const ENTRIES: &[Entry] = &[
         kind: Kind::SignTurned,
         level: Level::Remark,
         severity: 0.001,
-        reason: "the accelerometer's sign was turned",
-        text: "the accelerometer reads -1 g on the axis that points up in files of {system}: its sign is turned",
+        reason: "the program has changed the accelerometer's sign",
+        text: "files of {system} have -1 g on the accelerometer's axis that points up. The program has changed the \
+               accelerometer's sign",
         advice: "",
         remedies: Vec::new,
     },
@@ -148,8 +152,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.1,
         reason: "{system} had corrected the readings before",
-        text: "{system} has corrected {columns} by its own calibration, and a calibration from here is on top of that[. \
-               {raw} has what the sensor reads]",
+        text: "{system} has corrected {columns} by its own calibration. A calibration from these readings comes on top \
+               of that[. {raw} has the readings without it]",
         advice: "",
         remedies: || vec![Remedy::Uncalibrated],
     },
@@ -158,7 +162,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.001,
         reason: "the correction by {system} was taken off again",
-        text: "{columns} is what {system} has corrected: {parameters} taken off again",
+        text: "{columns} holds readings that {system} has corrected. {parameters} taken off again, so that the program \
+               uses the sensor's own readings",
         advice: "",
         remedies: Vec::new,
     },
@@ -167,7 +172,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.1,
         reason: "{system} had filtered the readings before",
-        text: "{system} has taken the mean of its start off {gyro}, and has filtered {accel}",
+        text: "{system} has subtracted from {gyro} the mean that it read when it started. It has also filtered {accel}",
         advice: "",
         remedies: || vec![Remedy::Uncalibrated],
     },
@@ -175,9 +180,9 @@ pub(super) const ENTRIES: &[Entry] = &[
         kind: Kind::GravityAdded,
         level: Level::Care,
         severity: 0.3,
-        reason: "the accelerometer is put together of two worked-out columns",
-        text: "the accelerometer is the sum of `{linear}`, .. and gravity `{gravity}`, ..: the system has worked both out, \
-               and a calibration is on top of its own",
+        reason: "the accelerometer is the sum of two columns that the system worked out",
+        text: "the accelerometer is the sum of `{linear}`, .. and gravity `{gravity}`, ..: the system has worked both \
+               out. A calibration comes on top of the system's own",
         advice: "",
         remedies: || vec![Remedy::Uncalibrated],
     },
@@ -186,7 +191,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.001,
         reason: "`{linear}` holds gravity already",
-        text: "`{linear}` holds gravity already: `{gravity}` is not added to it",
+        text: "`{linear}` holds gravity already. The program does not add `{gravity}` to it",
         advice: "",
         remedies: Vec::new,
     },
@@ -195,8 +200,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.001,
         reason: "the {sensor} was read as means over blocks",
-        text: "the {sensor} was sampled at {rate}, and no hand turns so fast: it is read as means over {block} samples (a \
-               boxcar filter, then {then})",
+        text: "the {sensor} was sampled at {rate}, and no hand turns so fast. The program reads it as means over \
+               {block} samples (a boxcar filter, then {then})",
         advice: "",
         remedies: Vec::new,
     },

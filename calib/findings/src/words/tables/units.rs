@@ -11,8 +11,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         kind: Kind::UnitByGravity,
         level: Level::Remark,
         severity: 0.001,
-        reason: "the accelerometer's unit was told by gravity",
-        text: "the accelerometer is taken as {unit}, in which its median length is {norm}",
+        reason: "the program found the accelerometer's unit by gravity",
+        text: "the accelerometer is taken as {unit}: its median length is then {norm}, near gravity",
         advice: "",
         remedies: || vec![Remedy::if_wrong([OptionName::AccelUnit])],
     },
@@ -20,8 +20,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         kind: Kind::UnitByTurns,
         level: Level::Remark,
         severity: 0.001,
-        reason: "the gyroscope's unit was told by the turns",
-        text: "the gyroscope is taken as {unit}: read so, its turns are those that the accelerometer saw",
+        reason: "the program found the gyroscope's unit by the turns",
+        text: "the gyroscope is taken as {unit}: its turns are then those that the accelerometer saw",
         advice: "",
         remedies: || vec![Remedy::if_wrong([OptionName::GyroUnit])],
     },
@@ -30,7 +30,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.5,
         reason: "the gyroscope's unit is only guessed from its largest reading",
-        text: "the gyroscope is taken as {unit}, because it reaches {fastest}",
+        text: "the gyroscope is taken as {unit}, because it reaches {fastest}. That is a guess",
         advice: "",
         remedies: || vec![Remedy::set(OptionName::GyroUnit)],
     },
@@ -39,8 +39,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.001,
         reason: "the {sensor} is read as raw counts",
-        text: "the {sensor} is taken as raw counts and kept as they are[: its median length is {norm}][: it reaches \
-               {fastest}][: whole numbers, up to {at_rest} at rest]",
+        text: "the {sensor} is taken as raw counts (numbers without a physical unit), which are kept as they are[: its \
+               median length is {norm}][: it reaches {fastest}][: whole numbers, up to {at_rest} at rest]",
         advice: "",
         remedies: Vec::new,
     },
@@ -57,8 +57,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         kind: Kind::UnitsOfFormat,
         level: Level::Remark,
         severity: 0.001,
-        reason: "the units are those that files of {system} have",
-        text: "files of {system} state no units: stamps are read in {time}, rates in {rate}",
+        reason: "the program uses the units that files of {system} have",
+        text: "files of {system} state no units. The program reads stamps in {time} and rates in {rate}",
         advice: "",
         remedies: || {
             vec![Remedy::if_wrong([
@@ -86,8 +86,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.001,
         reason: "the temperatures are counts of the sensor",
-        text: "temperatures of {least} to {most} are counts of the sensor and no °C, left out[. The formula of its data \
-               sheet makes {formulas} of them]",
+        text: "temperatures of {least} to {most} are counts of the sensor and no °C. The program leaves them out[. The \
+               formula of its data sheet makes {formulas} of them]",
         advice: "",
         remedies: Vec::new,
     },
@@ -95,8 +95,9 @@ pub(super) const ENTRIES: &[Entry] = &[
         kind: Kind::TemperatureImpossible,
         level: Level::Remark,
         severity: 0.001,
-        reason: "the temperatures are no °C",
-        text: "temperatures of {least} to {most} are beyond -60 to 150 °C, left out[. A formula makes {formulas} of them]",
+        reason: "the temperatures cannot be °C",
+        text: "temperatures of {least} to {most} are beyond -60 to 150 °C, left out by the program[. A formula makes \
+               {formulas} of them]",
         advice: "",
         remedies: || {
             vec![Remedy::NameUnit {

@@ -7,53 +7,56 @@ use crate::words::entry::Entry;
 pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::ZipDirectoryDamaged,
-        "entry {index} of the zip archive's directory is damaged",
+        "the zip archive is damaged: entry {index} of its list of files (its directory) cannot be read",
         "",
         || vec![Remedy::CopyAgain],
     ),
     Entry::error(
         Kind::ZipDirectoryMissing,
-        "the zip archive ends without its directory: it was cut short",
+        "the zip archive ends without its list of files (its directory): it was cut short",
         "",
         || vec![Remedy::CopyAgain],
     ),
     Entry::error(
         Kind::ZipEncrypted,
-        "entry `{entry}` is encrypted",
+        "the archive's file `{entry}` is encrypted, and the program cannot decrypt it",
         "unpack the archive with its password and name the folder",
         Vec::new,
     ),
     Entry::error(
         Kind::ZipEntryBeyond,
-        "entry `{entry}` reaches beyond the archive",
+        "the zip archive is cut short or damaged: its file `{entry}` reaches beyond the end of the archive",
         "",
         || vec![Remedy::CopyAgain],
     ),
     Entry::error(
         Kind::ZipEntriesOverlap,
-        "entries `{entry}` and `{other}` overlap, as in no honest archive",
-        "",
+        "the zip archive is damaged or forged: its files `{entry}` and `{other}` overlap, as in no honest archive",
+        "pack the files again, or unpack them yourself if you trust the archive",
         Vec::new,
     ),
-    Entry::error(Kind::ZipEntryMissing, "no zip entry is here", "", || {
-        vec![Remedy::CopyAgain]
-    }),
+    Entry::error(
+        Kind::ZipEntryMissing,
+        "the zip archive is damaged: its list of files names a file at this byte, and no zip entry is here",
+        "",
+        || vec![Remedy::CopyAgain],
+    ),
     Entry::error(
         Kind::ZipMethodUnknown,
-        "an entry is packed by method {method}, and only `stored` and `deflate` are read",
+        "a file in the zip archive is packed by method {method}, and the program reads only `stored` and `deflate`",
         "unpack the archive and name the folder",
         Vec::new,
     ),
     Entry::error(
         Kind::ZipEntryCut,
-        "the zip entry is cut short: {missing:byte} are missing",
+        "a file in the zip archive is cut short: {missing:byte} are missing",
         "",
         || vec![Remedy::CopyAgain],
     ),
     Entry::error(
         Kind::EntryElsewhere,
         "the entry `{entry}` is of another archive",
-        "",
+        "take the entry from the list of this archive",
         Vec::new,
     ),
 ];

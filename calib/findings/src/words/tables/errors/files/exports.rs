@@ -7,7 +7,7 @@ use crate::words::entry::Entry;
 pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::SensorLacking,
-        "the calibration has no {what}, and {target} wants one",
+        "the calibration has no {what}, and {target} needs one",
         "calibrate a recording of both sensors",
         Vec::new,
     ),
@@ -25,9 +25,8 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::ExportLeftHanded,
-        "{target} wants right-handed axes, and the {of}'s are left-handed (det T < 0): one axis has to be \
-         read with the other sign",
-        "",
+        "{target} wants right-handed axes, and the {of}'s are left-handed (det T < 0): one axis has to be read with the other sign",
+        "calibrate again with one axis turned over",
         || vec![Remedy::set(OptionName::Flip)],
     ),
     Entry::error(
@@ -47,13 +46,12 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::CorrectedPartly,
         "{system} had corrected some recordings of the calibration and not others",
-        "calibrate them apart",
+        "calibrate the corrected recordings and the others apart",
         Vec::new,
     ),
     Entry::error(
         Kind::CorrectionTakenOff,
-        "the parameters that {system} had applied were taken off the readings of the {of} already, by \
-         those in the log",
+        "the log holds the parameters that {system} had applied to the readings of the {of}, and the program has taken them off already",
         "",
         || {
             vec![Remedy::Omit {
@@ -70,45 +68,44 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::ParameterMissing,
-        "no {parameter} among the parameters that were in force",
+        "the file of parameters that were in force has no {parameter}",
         "export all parameters of the vehicle",
         Vec::new,
     ),
     Entry::error(
         Kind::ParameterLine,
-        "the parameters that were in force, line {line}: a parameter's name and a number expected, as in \
-         INS_ACCOFFS_X,0.12",
-        "",
+        "the file of parameters that were in force, line {line}: a parameter's name and a number expected, as in INS_ACCOFFS_X,0.12",
+        "correct the line",
         Vec::new,
     ),
     Entry::error(
         Kind::InstanceBeyond,
-        "sensor {instance}: {system} has parameters for 0 to {most}",
+        "the calibration is of sensor {instance}, and {system} has parameters for 0 to {most} only",
         "",
         || vec![Remedy::set(OptionName::Instance)],
     ),
     Entry::error(
         Kind::ScaleZero,
         "{target} divides by the scale factors, and one of them is zero",
-        "",
+        "calibrate the device again",
         Vec::new,
     ),
     Entry::error(
         Kind::ScaleBeyondIntegers,
         "the scale factor of the {of} does not fit the integers of the {target}: {value} {unit} per count",
-        "",
+        "export the calibration in another format",
         Vec::new,
     ),
     Entry::error(
         Kind::ArchiveTooLarge,
         "the calibration is too large for an npz archive",
-        "",
+        "export the calibration in another format",
         Vec::new,
     ),
     Entry::error(
         Kind::PieceMissing,
         "this file is missing in the folder",
-        "",
+        "name a folder that holds it",
         Vec::new,
     ),
 ];

@@ -7,7 +7,7 @@ use crate::words::entry::Entry;
 pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::BlackboxNotDecoded,
-        "a Betaflight blackbox as it is on the flight controller, which is not decoded here",
+        "this is a Betaflight blackbox as the flight controller writes it, and the program does not decode it",
         "export CSV in Blackbox Explorer",
         || {
             vec![Remedy::ConvertToCsv {
@@ -17,32 +17,32 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::MessageKindUnknown,
-        "a message of the unknown kind {code}: the log is damaged from here on",
-        "",
+        "the log is damaged from this byte on: a message has the unknown kind {code}",
+        "copy or export the file again",
         Vec::new,
     ),
     Entry::error(
         Kind::MessageBigEndian,
-        "a message in big-endian CDR (encapsulation 0x0000), which is not read",
+        "the file has a message in big-endian CDR (encapsulation 0x0000), which the program does not read",
         "record on a little-endian machine",
         Vec::new,
     ),
     Entry::error(
         Kind::MessageCompressed,
-        "a message that is compressed by itself (compression_mode: message), which is not read",
-        "let `ros2 bag convert` write them plain",
+        "the bag has a message that is compressed by itself (compression_mode: message), which the program does not read",
+        "let `ros2 bag convert` write the messages uncompressed",
         Vec::new,
     ),
     Entry::error(
         Kind::EncapsulationUnknown,
-        "a message of encapsulation {code}, where CDR (0x0001) is read",
-        "",
+        "the file has a message of encapsulation {code}, and the program reads only CDR (0x0001)",
+        "record the topic with CDR, which is the default of ROS 2",
         Vec::new,
     ),
     Entry::error(
         Kind::PageSizeWrong,
-        "pages of {bytes:byte}, as in no database: the file is damaged",
-        "",
+        "the database is damaged: it announces pages of {bytes:byte}, as no database has",
+        "copy or export the file again",
         Vec::new,
     ),
     Entry::error(
@@ -54,31 +54,31 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::PageDamaged,
         "page {page} of the database is damaged ({part})",
-        "",
+        "copy or export the file again",
         Vec::new,
     ),
     Entry::error(
         Kind::PagesInCircle,
         "page {page} of the database is damaged: its pages form a circle",
-        "",
+        "copy or export the file again",
         Vec::new,
     ),
     Entry::error(
         Kind::NoBagTables,
-        "an SQLite database without the tables `topics` and `messages` of a ROS 2 bag: it has {tables}",
-        "",
+        "this SQLite database lacks the tables `topics` and `messages` of a ROS 2 bag: it has {tables}",
+        "name the .db3 file of a ROS 2 bag",
         Vec::new,
     ),
     Entry::error(
         Kind::MatlabBigEndian,
-        "a MATLAB file of a big-endian machine, which is not read",
+        "this MATLAB file is of a big-endian machine, which the program does not read",
         "save it again with today's MATLAB",
         Vec::new,
     ),
     Entry::error(
         Kind::ElementUnexpected,
-        "a data element of type {type}, where a matrix was expected: the MATLAB file is damaged",
-        "",
+        "the MATLAB file is damaged: it has a data element of type {type}, where a matrix was expected",
+        "save the file again",
         Vec::new,
     ),
     Entry::error(
@@ -90,7 +90,7 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::RowTimesUnknown,
         "{variable}: its row times are neither datetime nor duration",
-        "",
+        "save the row times as datetime or duration",
         Vec::new,
     ),
     Entry::error(
@@ -101,9 +101,8 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::LoggerWithoutGravity,
-        "Accelerometer of Sensor Logger is without gravity, and calibration needs it",
-        "record again with \"Total Acceleration\" or \"Accelerometer (Uncalibrated)\" switched on, or add \
-         \"Gravity\"",
+        "the Accelerometer of Sensor Logger is without gravity, and calibration needs it",
+        "record again with \"Total Acceleration\" or \"Accelerometer (Uncalibrated)\" switched on, or add \"Gravity\"",
         || vec![Remedy::set_to(OptionName::Topic, "Gyroscope")],
     ),
 ];

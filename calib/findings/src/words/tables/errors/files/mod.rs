@@ -16,7 +16,7 @@ use crate::kind::Kind;
 use crate::words::entry::Entry;
 
 pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
-    Entry::error(Kind::Unreadable, "{reason}", "", Vec::new),
+    Entry::error(Kind::Unreadable, "cannot be read: {reason}", "", Vec::new),
     Entry::error(
         Kind::Unwritable,
         "cannot be written: {reason}",

@@ -8,19 +8,19 @@ use crate::words::entry::Entry;
 pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     note(
         Kind::FrameTurned,
-        "Kalibr's frame is turned by {angle} against that of the calibration: its M is lower triangular",
+        "Kalibr's axes are turned by {angle} against those of the calibration: its matrix M is lower triangular, and the program has turned the parameters to it",
         "",
         Vec::new,
     ),
     note(
         Kind::TopicToAdd,
-        "the file names no topic of the IMU",
-        "add `rostopic` with it",
+        "the file that was written names no topic of the IMU, which Kalibr needs",
+        "add a line `rostopic` with the topic to the file",
         Vec::new,
     ),
     note(
         Kind::DensitiesUnknown,
-        "not known: {listed}. Kalibr wants a number of each",
+        "the calibration does not tell {listed}, of which Kalibr wants a number each",
         "",
         || vec![Remedy::AnalyseNoise],
     ),
@@ -32,8 +32,8 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     note(
         Kind::BiasFromStart,
-        "imu_calib takes the gyroscope's bias from its first samples (calibrate_gyros)",
-        "keep still then",
+        "imu_calib takes the gyroscope's bias (its reading at rest) from its first samples (calibrate_gyros)",
+        "keep the device still while imu_calib starts",
         Vec::new,
     ),
     note(
@@ -45,20 +45,19 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     note(
         Kind::SensorsByIds,
-        "PX4 uses them where {ids} are the sensors' own",
-        "let it calibrate once, then load these",
+        "PX4 uses these parameters only where {ids} are the ids of the vehicle's own sensors",
+        "let PX4 calibrate once, then load these parameters",
         Vec::new,
     ),
     note(
         Kind::OnTopOf,
-        "{system} had corrected the readings of the {sensors} before: these parameters are on top of that",
-        "use them on readings that are corrected in the same way, not on those of the sensor, and \
-         calibrate again when that correction changes",
+        "{system} had corrected the readings of the {sensors} before: these parameters are on top of that correction",
+        "use them on readings that are corrected in the same way, not on those of the sensor, and calibrate again when that correction changes",
         Vec::new,
     ),
     note(
         Kind::NotApplied,
-        "the functions do not apply {loss}: its parameters are in the file",
+        "the functions that were written do not apply {loss}. Its parameters are in the file",
         "",
         Vec::new,
     ),

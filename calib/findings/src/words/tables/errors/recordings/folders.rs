@@ -7,37 +7,37 @@ use crate::words::entry::Entry;
 pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::SensorUnused,
-        "one sensor is missing, and {table} is a table that is not used and may hold it[; {archive} is unpacked before its files are named]",
-        "name the one there is by itself",
+        "no file is known to hold the second sensor, and the table {table}, which is not used, may hold it[; {archive} is unpacked before its files are named]",
+        "name the file that was recognised by itself",
         || vec![Remedy::FilePerSensor],
     ),
     Entry::error(
         Kind::NoEntry,
-        "no entry `{entry}`; found {listed}",
-        "",
+        "it has no file `{entry}`; found {listed}",
+        "name one of these",
         Vec::new,
     ),
     Entry::error(
         Kind::NoRecordingInFolder,
-        "{holder}, with neither acc.csv (t,ax,ay,az) nor gyro.csv (t,gx,gy,gz) nor any other recording; found {listed}",
+        "this is {holder} without a recording: it has neither acc.csv (t,ax,ay,az) nor gyro.csv (t,gx,gy,gz) nor any other; found {listed}",
         "",
         || vec![Remedy::FilePerSensor],
     ),
     Entry::error(
         Kind::EntryOpen,
-        "{count} recordings in it: {listed}",
+        "the program cannot tell which recording is meant: there are {count} recordings in it: {listed}",
         "",
         Vec::new,
     ),
     Entry::error(
         Kind::FilesOfOneSensor,
-        "{first} and {second} are of one sensor",
+        "the files {first} and {second} are of one sensor, and the program cannot tell which is meant",
         "",
         || vec![Remedy::FilePerSensor],
     ),
     Entry::error(
         Kind::EntryOfOneFile,
-        "a file within is chosen of a folder or an archive, and this is one file",
+        "a file within a folder or an archive was chosen, and this is one file",
         "",
         || {
             vec![Remedy::Omit {
@@ -47,7 +47,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::TopicOfText,
-        "a topic is chosen within a log or a bag, and this is a text",
+        "a topic was chosen, as logs and bags have, and this file is a text",
         "",
         || {
             vec![Remedy::Omit {
@@ -57,25 +57,25 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::ColumnsOfLog,
-        "columns are given for tables of text, and this is none",
+        "columns were given, as tables of text have, and this file is none",
         "",
         || vec![Remedy::any_of([OptionName::Topic, OptionName::Instance])],
     ),
     Entry::error(
         Kind::InstanceNotNumber,
-        "a sensor in this file is given by its number, and `{instance}` is none",
+        "a sensor in this file is chosen by its number, and `{instance}` is none",
         "",
         || vec![Remedy::such_as(OptionName::Instance, "0")],
     ),
     Entry::error(
         Kind::PhyphoxLinear,
-        "{file} is linear acceleration: phyphox has taken gravity off, and calibration needs it",
+        "the file {file} is linear acceleration: phyphox has taken gravity off, and calibration needs it",
         "record again with the experiment \"Acceleration with g\", or add the sensor \"Accelerometer\" instead of \"Linear accelerometer\"",
         Vec::new,
     ),
     Entry::error(
         Kind::PhyphoxEmpty,
-        "no accelerometer with gravity and no gyroscope in this phyphox export; found {listed}",
+        "this phyphox export has no accelerometer with gravity and no gyroscope; found {listed}",
         "record both sensors, as \"Acceleration with g\" and \"Gyroscope\"",
         Vec::new,
     ),
@@ -87,19 +87,19 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::LogWithoutSensor,
-        "no accelerometer and no gyroscope in it; it holds {listed}[ ({why})]",
-        "",
+        "the file has no accelerometer and no gyroscope; it holds {listed}[ ({why})]",
+        "record a log with both sensors, or name another file",
         Vec::new,
     ),
     Entry::error(
         Kind::LogSensorUnclear,
-        "no {sensor} that is known as one, but {unclear} may be it and is not read",
-        "rename it, or go on without it and name what is to be read",
+        "the file has no {sensor} that the program recognises, but {unclear} may be one and is not read",
+        "rename it, or go on without this sensor and choose what is to be read",
         Vec::new,
     ),
     Entry::error(
         Kind::LogSensorsOpen,
-        "{count} {sensor}s: {listed}",
+        "the file has {count} {sensor}s, and the program cannot tell which is meant: {listed}",
         "",
         Vec::new,
     ),

@@ -14,7 +14,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::AxisConstant,
         "{sensor} {axis} is {value} in every row up to line {last}: {doubt}",
-        "record again, or leave the sensor out",
+        "record again, or calibrate without this sensor",
         Vec::new,
     ),
     Entry::error(
@@ -26,18 +26,18 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::ReadingsTiny,
         "{sensor} {axis} never exceeds {peak}: wrong unit?",
-        "",
+        "check the unit of the sensor",
         Vec::new,
     ),
     Entry::error(
         Kind::UnitChanges,
-        "the accelerometer's norm is {before} up to here and {after} from here on: the unit changes from {from} to {to}",
+        "the length of the accelerometer's readings is {before} up to here and {after} from here on: the unit changes from {from} to {to}",
         "split the file here, or record again",
         Vec::new,
     ),
     Entry::error(
         Kind::NormChanges,
-        "the accelerometer's norm is {before} up to here and {after} from here on: another unit, another range or other columns",
+        "the length of the accelerometer's readings is {before} up to here and {after} from here on: another unit, another range or other columns",
         "split the file here, or record again",
         Vec::new,
     ),
@@ -50,37 +50,37 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::SignLost,
         "{sensor} {axis} jumps from {from} to {to}: 16 bits without their sign, in which -1 is 65535",
-        "print them as int16_t, or subtract 65536 from those above 32767",
+        "print the readings as int16_t, or subtract 65536 from those above 32767",
         Vec::new,
     ),
     Entry::error(
         Kind::SensorStopped,
         "the {sensor} reads {reading} on all axes from t = {t0} to the end ({count} samples) while the other sensor goes on: disconnected?",
-        "cut the recording there, or record again",
+        "cut the recording at that time, or record again",
         Vec::new,
     ),
     Entry::error(
         Kind::RowsOfDevices,
         "{count} rows have the stamp of the row before, and their readings of the {sensor} differ by {apart} where rows of one device differ by {usual}: are they of several devices?",
-        "export each by itself",
+        "export each device by itself",
         || vec![Remedy::such_as(OptionName::Rate, "100")],
     ),
     Entry::error(
         Kind::DevicesByTurns,
         "the readings of the {sensor} repeat every {devices} rows and differ in between: rows of {devices} devices by turns, and no column tells them apart",
-        "export each by itself",
+        "export each device by itself",
         Vec::new,
     ),
     Entry::error(
         Kind::DevicesInTable,
-        "rows of {count} devices, told apart by {column}: {listed}",
+        "the table has rows of {count} devices, told apart by {column}: {listed}",
         "",
         Vec::new,
     ),
     Entry::error(
         Kind::DeviceMissing,
-        "no device {wanted} among rows of {count} devices, told apart by {column}: {listed}",
-        "",
+        "the table has no device {wanted} among rows of {count} devices, told apart by {column}: {listed}",
+        "choose one of these",
         Vec::new,
     ),
     Entry::error(
@@ -99,7 +99,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::ArrayLengths,
         "{array} has {rows:row}, t has {stamps}",
-        "",
+        "give arrays of one length",
         Vec::new,
     ),
     Entry::error(
@@ -116,7 +116,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::OneSample,
-        "one sample is no recording",
+        "the recording has one sample only",
         "record for a minute or more",
         Vec::new,
     ),

@@ -7,26 +7,26 @@ use crate::words::entry::Entry;
 pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::NoTime,
-        "no time column[; {likely} may be one]",
+        "the table has no time column[; {likely} may be one]",
         "",
         Vec::new,
     ),
     Entry::error(
         Kind::RowsWithoutTime,
-        "its rows have no time: its program has {rate} unless it was changed",
+        "the rows of this file have no time stamps: the program that wrote it takes {rate} unless it was changed",
         "",
         Vec::new,
     ),
     Entry::error(
         Kind::ExpressionOfDates,
         "an expression for the time takes numbers, and the column holds dates or times of day",
-        "leave the expression out",
+        "give the column without the expression",
         Vec::new,
     ),
     Entry::error(
         Kind::ExpressionBackwards,
         "the expression for the time has a factor of {factor}, which lets time stand still or run back; a positive one expected",
-        "",
+        "correct the expression",
         Vec::new,
     ),
     Entry::error(
@@ -37,19 +37,19 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::TimeUnitStated,
-        "the file states {unit} for the time, in which the rate would be {rate} Hz",
+        "the file states {unit} for the time stamps, in which the rate would be {rate} Hz, as no sensor has",
         "",
         Vec::new,
     ),
     Entry::error(
         Kind::TimeUnitOpen,
-        "the usual step between stamps is {step}, which is of no known unit",
+        "the usual step between stamps is {step}, which fits no unit of time that the program knows",
         "",
         Vec::new,
     ),
     Entry::error(
         Kind::StampsByOne,
-        "stamps go up by 1 from row to row: do they count the rows?",
+        "the time stamps go up by 1 from row to row: do they count the rows?",
         "",
         || {
             vec![Remedy::examples([
@@ -66,26 +66,26 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::StampsTooCoarse,
-        "{merged} of {all} rows share their stamp with another: stamps are too coarse",
+        "{merged} of {all} rows share their stamp with another: stamps are too coarse to tell the rows apart in time",
         "",
         || vec![Remedy::set(OptionName::Rate)],
     ),
     Entry::error(
         Kind::StampsTooLarge,
-        "time stamps too large to tell apart in seconds",
-        "",
+        "the time stamps are too large to tell apart in seconds",
+        "subtract the first stamp from all",
         Vec::new,
     ),
     Entry::error(
         Kind::TimeGoesBack,
-        "[record {record}: ]time goes back from {from} to {to}[ (counted from {origin})]",
+        "time goes back from {from} to {to}[ at record {record}][ (counted from {origin})]: the rows are out of order, or the clock began again",
         "",
         || vec![Remedy::set(OptionName::SortTime), Remedy::Split],
     ),
     Entry::error(
         Kind::ClocksRestartApart,
-        "the clock of one sensor begins again and that of the other does not as often ({most} recordings in all): are both of one recording?",
-        "split both files there",
+        "the clock of one sensor begins again, and that of the other does not as often ({most} recordings in all): are both of one recording?",
+        "split both files where a clock begins again",
         Vec::new,
     ),
     Entry::error(
@@ -96,7 +96,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::PartMissing,
-        "part {part} is asked for, and there is one recording in it",
+        "recording {part} of the file is asked for, and the file holds one only",
         "",
         || {
             vec![Remedy::Omit {
@@ -107,7 +107,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::NeverOverlap,
         "the accelerometer was on from {accel_from} to {accel_to} s, the gyroscope from {gyro_from} to {gyro_to} s: they never overlap; are both stamps of one clock, in one unit?",
-        "",
+        "export both sensors by one clock, in one unit",
         Vec::new,
     ),
     Entry::error(
@@ -118,7 +118,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::RateImpossible,
-        "a sampling rate of {rate} is not within 0.001 to 1e7 Hz",
+        "the sampling rate of {rate} is not within 0.001 to 1e7 Hz",
         "",
         || vec![Remedy::such_as(OptionName::Rate, "100")],
     ),

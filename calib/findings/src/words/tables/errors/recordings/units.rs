@@ -7,13 +7,13 @@ use crate::words::entry::Entry;
 pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::UnitUnknown,
-        "unknown unit; known: {known}",
-        "",
+        "this unit is unknown; known: {known}",
+        "choose one of these",
         Vec::new,
     ),
     Entry::error(
         Kind::GravityOfNoUnit,
-        "at rest the accelerometer's readings lie on a sphere of radius {radius}, which is gravity in no unit that is known",
+        "at rest the accelerometer's readings have the length {radius}, which is gravity in no unit that the program knows",
         "",
         || {
             vec![Remedy::examples([
@@ -24,13 +24,13 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::UnitStrange,
-        "the file states {unit} for the {sensor}, which is no known unit, and the readings do not tell it",
+        "the file states {unit} for the {sensor}, which is no known unit, and the readings do not tell their unit either",
         "",
         Vec::new,
     ),
     Entry::error(
         Kind::GravityRemoved,
-        "the accelerometer's median length is {norm} {unit}: gravity has been removed, and calibration needs it",
+        "the accelerometer's readings have a median length of {norm} {unit}: gravity has been removed, and calibration needs it",
         "record the accelerometer with gravity (\"total\", \"uncalibrated\" or \"with g\")",
         Vec::new,
     ),
@@ -54,7 +54,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::TurnsImpossible,
-        "the file states {unit} for the gyroscope, and it would turn faster than {fastest} again and again",
+        "the file states {unit} for the gyroscope, and in that unit the device would turn faster than {fastest} again and again",
         "",
         || vec![Remedy::such_as(OptionName::GyroUnit, "counts")],
     ),
@@ -66,7 +66,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::TurnsOff,
-        "{by} {unit} for the gyroscope, but its turns went about {factor} times as far by what the accelerometer saw: the unit is another, or that of the time",
+        "{by} {unit} for the gyroscope, but its turns went about {factor} times as far by what the accelerometer saw: the unit of the gyroscope or of the time stamps is another",
         "",
         || {
             vec![Remedy::examples([
@@ -78,7 +78,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::RestlessRest,
-        "the gyroscope rests throughout, so that no turn tells its unit, and in {unit} its noise would be {noise} and its bias {bias}, as no gyroscope has",
+        "the gyroscope rests throughout, so that no turn tells its unit. In {unit} its noise would be {noise} and its bias {bias}, as no gyroscope has",
         "",
         Vec::new,
     ),

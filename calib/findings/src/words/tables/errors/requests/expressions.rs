@@ -6,32 +6,32 @@ use crate::words::entry::Entry;
 pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::ParametersMissing,
-        "[{key}: ]none found: an effect needs one that switches it off",
-        "",
+        "[{key}: ]none found: an effect needs a parameter that switches it off at 0",
+        "add one",
         Vec::new,
     ),
     Entry::error(
         Kind::ExpressionMissing,
-        "[{key}: ]no expression on any axis",
+        "[{key}: ]no axis has an expression",
         "write one of x, y, z",
         Vec::new,
     ),
     Entry::error(
         Kind::ExpressionCostly,
         "[{key}: ]the three expressions take {cost} steps, at most {most} may be: a function counts {call} and an operation 1 or 2",
-        "write it with fewer, or as a compiled effect",
+        "write them with fewer, or as a compiled effect",
         Vec::new,
     ),
     Entry::error(
         Kind::NotSilent,
         "[{key}: ]is {value} at the nominal parameters in some motion, must be 0: an effect is silent in a perfect sensor",
-        "",
+        "multiply it by a parameter that is 0 in a perfect sensor",
         Vec::new,
     ),
     Entry::error(
         Kind::NoNumberInMotion,
-        "[{key}: ]is {value} at the typical parameters in some motion",
-        "",
+        "[{key}: ]is {value} at the typical parameters in some motion, where a number is needed",
+        "write it so that it is a number in every motion",
         Vec::new,
     ),
     Entry::error(
@@ -43,13 +43,13 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::ExpressionLong,
         "[{key}: ][`{text}`, ]column {column}: longer than {most} characters",
-        "",
+        "shorten it",
         Vec::new,
     ),
     Entry::error(
         Kind::ExpressionDeep,
-        "[{key}: ][`{text}`, ]column {column}: nested more than {most} deep",
-        "",
+        "[{key}: ][`{text}`, ]column {column}: brackets are nested more than {most} deep",
+        "write it with fewer brackets",
         Vec::new,
     ),
     Entry::error(
@@ -91,7 +91,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::FunctionUnknown,
         "[{key}: ][`{text}`, ]column {column}: there is no function `{found}`: {known}",
-        "",
+        "use one of these",
         Vec::new,
     ),
     Entry::error(

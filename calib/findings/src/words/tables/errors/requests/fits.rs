@@ -5,7 +5,12 @@ use crate::words::entry::Entry;
 
 pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(Kind::Cancelled, "cancelled", "", Vec::new),
-    Entry::error(Kind::SolverRefused, "{reason}", "", Vec::new),
+    Entry::error(
+        Kind::SolverRefused,
+        "the solver cannot fit the model[: {reason}]",
+        "check the recording and its units",
+        Vec::new,
+    ),
     Entry::error(
         Kind::FitStopped,
         "the {sensor}'s fit stopped after {steps} steps ({ending})[ and leaves {left} of the norms]",
@@ -14,44 +19,44 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::NothingToCalibrate,
-        "nothing to calibrate in the recording",
-        "",
+        "the recording has nothing to calibrate",
+        "record the device at rest in several orientations",
         Vec::new,
     ),
     Entry::error(
         Kind::AxesSame,
-        "six positions: I + M has no inverse",
+        "six positions: the six rests do not determine three different axes (I + M has no inverse)",
         "check that no two axes are the same",
         Vec::new,
     ),
     Entry::error(
         Kind::MagnetometerAlone,
-        "a magnetometer alone: its offset and axes are found against gravity, which only the accelerometer sees",
-        "record the accelerometer, and best the gyroscope, of the same device beside it, at rest in twelve attitudes or more",
+        "the recording has a magnetometer alone: its offset and axes are found against gravity, which only the accelerometer sees",
+        "record the accelerometer, and best the gyroscope, of the same device beside it, at rest in twelve orientations or more",
         Vec::new,
     ),
     Entry::error(
         Kind::AttitudeNotSeen,
-        "without an accelerometer nobody knows how the device was held",
-        "",
+        "without an accelerometer the program cannot know how the device was held",
+        "record the accelerometer too",
         Vec::new,
     ),
     Entry::error(
         Kind::FieldUnitsDiffer,
-        "its magnetometer is in {unit}, that of {other} in {others}",
-        "name the columns' unit in both files alike",
+        "the magnetometer of this recording is in {unit}, that of {other} in {others}",
+        "name the same unit in both files",
         Vec::new,
     ),
     Entry::error(
         Kind::AttitudesLeaveOpen,
-        "the attitudes do not determine the magnetometer[ ({open})][: its fit did not end ({ending})]",
+        "the orientations of the device do not determine the magnetometer's axes and offset[ ({open})][: its fit did not end ({ending})]",
         "hold every face up and turn the device to other headings in between",
         Vec::new,
     ),
     Entry::error(
         Kind::AttitudesTooFew,
-        "{count:static interval} with readings of the magnetometer: too few[, {least} at least are needed]",
-        "record more attitudes",
+        "{count:static interval} with readings of the magnetometer are too few[: {least} at least are needed]",
+        "record at rest in more orientations",
         Vec::new,
     ),
 ];

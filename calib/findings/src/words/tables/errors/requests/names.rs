@@ -30,14 +30,14 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::NameNotSnakeCase,
-        "[{key}: ]`{name}` found, a name in snake case expected",
-        "",
+        "[{key}: ]`{name}` found, a name in snake case expected (lower case letters, digits and `_`)",
+        "rename it",
         Vec::new,
     ),
     Entry::error(
         Kind::DefinitionOfOther,
         "[{key}: ]the definition of `{effect}` is that of `{other}`",
-        "",
+        "name both alike",
         Vec::new,
     ),
 ];

@@ -31,7 +31,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::PlacementsInPlane,
-        "{count:placement}, {distinct} of which differ by more than 20°: all near one plane, what lies across it is not observable[; no placement has {missing}]",
+        "{count:placement}, {distinct} of which differ by more than 20°: all lie near one plane, so that what lies across it is not observable[; no placement has {missing}]",
         "",
         Vec::new,
     ),
@@ -44,24 +44,24 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::TurnsLeaveOpen,
         "{count:turn}: they determine {rank} of the gyroscope's {free} parameters, not observable: {parameters}",
-        "turn it about its {axes} too, by half a turn or more while that axis lies level",
+        "turn the device about its {axes} too, by half a turn or more while that axis lies level",
         Vec::new,
     ),
     Entry::error(
         Kind::TurnsTooFew,
-        "{count:turn}: they leave nothing to check the gyroscope's {free} parameters with, at least {least} turns are needed",
-        "turn it about its {axes} too, by half a turn or more while that axis lies level",
+        "{count:turn} leave nothing to check the gyroscope's {free} parameters with, at least {least} turns are needed",
+        "turn the device about its {axes} too, by half a turn or more while that axis lies level",
         Vec::new,
     ),
     Entry::error(
         Kind::TurnsTellLittle,
-        "{count:turn}: not known: {parameters}",
-        "turn it about its {axes} too, by half a turn or more while that axis lies level",
+        "{count:turn} do not determine {parameters} well enough",
+        "turn the device about its {axes} too, by half a turn or more while that axis lies level",
         Vec::new,
     ),
     Entry::error(
         Kind::TurnsMissing,
-        "there is no turn between two static intervals",
+        "the recording has no turn between two static intervals",
         "",
         || vec![Remedy::TurnEachAxis],
     ),
@@ -85,8 +85,8 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::NeverStill,
-        "no static interval: the device is never still for long enough[ (the quietest seconds and their spread: {quietest})]",
-        "lay it down for {rest} between the turns",
+        "no static interval was found: the device is never still for long enough[ (the quietest seconds and their spread: {quietest})]",
+        "lay the device down for {rest} between the turns",
         || {
             vec![Remedy::any_of([
                 OptionName::MinStatic,
@@ -97,34 +97,39 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::NeverQuiet,
         "no quiet stretch is long enough to show a device at rest (in the quietest the rate wavers by {rate})",
-        "lay it down for 5 s between the turns",
+        "lay the device down for 5 s between the turns",
         || vec![Remedy::set(OptionName::Multiplier)],
     ),
     Entry::error(
         Kind::QuietNotStatic,
-        "{found:static interval}; {count:quiet stretch} are none, the first: {first}",
-        "",
+        "the recording has {found:static interval}; {count:quiet stretch} are none, the first: {first}",
+        "lay the device down instead of holding it",
         Vec::new,
     ),
     Entry::error(
         Kind::AllStatic,
-        "all static: one rest of {length} and no turn",
+        "the recording is all static: one rest of {length} and no turn",
         "",
         || vec![Remedy::Plan],
     ),
     Entry::error(
         Kind::NoSphere,
-        "{count:static mean} lie on no sphere: the unit of the accelerometer cannot be told",
+        "the readings of {count:static mean} do not have one length, as gravity gives them: the unit of the accelerometer cannot be told",
         "",
         || vec![Remedy::Plan],
     ),
     Entry::error(
         Kind::NoGravityAtRest,
         "{at} has no accelerometer samples or shows no gravity",
-        "",
+        "record this placement again",
         Vec::new,
     ),
-    Entry::error(Kind::NoRest, "no rest of the {sensor} found", "", Vec::new),
+    Entry::error(
+        Kind::NoRest,
+        "no rest of the {sensor} was found: the device is never still for long enough",
+        "lay the device down in each placement",
+        Vec::new,
+    ),
     Entry::error(
         Kind::FaceMissing,
         "six positions: no rest with {missing}[, {also}]",
@@ -133,20 +138,20 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::RestTooShort,
-        "the longest rest is {longest}",
+        "the longest rest is {longest}, too short to find the bias (the reading at rest)",
         "put the device down for more than {least}",
         Vec::new,
     ),
     Entry::error(
         Kind::RestsTooFew,
         "{rests:rest}: the bias of the {sensor} needs at least {least} in different orientations",
-        "",
+        "lay the device down in more orientations",
         Vec::new,
     ),
     Entry::error(
         Kind::RestsInPlane,
-        "the rests do not tell the three axes apart (condition {condition})",
-        "turn the device further",
+        "the rests do not tell the three axes apart (condition {condition}): they are too alike",
+        "turn the device further between the rests",
         Vec::new,
     ),
 ];
