@@ -48,7 +48,7 @@ fn a_recording_becomes_a_calibration_that_corrects_it() {
     let (_dir, folder) = folder();
     let run = stillpoint(&folder, &["calibrate", "good.csv", "-o", "cal.json"]);
     assert_eq!(status(&run), 0, "{}", stderr(&run));
-    assert!(String::from_utf8_lossy(&run.stdout).contains("s_x"));
+    assert!(String::from_utf8_lossy(&run.stdout).contains("scale, ppm"));
     let run = stillpoint(
         &folder,
         &["apply", "cal.json", "good.csv", "-o", "corrected.csv"],
@@ -209,7 +209,7 @@ fn a_calibration_that_cannot_be_used_is_refused_by_entry() {
         ("{".to_owned(), "cal.json:1:"),
         ("{}".to_owned(), "schema"),
         ("t,ax,ay,az\n0,0,0,9.8\n".to_owned(), "swapped"),
-        (broken(&|v| v["gravity"] = (-5).into()), "gravity: -5 found"),
+        (broken(&|v| v["gravity"] = (-5).into()), "gravity: is -5"),
         (
             broken(&|v| v["covariance"] = serde_json::json!([[1]])),
             "covariance: 1 rows",
@@ -330,7 +330,7 @@ fn two_sensors_on_clocks_of_their_own_keep_them() {
     assert_eq!(files(&folder.join("corrected")), ["acc.csv", "gyro.csv"]);
     let run = stillpoint(&folder, &["apply", "cal.json", "phone", "-o", "one.csv"]);
     assert_eq!(status(&run), 0);
-    assert!(stderr(&run).contains("interpolated"));
+    assert!(stderr(&run).contains("interpolates"));
 }
 
 #[test]

@@ -6,8 +6,6 @@ use std::path::{Path, PathBuf};
 use calib::recording::shown::shown_path;
 use findings::{Finding, Kind, Remedy};
 
-use crate::fault::Fault;
-
 /// A batch that cannot be run or merged. The words are those of [`Error::finding`].
 #[derive(Debug)]
 #[non_exhaustive]
@@ -31,7 +29,7 @@ pub enum Error {
         source: std::io::Error,
     },
     /// Parts that do not make a whole.
-    Parts(Vec<Fault>),
+    Parts(Vec<Finding>),
     /// A part of the work that is misspelt.
     Shard(String),
     /// Too few devices for what was asked.
@@ -58,7 +56,7 @@ impl Error {
             Self::Parts(faults) if faults.is_empty() => Finding::of(Kind::NoParts),
             Self::Parts(faults) => faults
                 .iter()
-                .map(Fault::finding)
+                .cloned()
                 .fold(Finding::of(Kind::PartsIncomplete), Finding::because),
             Self::Shard(text) => Finding::of(Kind::ShardWrong).detail("text", text),
             Self::TooFew {

@@ -10,8 +10,7 @@ use crate::shard::Shard;
 
 /// Why a part cannot be merged.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Fault {
+pub(crate) enum Fault {
     /// No part, a half-written one, a damaged one.
     Unreadable {
         /// The file.
@@ -42,7 +41,7 @@ pub enum Fault {
 
 impl Fault {
     /// The finding, with the part's file as its place.
-    pub fn finding(&self) -> Finding {
+    pub(crate) fn finding(&self) -> Finding {
         match self {
             Self::Unreadable { path, found } => (**found).clone().in_file(shown_path(path)),
             Self::Foreign {

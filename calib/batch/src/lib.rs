@@ -27,7 +27,6 @@ mod store;
 
 pub use device::Options;
 pub use error::Error;
-pub use fault::Fault;
 pub use manifest::{Device, DeviceOptions, Manifest};
 pub use merge::{Merged, merge, part_files, to_csv};
 pub use part::{Identity, PartHeader, part_name, part_text, timings_name};

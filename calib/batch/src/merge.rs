@@ -17,6 +17,10 @@ pub struct Merged {
     pub records: Vec<Record>,
 }
 
+fn refused(faults: &[Fault]) -> Error {
+    Error::Parts(faults.iter().map(Fault::finding).collect())
+}
+
 /// Joins the parts in `paths`; a folder stands for the parts in it. A shard that is there twice with the same bytes counts once.
 ///
 /// # Errors
@@ -33,7 +37,7 @@ pub fn merge(paths: &[PathBuf]) -> Result<Merged, Error> {
         }
     }
     let Some(expected) = commonest(&parts) else {
-        return Err(Error::Parts(faults));
+        return Err(refused(&faults));
     };
     let n = expected.shard.n;
     let mut merged: Vec<Option<Record>> = vec![None; expected.devices];
@@ -72,7 +76,7 @@ pub fn merge(paths: &[PathBuf]) -> Result<Merged, Error> {
         }
     }
     if !faults.is_empty() {
-        return Err(Error::Parts(faults));
+        return Err(refused(&faults));
     }
     Ok(Merged {
         manifest_sha256: expected.manifest_sha256,
@@ -210,6 +214,8 @@ pub fn to_csv(records: &[Record]) -> String {
 
 #[cfg(test)]
 mod tests {
+    use findings::Kind;
+
     use super::*;
     use crate::device::empty;
     use crate::manifest::{Device, DeviceOptions};
@@ -260,11 +266,11 @@ mod tests {
             };
             let kinds: Vec<&str> = faults
                 .iter()
-                .map(|fault| match fault {
-                    Fault::Unreadable { .. } => "unreadable",
-                    Fault::Foreign { .. } => "foreign",
-                    Fault::Missing { .. } => "missing",
-                    Fault::Lacks { .. } => "lacks",
+                .map(|fault| match fault.kind {
+                    Kind::PartForeign => "foreign",
+                    Kind::BatchPartMissing => "missing",
+                    Kind::DeviceInNoPart => "lacks",
+                    _ => "unreadable",
                 })
                 .collect();
             assert_eq!(

@@ -162,7 +162,7 @@ fn a_flight_controller_that_had_corrected_is_put_together_with_its_parameters_or
 fn parameters_that_are_not_those_of_the_sensor_are_refused() {
     let corrected = calibration("px4", false);
     for (in_force, says) in [
-        ("", "no CAL_ACC0_XOFF among"),
+        ("", "has no CAL_ACC0_XOFF"),
         (ARDUPILOT, "no CAL_ACC0_XOFF among"),
         (
             PX4.replace("ACC0_ZOFF", "ACC1_ZOFF").as_str(),
@@ -207,7 +207,7 @@ fn every_other_target_says_what_the_calibration_is_on_top_of() {
         ("px4", "PX4"),
         ("ardupilot", "ArduPilot"),
         ("ios", "iOS"),
-        ("unknown", "the system that recorded"),
+        ("unknown", "the recording system"),
     ] {
         let corrected = calibration(by, false);
         for target in TARGETS.iter().filter(|target| target.name() != by) {

@@ -134,7 +134,7 @@ fn a_recording_without_motion_or_with_one_face_is_not_enough() {
     at_rest(dir.path());
     let still = stillpoint(dir.path(), &["reckon", "rest.csv"]);
     assert_eq!(still.status.code(), Some(4));
-    assert!(String::from_utf8_lossy(&still.stderr).contains("--motion T0,T1"));
+    assert!(String::from_utf8_lossy(&still.stderr).contains("--motion"));
     let faces = stillpoint(
         dir.path(),
         &["calibrate", "--method", "six-position", "rest.csv"],

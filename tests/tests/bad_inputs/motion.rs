@@ -24,7 +24,7 @@ fn session(seed: u64, change: impl Fn(&mut HandHeld)) -> Vec<Row> {
 fn case_104_nothing_but_rest() {
     calibrate(&at_rest(19.0), &[])
         .ends(4)
-        .says(&["all static", "orientations"]);
+        .says(&["all static", "stillpoint plan"]);
 }
 
 #[test]

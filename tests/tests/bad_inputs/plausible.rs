@@ -138,7 +138,7 @@ fn a_recording_in_turned_axes_is_not_merged_with_the_others() {
     bench.write("b.csv", csv(&second));
     let run = bench.run(&["calibrate", "a.csv", "b.csv"]);
     run.ends(3)
-        .says(&["b.csv", "turned", "--columns 'ax=ay,ay=-ax,gx=gy,gy=-gx'"]);
+        .says(&["b.csv", "turned", "--columns ax=ay,ay=-ax,gx=gy,gy=-gx"]);
     bench
         .run(&[
             "convert",

@@ -13,10 +13,10 @@ fn a_sensor_that_is_there_and_not_understood_stops_the_run() {
         .says(&["foo", "baz", "--columns"]);
     calibrate("a.csv", &renamed, &["--columns", "gx=foo,gy=bar,gz=baz"])
         .ends(0)
-        .is_silent_on(&["accelerometer only"]);
+        .is_silent_on(&["only the accelerometer"]);
     calibrate("a.csv", &renamed, &["--columns", "ax=ax,ay=ay,az=az"])
         .ends(0)
-        .says(&["accelerometer only"]);
+        .says(&["only the accelerometer"]);
     let swapped = text.replacen("ax,ay,az,gx,gy,gz", "gx,gy,gz,ax,ay,az", 1);
     let right = "gx=ax,gy=ay,gz=az,ax=gx,ay=gy,az=gz";
     calibrate("a.csv", &swapped, &[])
@@ -38,7 +38,7 @@ fn a_sensor_that_is_there_and_not_understood_stops_the_run() {
         })
         .collect();
     let run = calibrate("a.txt", keyed, &["--rate", "100"]);
-    run.is_silent_on(&["accelerometer only"]);
+    run.is_silent_on(&["only the accelerometer"]);
     let [accel, gyro] = tables();
     let bench = Bench::with("r/Accelerometer.csv", accel);
     bench.write("r/rotation.csv", gyro.replace("(rad/s)", "(1/s)"));
@@ -201,13 +201,13 @@ fn a_magnetometer_alone_is_described_rightly_and_what_is_missing_is_said() {
     for part in [
         "magnetometer",
         "µT",
-        "magnetometer only",
+        "only the magnetometer",
         "record the accelerometer",
     ] {
         assert!(info.contains(part), "{part}: {info}");
     }
     for part in [
-        "gyroscope only",
+        "only the gyroscope",
         "accelerometer only",
         " inf",
         "static intervals",

@@ -217,7 +217,7 @@ fn case_099_a_temperature_with_stamps_of_its_own() {
         .says(&["the temperature is known from", "taken as constant"]);
     with(1.7e9)
         .ends(4)
-        .says(&["the temperature is known from", "left out", "one clock"]);
+        .says(&["the temperature is known from", "leaves", "one clock"]);
 }
 
 #[test]

@@ -337,7 +337,7 @@ fn row_21_a_second_header_is_refused_at_its_line() {
     refused(
         file(HEADER, &rows),
         "22:1",
-        &["header of line 1 again", "split"],
+        &["header of line 1 comes again", "split"],
     );
 }
 

@@ -25,7 +25,10 @@ fn row_28_a_folder_is_read_or_says_what_is_missing() {
     let alone = Recording::read(&place.folder(), &default()).unwrap();
     assert_eq!(
         alone.warnings.texts(findings::Front::CommandLine),
-        [format!("{}: no gyroscope: accelerometer only", alone.name)]
+        [format!(
+            "{}: the recording has no gyroscope, only the accelerometer; nothing has to be done",
+            alone.name
+        )]
     );
     std::fs::write(place.folder().join("Gyroscope.csv"), file("t,z,y,x", &gyro)).unwrap();
     let both = Recording::read(&place.folder(), &default()).unwrap();

@@ -262,7 +262,7 @@ fn row_70_counters_that_wrap_go_on() {
                 .warnings
                 .texts(findings::Front::CommandLine)
                 .iter()
-                .any(|w| w.contains("the time counter starts again") && w.contains("line 102:"))
+                .any(|w| w.contains("the time counter starts again") && w.contains("line 102."))
         );
         let t = recording.accelerometer.unwrap().t;
         assert!(

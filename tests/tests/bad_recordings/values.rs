@@ -78,7 +78,7 @@ fn row_80_a_row_of_units_under_the_header_is_used() {
     refused(
         file(&format!("{HEADER}\n{units}"), &repeated),
         "12:1",
-        &["header of line 1 again"],
+        &["header of line 1 comes again"],
     );
 }
 

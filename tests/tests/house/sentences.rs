@@ -104,6 +104,12 @@ fn collect(tokens: TokenStream, all: &mut Vec<String>) {
     while let Some(token) = tokens.get(k) {
         match token {
             TokenTree::Punct(mark) if mark.as_char() == '#' => {
+                // `#![…]` is of the file.
+                k += usize::from(
+                    tokens
+                        .get(k + 1)
+                        .is_some_and(|next| next.to_string() == "!"),
+                );
                 let attribute = tokens.get(k + 1).map(ToString::to_string);
                 let is_test = attribute.is_some_and(|text| text.replace(' ', "") == "[cfg(test)]");
                 k += if is_test { item(&tokens, k + 2) + 2 } else { 2 };

@@ -4,6 +4,7 @@ pub(crate) mod command;
 mod entry;
 mod human;
 pub mod names;
+mod parameters;
 pub(crate) mod remedies;
 mod shell;
 mod tables;

@@ -250,7 +250,9 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         Remedy::SensorStamps => "record the time stamps of the sensor itself",
         Remedy::OneClock => "record all sensors by one clock",
         Remedy::RawReadings => "record readings that are neither rounded nor filtered",
-        Remedy::Uncalibrated => "record uncalibrated readings, as the sensor itself gives them",
+        Remedy::Uncalibrated => {
+            "record raw or uncalibrated readings, where the recording app offers them"
+        }
         Remedy::WriteFolder => "write a folder, which keeps the clocks of both sensors",
         Remedy::Thermometer => "record the temperature too",
         Remedy::WarmUp => "let the device reach a steady temperature first",
@@ -304,7 +306,7 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         (Front::CommandLine, Remedy::Replace) => " (--force)",
         (Front::CommandLine, Remedy::KeepExisting) => " (--skip-existing)",
         (Front::CommandLine, Remedy::AnalyseNoise) => {
-            " (`stillpoint allan -o noise.json`, then --noise noise.json)"
+            " (`stillpoint allan RECORDING -o noise.json`, then --noise noise.json)"
         }
         (Front::CommandLine, Remedy::FilePerSensor) => " (--accel-file and --gyro-file)",
         (Front::CommandLine, Remedy::OneSensor) => " (--columns)",

@@ -3,6 +3,7 @@
 use crate::finding::Finding;
 
 use super::human::human;
+use super::parameters;
 
 /// The template with the finding's numbers, words and place in it. A part in brackets is left out where a name in it is
 /// not known; elsewhere such a name becomes `?`. `{count:gap}` is `1 gap` or `3 gaps`.
@@ -61,7 +62,11 @@ fn known(name: &str, finding: &Finding) -> Option<String> {
     if let Some(number) = finding.numbers.iter().find(|n| n.name == name) {
         return number.value.map(|value| human(value, &number.unit));
     }
-    finding.word(name).map(str::to_owned)
+    let word = finding.word(name)?;
+    Some(match name {
+        "parameter" => parameters::with_words(word),
+        _ => word.to_owned(),
+    })
 }
 
 /// `static interval 3 (t = 1.20 to 4.50 s)`, or as much of it as is known.

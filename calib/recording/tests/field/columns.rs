@@ -221,7 +221,7 @@ fn a_magnetometer_alone_is_called_so() {
     assert_eq!(
         found.warnings.texts(findings::Front::CommandLine),
         [format!(
-            "{}: no accelerometer and no gyroscope: magnetometer only",
+            "{}: the recording has no accelerometer and no gyroscope, only the magnetometer; nothing has to be done",
             found.name
         )]
     );

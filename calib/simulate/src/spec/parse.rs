@@ -94,7 +94,7 @@ mod tests {
     fn a_number_out_of_range_is_named_with_its_line_and_the_range() {
         assert_eq!(
             refused("\nrate = -3"),
-            "a.toml:2:1: rate: is -3, expected 0.01 to 100000"
+            "a.toml:2:1: rate: is -3, expected 0.01 to 100000; correct the value"
         );
         let message = refused("[motion.hand_held]\nrest = [8.0, 6.0]\n");
         assert!(

@@ -15,7 +15,7 @@ pub(super) fn failure(error: Error) -> Failure {
     let failure = Failure::of(code, error.finding());
     match &error {
         Error::Parts(faults) if !faults.is_empty() => {
-            let lines = faults.iter().map(|f| f.finding().text(Front::CommandLine));
+            let lines = faults.iter().map(|found| found.text(Front::CommandLine));
             let lines: Vec<String> = lines.collect();
             let message = format!("the parts make no whole:\n  {}", lines.join("\n  "));
             Failure { message, ..failure }

@@ -263,7 +263,7 @@ impl Parser<'_> {
             return Ok(base);
         }
         let column = self.column();
-        let exponent = self.signed()?.constant().ok_or_else(|| ParseError {
+        let exponent = self.signed()?.constant().ok_or(ParseError {
             column,
             fault: ParseFault::ExponentVaries,
         })?;

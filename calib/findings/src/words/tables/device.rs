@@ -27,7 +27,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "the recording system has subtracted the gyroscope's bias",
         text: "the gyroscope reads zero at rest on all axes to within its noise: the system that recorded it has subtracted the bias (the reading at rest). This calibration comes on top of the system's and holds while the system keeps its own",
         advice: "",
-        remedies: || vec![Remedy::RawReadings],
+        remedies: || vec![Remedy::Uncalibrated],
     },
     Entry {
         kind: Kind::CorrectedBefore,
@@ -97,7 +97,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.1,
         reason: "the device does not look like one of the prior's type",
-        text: "the device does not look like one of the prior's type: {parameter} lies {distance} standard deviations from the mean of the type (by chance with a probability of {p}). The program does not use the prior",
+        text: "the device does not look like one of its type (the typical values given as a prior): {parameter} lies {distance} standard deviations from the mean of the type (by chance with a probability of {p}). The program does not use the prior",
         advice: "check that the prior is for this type of device",
         remedies: Vec::new,
     },

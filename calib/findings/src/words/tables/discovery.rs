@@ -6,6 +6,9 @@ use crate::remedy::Remedy;
 
 use crate::words::entry::Entry;
 
+/// What tells an error of the device from one of the day.
+const ONCE_MORE: &str = "record the device once more (an error that returns belongs to the device, any other to that day)";
+
 pub(super) const ENTRIES: &[Entry] = &[
     Entry {
         kind: Kind::EffectNamed,
@@ -67,7 +70,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "the {sensor} has an unexplained error that changes with the orientation",
         text: "{sensor}: an error that changes with the orientation, in a finer pattern than the known effects",
-        advice: "",
+        advice: ONCE_MORE,
         remedies: Vec::new,
     },
     Entry {
@@ -76,7 +79,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "the {sensor} has an unexplained error that changes slowly over time",
         text: "{sensor}: an error that changes slowly over time",
-        advice: "",
+        advice: ONCE_MORE,
         remedies: Vec::new,
     },
     Entry {
@@ -85,7 +88,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "the {sensor} has an unexplained error that is periodic in time",
         text: "{sensor}: an error that is periodic in time[, with a period of {period}]",
-        advice: "",
+        advice: ONCE_MORE,
         remedies: Vec::new,
     },
     Entry {
@@ -94,7 +97,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "the {sensor} feels a horizontal direction of the room",
         text: "{sensor}: an error that is fixed to a horizontal direction of the room[, {as}]",
-        advice: "",
+        advice: ONCE_MORE,
         remedies: Vec::new,
     },
     Entry {
@@ -103,7 +106,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "the {sensor} has an error after each turn that fades away",
         text: "{sensor}: an error after each turn that fades away and depends on the direction of the turn",
-        advice: "",
+        advice: ONCE_MORE,
         remedies: Vec::new,
     },
     Entry {
@@ -112,7 +115,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "the {sensor} has an error by products of two rates",
         text: "{sensor}: an error that goes with the product of the rates of two axes",
-        advice: "",
+        advice: ONCE_MORE,
         remedies: Vec::new,
     },
     Entry {
@@ -121,7 +124,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "the bias of the {sensor} moves in one recording",
         text: "{sensor}: the bias {moves} in {where}",
-        advice: "",
+        advice: ONCE_MORE,
         remedies: Vec::new,
     },
     Entry {
@@ -130,7 +133,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "the bias of the {sensor} jumps between two levels",
         text: "{sensor}: the bias of axis {axis} jumps to and fro between two levels, {count} times",
-        advice: "",
+        advice: ONCE_MORE,
         remedies: Vec::new,
     },
     Entry {
@@ -139,7 +142,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "the bias of the {sensor} differs from interval to interval",
         text: "{sensor}: the bias of axis {axis} differs from static interval to static interval. Perhaps it goes with the placement, or it jumps in between",
-        advice: "",
+        advice: ONCE_MORE,
         remedies: Vec::new,
     },
     Entry {
@@ -148,7 +151,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "the bias of the {sensor} wanders",
         text: "{sensor}: the bias of axis {axis} wanders or jumps at random, within times of about {memory}",
-        advice: "",
+        advice: ONCE_MORE,
         remedies: Vec::new,
     },
     Entry {
@@ -156,8 +159,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.1,
         reason: "there is more scatter than the noise explains",
-        text: "the readings scatter more than the noise explains",
-        advice: "",
+        text: "the readings differ from the model by more than their noise explains",
+        advice: ONCE_MORE,
         remedies: Vec::new,
     },
     Entry {
@@ -166,7 +169,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "readings of the {sensor} drift at rest",
         text: "readings of the {sensor} drift within static intervals, though the device rests",
-        advice: "",
+        advice: ONCE_MORE,
         remedies: Vec::new,
     },
     Entry {

@@ -169,7 +169,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 1.0,
         reason: "no variable is called as a sensor is",
-        text: "the program reads matrices `acc` and `gyro` with the columns t, x, y, z, or `t`, `acc` and `gyro` \
+        text: "the file has no variable with a name that the program knows. The program reads matrices `acc` and `gyro` with the columns t, x, y, z, or `t`, `acc` and `gyro` \
                apart, or `t`, `ax` to `gz`. In MATLAB, save('FILE', '-struct', 'S') writes the fields of a structure S \
                as variables",
         advice: "",

@@ -89,7 +89,7 @@ fn what_is_no_table_is_refused_in_words() {
     assert!(refused(r#"{"a": 1, "b": [1, 2]}"#).contains("it holds a, b"));
     let batches = r#"[{"t": 0, "acc": [{"x": 1}, {"x": 2}]}]"#;
     assert!(refused(batches).contains("lists within its records, as `acc`"));
-    assert!(refused(r#"[{"t": 0}, {"t" 1}]"#).starts_with("row 1:17: "));
+    assert!(refused(r#"[{"t": 0}, {"t" 1}]"#).starts_with("row 1, column 17: "));
     assert!(refused(r#"[[1, 2], {"a": 1}]"#).contains("others without"));
 }
 

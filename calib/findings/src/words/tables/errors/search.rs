@@ -115,7 +115,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.001,
         reason: "the distance between the accelerometer's axes (size effect)",
-        text: "the distance between the accelerometer's axes (size effect): the device does not turn at rest",
+        text: "the distance between the accelerometer's axes (size effect): it shows only while the device turns, and the fit uses the device at rest",
         advice: "",
         remedies: Vec::new,
     },
