@@ -163,7 +163,7 @@ fn parameters_that_are_not_those_of_the_sensor_are_refused() {
     let corrected = calibration("px4", false);
     for (in_force, says) in [
         ("", "has no CAL_ACC0_XOFF"),
-        (ARDUPILOT, "no CAL_ACC0_XOFF among"),
+        (ARDUPILOT, "has no CAL_ACC0_XOFF"),
         (
             PX4.replace("ACC0_ZOFF", "ACC1_ZOFF").as_str(),
             "no CAL_ACC0_ZOFF among",

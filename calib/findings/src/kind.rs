@@ -387,6 +387,8 @@ kinds! {
     PeriodicInTime = "periodic_in_time",
     /// What is left is fixed to a horizontal direction of the room.
     RoomDirection = "room_direction",
+    /// What is left is fixed to a horizontal direction of the room, as the earth's rotation is near the equator.
+    RoomOrEarth = "room_or_earth",
     /// What is left relaxes after each turn.
     RelaxationAfterTurn = "relaxation_after_turn",
     /// What is left goes with products of the rates of two axes.

@@ -138,7 +138,7 @@ mod tests {
             ("1,2,3,4\n", "4 columns without a header"),
             ("ax,ay,az\n1,2,3\n1,two,3\n", "m.csv:3:3: `two` in column 2"),
             ("ax,ay,az\n1,2,3\n1,nan,3\n", "m.csv:3:3: `nan` in column 2"),
-            ("ax,ay,az\n1,2,3\n1,2\n", "m.csv:3: 2 cells"),
+            ("ax,ay,az\n1,2,3\n1,2\n", "m.csv:3: this row has 2 cells"),
         ] {
             let refused = means("m.csv", text).unwrap_err().to_string();
             assert!(refused.contains(words), "{text:?}: {refused}");

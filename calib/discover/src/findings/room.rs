@@ -1,6 +1,6 @@
 //! A rotation about a horizontal direction of the room: the earth's near the equator, or a field's.
 
-use ::findings::{Finding, Kind, OptionName, Remedy};
+use ::findings::{Finding, Kind};
 use effects::{is_earth_rotation, room_field};
 use sensor::{AnyEffect, Sensor};
 
@@ -10,10 +10,7 @@ use crate::search::Search;
 
 /// The finding of it.
 fn of_a_room() -> Finding {
-    Finding::of(Kind::RoomDirection)
-        .of_sensor(Sensor::Gyroscope)
-        .detail("as", "as the earth's rotation is near the equator")
-        .remedy(Remedy::set(OptionName::Latitude))
+    Finding::of(Kind::RoomOrEarth).of_sensor(Sensor::Gyroscope)
 }
 
 /// Describes a rotation that may be either in place of naming it: the model has it, and what is named beside it stays. Whether there

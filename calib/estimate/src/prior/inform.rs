@@ -174,7 +174,9 @@ mod tests {
                 .last()
                 .unwrap()
                 .text(findings::Front::CommandLine)
-                .contains("accel.b_x lies 14.1 standard deviations")
+                .contains(
+                    "accel.b_x (the accelerometer's bias on x) lies 14.1 standard deviations"
+                )
         );
     }
 }

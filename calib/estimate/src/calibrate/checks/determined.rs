@@ -342,9 +342,9 @@ mod tests {
             known_to(found, "accel.s_x", share, (share, "share")).to_string()
         });
         let ends = [
-            "accel.s_x (the accelerometer's scale factor on x) is not known",
-            "accel.s_x (the accelerometer's scale factor on x) is not known",
-            "accel.s_x (the accelerometer's scale factor on x) is not known",
+            "accel.s_x is not known",
+            "accel.s_x is not known",
+            "accel.s_x is not known",
             "accel.s_x (the accelerometer's scale factor on x) is known to 31.4 % only",
             "accel.s_x (the accelerometer's scale factor on x) is known to 5.67 % only",
             "accel.s_x (the accelerometer's scale factor on x) is known to 0.031 % only",

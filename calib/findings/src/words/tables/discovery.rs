@@ -2,7 +2,7 @@
 
 use crate::kind::Kind;
 use crate::level::Level;
-use crate::remedy::Remedy;
+use crate::remedy::{OptionName, Remedy};
 
 use crate::words::entry::Entry;
 
@@ -96,9 +96,18 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.1,
         reason: "the {sensor} feels a horizontal direction of the room",
-        text: "{sensor}: an error that is fixed to a horizontal direction of the room[, {as}]",
+        text: "{sensor}: an error that is fixed to a horizontal direction of the room",
         advice: ONCE_MORE,
         remedies: Vec::new,
+    },
+    Entry {
+        kind: Kind::RoomOrEarth,
+        level: Level::Care,
+        severity: 0.1,
+        reason: "the {sensor} feels a horizontal direction of the room",
+        text: "{sensor}: an error that is fixed to a horizontal direction of the room, as the earth's rotation is near the equator",
+        advice: ONCE_MORE,
+        remedies: || vec![Remedy::set(OptionName::Latitude)],
     },
     Entry {
         kind: Kind::RelaxationAfterTurn,

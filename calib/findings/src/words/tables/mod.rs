@@ -1,18 +1,12 @@
 //! Entries of all kinds, a file for each subject.
 
-mod axes;
-mod clocks;
-mod device;
 mod discovery;
 mod errors;
-mod fit;
+mod fits;
 mod format;
 mod import;
-mod intervals;
-mod magnetic;
 mod noise;
 mod other;
-mod part_way;
 mod reading;
 mod stamps;
 mod stretches;
@@ -24,20 +18,20 @@ use crate::kind::Kind;
 /// Entries of all kinds.
 pub fn entries() -> impl Iterator<Item = &'static Entry> {
     [
-        fit::ENTRIES,
+        fits::fit::ENTRIES,
         reading::ENTRIES,
         stamps::ENTRIES,
         units::ENTRIES,
         format::ENTRIES,
         import::ENTRIES,
         noise::ENTRIES,
-        axes::ENTRIES,
-        clocks::ENTRIES,
-        device::ENTRIES,
-        intervals::ENTRIES,
+        fits::axes::ENTRIES,
+        fits::clocks::ENTRIES,
+        fits::device::ENTRIES,
+        fits::intervals::ENTRIES,
         stretches::ENTRIES,
-        magnetic::ENTRIES,
-        part_way::ENTRIES,
+        fits::magnetic::ENTRIES,
+        fits::part_way::ENTRIES,
         discovery::ENTRIES,
         errors::files::ENTRIES,
         errors::search::ENTRIES,

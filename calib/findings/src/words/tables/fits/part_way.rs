@@ -6,7 +6,7 @@ use crate::remedy::Remedy;
 
 use crate::words::entry::Entry;
 
-pub(super) const ENTRIES: &[Entry] = &[
+pub(in super::super) const ENTRIES: &[Entry] = &[
     Entry {
         kind: Kind::BiasStep,
         level: Level::Care,

@@ -6,7 +6,7 @@ use crate::remedy::{OptionName, Remedy};
 
 use crate::words::entry::Entry;
 
-pub(super) const ENTRIES: &[Entry] = &[
+pub(in super::super) const ENTRIES: &[Entry] = &[
     Entry {
         kind: Kind::ClockUncountable,
         level: Level::Care,
