@@ -11,7 +11,7 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 const WORDS: usize = 6;
 
 /// Files that hold other texts than messages.
-const CONTENTS: [&str; 10] = [
+const CONTENTS: [&str; 12] = [
     // Files in another tool's language, and what they lose.
     "exchange/src/targets/",
     "exchange/src/source.rs",
@@ -24,6 +24,8 @@ const CONTENTS: [&str; 10] = [
     "sensor/src/covariate.rs",
     "sensor/src/quantity.rs",
     "discover/src/pictures.rs",
+    "discover/src/gap/channel.rs",
+    "discover/src/gap/localise.rs",
 ];
 
 /// Names of texts that describe a thing in a line: a format, an effect, units, a convention.

@@ -345,9 +345,9 @@ mod tests {
             "accel.s_x is not known",
             "accel.s_x is not known",
             "accel.s_x is not known",
-            "accel.s_x (the accelerometer's scale factor on x) is known to 31.4 % only",
-            "accel.s_x (the accelerometer's scale factor on x) is known to 5.67 % only",
-            "accel.s_x (the accelerometer's scale factor on x) is known to 0.031 % only",
+            "accel.s_x is known to 31.4 % only",
+            "accel.s_x is known to 5.67 % only",
+            "accel.s_x is known to 0.031 % only",
         ];
         for (words, end) in words.iter().zip(ends) {
             assert!(words.ends_with(end), "{words}");
