@@ -31,7 +31,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.001,
         reason: "of several units the first was read",
-        text: "the file holds several units: of {units} the first is read",
+        text: "the file holds several devices: of {units} the program reads the first",
         advice: "",
         remedies: Vec::new,
     },

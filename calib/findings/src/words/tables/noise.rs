@@ -22,9 +22,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.001,
         reason: "the five usual kinds of noise do not describe {sensor} {axis}",
-        text: "the five usual kinds of noise do not describe {sensor} {axis}: its Allan variance (how the mean of the \
-               readings wanders over time) is off by {share}. A filter, a resonance or a motion may be the reason. The \
-               error intervals include that",
+        text: "the noise of {sensor} {axis} is unusual: it differs by {share} from the usual model. A filter, a vibration or a motion may be the reason. The stated intervals include that",
         advice: "",
         remedies: Vec::new,
     },

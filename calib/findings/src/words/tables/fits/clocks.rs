@@ -40,7 +40,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         severity: 1.0,
         reason: "the clock of the {sensor} is {late} late",
         text: "the clock of the {sensor} is {late} late against that of the {other}, by when the two sensors move. Their static intervals (times at rest) do not fall together[. An offset of {also} fits about as well]",
-        advice: "",
+        advice: "record both sensors with one app or logger",
         remedies: || vec![Remedy::OneClock],
     },
     Entry {

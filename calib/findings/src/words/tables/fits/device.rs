@@ -88,7 +88,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.001,
         reason: "a recording lacks a sensor",
-        text: "a sensor is missing in this recording. The program does not use it for the gyroscope",
+        text: "the recording lacks the accelerometer or the gyroscope. The program does not calibrate the gyroscope by this recording",
         advice: "",
         remedies: Vec::new,
     },

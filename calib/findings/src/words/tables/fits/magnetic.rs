@@ -67,7 +67,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         severity: 30.0,
         reason: "signs of the magnetometer's axes are wrong",
         text: "the magnetic field points {angle} {side} the horizontal plane, which is wrong at a latitude of {latitude}. The signs of one or three of the magnetometer's axes, or of all of the accelerometer's, are wrong. Headings by the corrected field may be turned",
-        advice: "",
+        advice: "change the signs of the axes one after the other until this warning is gone",
         remedies: Vec::new,
     },
     Entry {
@@ -75,7 +75,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.1,
         reason: "the unit of the magnetometer is not known",
-        text: "the unit of the magnetometer is known in this recording or in those of the calibration, and not in both. The program corrects it as if the units were the same",
+        text: "the unit of the magnetometer is known for this recording or for the calibration, and not for both. The program corrects it as if the units were the same",
         advice: "",
         remedies: || vec![Remedy::set(OptionName::MagUnit)],
     },

@@ -73,8 +73,8 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::NoBatchPart,
-        "this file is no part of a batch: it does not begin as the results of one do",
-        "",
+        "this file holds no results of a batch",
+        "leave it out of the call",
         || vec![Remedy::RunShard { shard: None }],
     ),
     Entry::error(
