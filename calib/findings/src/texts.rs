@@ -7,6 +7,14 @@ use crate::level::Level;
 use crate::list::Findings;
 use crate::words::Front;
 
+/// Writes what was found, without place and advice: `#[serde(serialize_with = "findings::texts::what")]`.
+///
+/// # Errors
+/// Those of the serializer.
+pub fn what<S: Serializer>(finding: &Finding, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(&finding.what())
+}
+
 fn written<S: Serializer>(findings: &Findings, serializer: S) -> Result<S::Ok, S::Error> {
     findings.texts(Front::CommandLine).serialize(serializer)
 }

@@ -6,7 +6,7 @@ use recording::intervals::{Rails, Segmentation, Span};
 use recording::readings::{Symptom, altered_bias};
 use recording::{Recording, Stream};
 use sensor::Sensor;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 use crate::request::Session;
 use crate::search::Either;
@@ -40,7 +40,7 @@ pub struct Integrity {
     /// Until when, s.
     pub t1: f64,
     /// The finding; documents have its text as `detail`.
-    #[serde(rename = "detail", serialize_with = "in_words")]
+    #[serde(rename = "detail", serialize_with = "::findings::texts::what")]
     pub finding: Finding,
     /// What these recordings cannot tell from it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -49,10 +49,6 @@ pub struct Integrity {
     /// motion; m/s² or rad/s of what a static interval is off by.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub size: Option<Size>,
-}
-
-fn in_words<S: Serializer>(finding: &Finding, to: S) -> Result<S::Ok, S::Error> {
-    to.serialize_str(&finding.what())
 }
 
 /// How large a fault is.
@@ -288,10 +284,7 @@ impl Looked<'_> {
     /// Steps too wide for the noise to even out.
     fn quantisation(&self, noise: &SensorNoise) -> Option<Integrity> {
         let axis = (0..3).find(|&i| noise.step[i] > COARSE * noise.white[i])?;
-        let unit = match self.sensor {
-            Sensor::Gyroscope => "rad/s",
-            _ => "m/s^2",
-        };
+        let unit = self.sensor.unit();
         let error = noise.step[axis] / 12f64.sqrt();
         let found = Finding::of(Kind::Quantised)
             .of_sensor(self.sensor)

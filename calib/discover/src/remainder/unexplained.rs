@@ -4,7 +4,7 @@ use estimate::methods::joint::{BiasNoise, Chunk, Disturbance, Mean, SensorNoise,
 use findings::{Finding, Kind};
 use nalgebra::Vector3;
 use sensor::{Quantity, Sensor};
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 use super::biases::biases;
 use super::described::{Described, Shaped, Trial, channel_at_rest};
@@ -34,7 +34,7 @@ pub struct Unexplained {
     /// The degrees of freedom.
     pub dof: f64,
     /// The finding; documents have its text as `shape`.
-    #[serde(rename = "shape", serialize_with = "in_words")]
+    #[serde(rename = "shape", serialize_with = "findings::texts::what")]
     pub finding: Finding,
     /// Period, where it has one, s.
     pub period: Option<f64>,
@@ -51,10 +51,6 @@ pub struct Unexplained {
     /// The sensor and the axis whose bias wanders, where that is what remains.
     #[serde(skip)]
     pub wandering: Option<(Sensor, usize)>,
-}
-
-fn in_words<S: Serializer>(finding: &Finding, to: S) -> Result<S::Ok, S::Error> {
-    to.serialize_str(&finding.what())
 }
 
 impl Unexplained {
