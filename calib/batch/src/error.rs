@@ -48,11 +48,12 @@ impl Error {
     pub fn finding(&self) -> Finding {
         match self {
             Self::Manifest(found) | Self::Input(found) => (**found).clone(),
-            Self::Io { path, source } => of_system(Kind::Unreadable, path, source),
-            Self::Output { path, source } => {
-                let remedy = Remedy::for_writing(source.kind());
-                of_system(Kind::Unwritable, path, source).remedy(remedy)
+            Self::Io { path, source } => {
+                Finding::of_system(Kind::Unreadable, source).in_file(shown_path(path))
             }
+            Self::Output { path, source } => Finding::of_system(Kind::Unwritable, source)
+                .in_file(shown_path(path))
+                .remedy(Remedy::for_writing(source.kind())),
             Self::Parts(faults) if faults.is_empty() => Finding::of(Kind::NoParts),
             Self::Parts(faults) => faults
                 .iter()
@@ -77,12 +78,6 @@ impl Error {
             source,
         }
     }
-}
-
-fn of_system(kind: Kind, path: &Path, source: &std::io::Error) -> Finding {
-    Finding::of(kind)
-        .in_file(shown_path(path))
-        .detail("reason", source.to_string())
 }
 
 impl fmt::Display for Error {

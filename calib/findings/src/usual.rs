@@ -20,6 +20,13 @@ impl Finding {
         }
     }
 
+    /// Of a kind, with the system's reason; a finding that the system's error carries stands for itself.
+    pub fn of_system(kind: Kind, reason: &std::io::Error) -> Self {
+        let own = reason.get_ref().and_then(|own| own.downcast_ref::<Self>());
+        own.cloned()
+            .unwrap_or_else(|| Self::of(kind).detail("reason", reason.to_string()))
+    }
+
     /// Size of the error that it makes, as an angle in degrees by which a corrected device would be oriented wrongly: the
     /// largest of its consequences, else what is usual for its kind.
     ///

@@ -124,9 +124,9 @@ impl Error {
                 .detail("experiment", experiment)
                 .detail("missing", *sensor)
                 .detail("found", found),
-            Self::File { path, cause } => Finding::of(Kind::SessionFile)
-                .in_file(shown_path(path))
-                .detail("reason", cause.to_string()),
+            Self::File { path, cause } => {
+                Finding::of_system(Kind::SessionFile, cause).in_file(shown_path(path))
+            }
             Self::Unreadable(error) => error.finding(),
         }
     }

@@ -75,11 +75,8 @@ impl Reason {
             Self::Dangling(aim) => Finding::of(Kind::OutputDangling).detail("aim", shown(aim)),
             Self::Linked => Finding::of(Kind::OutputLinked),
             Self::Held(process) => Finding::of(Kind::OutputHeld).detail("process", process),
-            Self::Folder(error) => {
-                Finding::of(Kind::FolderRefused).detail("reason", error.to_string())
-            }
-            Self::System(error) => Finding::of(Kind::Unwritable)
-                .detail("reason", error.to_string())
+            Self::Folder(error) => Finding::of_system(Kind::FolderRefused, error),
+            Self::System(error) => Finding::of_system(Kind::Unwritable, error)
                 .remedy(Remedy::for_writing(error.kind())),
         }
     }

@@ -92,13 +92,7 @@ impl Error {
 }
 
 fn of_system(kind: Kind, path: &Path, source: &std::io::Error) -> Finding {
-    // It says more of a file that is not there.
-    let own = source.get_ref().and_then(|own| own.downcast_ref());
-    let found = match own {
-        Some(own) => Finding::clone(own),
-        None => Finding::of(kind).detail("reason", source.to_string()),
-    };
-    found.in_file(shown_path(path))
+    Finding::of_system(kind, source).in_file(shown_path(path))
 }
 
 impl std::fmt::Display for Error {
