@@ -64,10 +64,11 @@ impl Failure {
 
     /// Of a finding.
     pub fn of(code: u8, finding: Finding) -> Self {
+        let message = finding.text(Front::CommandLine);
         Self {
             file: finding.place.file.clone(),
-            finding: Some(Box::new(finding.clone())),
-            ..Self::new(code, finding.text(Front::CommandLine))
+            finding: Some(Box::new(finding)),
+            ..Self::new(code, message)
         }
     }
 
@@ -119,11 +120,15 @@ impl Failure {
         }})
     }
 
-    /// What to do about it: the advice in the message, else where help is.
+    /// What to do about it by its finding.
+    pub fn advice(&self) -> Option<String> {
+        self.finding.as_deref()?.advice(Front::CommandLine)
+    }
+
+    /// What to do about it: the advice of its finding or in the message, else where help is.
     fn next(&self, message: &str) -> String {
-        let known = self.finding.as_deref();
-        let known = known.and_then(|finding| finding.advice(Front::CommandLine));
-        known.unwrap_or_else(|| self.usual_step(message).to_owned())
+        self.advice()
+            .unwrap_or_else(|| self.usual_step(message).to_owned())
     }
 
     fn usual_step<'a>(&self, message: &'a str) -> &'a str {

@@ -5,8 +5,9 @@ use calib::intervals::Segmentation;
 use calib::{Calibration, Evaluation, Recording};
 
 use super::calibration::covered;
+use super::residual::Residual;
 use super::session::Session;
-use super::{coverage, noise, provenance, residuals, verdict};
+use super::{coverage, noise, provenance, residuals};
 use crate::report::{Axis, Figure, Level, Picture, Plot, Report, ReportTable, Series};
 use crate::show;
 
@@ -40,7 +41,7 @@ pub fn page(
     let first = sessions.first().map_or(&raw, |(_, session)| session);
     let coverage = covered(first);
     let (level, sentence, next) = judged(rows, warnings);
-    let mut figures = vec![verdict::residual(first)];
+    let mut figures = vec![Residual::measured(first).figure()];
     figures.push(bias(rows));
     figures.extend(
         coverage

@@ -7,6 +7,7 @@ use nalgebra::Vector3;
 use plan::REQUIREMENT;
 
 use super::calibration::covered;
+use super::residual::Residual;
 use super::session::Session;
 use super::{coverage, noise, provenance, residuals, verdict};
 use crate::exit::{Failure, NOT_ENOUGH};
@@ -72,7 +73,7 @@ pub fn page(
             .as_ref()
             .map(|c| Figure::new("Directions covered", c.value(), c.note())),
     );
-    figures.push(verdict::residual(&session));
+    figures.push(Residual::measured(&session).figure());
     report = report.figures(figures).next(&next).warnings(&warnings);
     let mut pictures: Vec<(String, Picture)> = Vec::new();
     if let Some(coverage) = &coverage {

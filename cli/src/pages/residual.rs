@@ -3,6 +3,7 @@
 use calib::calibrate::Outcome;
 use calib::recording::averages::root_mean_square;
 
+use super::session::Session;
 use crate::report::Figure;
 use crate::show;
 
@@ -46,6 +47,26 @@ impl Residual {
             own.count[1] = count;
         }
         own
+    }
+
+    /// Of recordings that nothing was fitted to: plain means over the static intervals and turns.
+    pub fn measured(session: &Session<'_>) -> Self {
+        let rms = |values: Vec<f64>| (!values.is_empty()).then(|| root_mean_square(&values));
+        let (rests, turns) = (&session.rests, &session.turns);
+        Self {
+            at_rest: [
+                rms(rests.iter().filter_map(|r| r.raw).collect()),
+                rms(rests.iter().filter_map(|r| r.left).collect()),
+            ],
+            after_turn: [
+                rms(turns.iter().filter_map(|t| t.raw).collect()),
+                rms(turns.iter().filter_map(|t| t.left).collect()),
+            ],
+            count: [
+                rests.len(),
+                turns.iter().filter(|t| t.raw.or(t.left).is_some()).count(),
+            ],
+        }
     }
 
     /// `raw 243 → 0.354 mm/s² at rest, 3.11 → 0.0141° after a turn`; empty where there is none.

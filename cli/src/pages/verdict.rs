@@ -1,15 +1,14 @@
 //! Is the calibration good, and what next: in sentences.
 
-use ::findings::{Front, Grade, Step};
+use ::findings::{Grade, Step};
 use calib::Calibration;
 
 use super::coverage::Coverage;
 use super::parameters;
 use super::residual::Residual;
-use super::session::Session;
 use crate::exit::Failure;
 use crate::report::{Figure, Level};
-use crate::show::{self, capital};
+use crate::show::capital;
 
 /// The level, the sentence under it, and what to do.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,49 +65,10 @@ pub fn figures(
     all
 }
 
-/// What is left of the raw readings' misfit on recordings that nothing was fitted to.
-pub fn residual(session: &Session<'_>) -> Figure {
-    let rms = |all: Vec<f64>| {
-        let squares: f64 = all.iter().map(|v| v * v).sum();
-        (!all.is_empty()).then(|| (squares / all.len() as f64).sqrt())
-    };
-    let (rests, turns) = (&session.rests, &session.turns);
-    let norm = [
-        rms(rests.iter().filter_map(|r| r.raw).collect()),
-        rms(rests.iter().filter_map(|r| r.left).collect()),
-    ];
-    let direction = [
-        rms(turns.iter().filter_map(|t| t.raw).collect()),
-        rms(turns.iter().filter_map(|t| t.left).collect()),
-    ];
-    let used = turns.iter().filter(|t| t.raw.or(t.left).is_some()).count();
-    let through =
-        show::arrow(direction, "°").map(|text| format!("; direction through {used} turns {text}"));
-    match show::arrow(norm, " mm/s²") {
-        Some(value) => {
-            let note = format!(
-                "norm of {} static intervals{}",
-                rests.len(),
-                through.unwrap_or_default()
-            );
-            Figure::new("Residual, raw → calibrated", value, note)
-        }
-        None => {
-            let value = show::arrow(direction, "°").unwrap_or("none".into());
-            Figure::new(
-                "Residual, raw → calibrated",
-                value,
-                format!("direction through {used} turns"),
-            )
-        }
-    }
-}
-
 /// What to do about a failure, by its finding, else by its message.
 pub fn advice_of(failure: &Failure) -> Option<String> {
-    let finding = failure.finding.as_deref();
-    let known = finding.and_then(|finding| finding.advice(Front::CommandLine));
-    known
+    failure
+        .advice()
         .map(|advice| sentence(&advice))
         .or_else(|| advice_in(&failure.message))
 }
