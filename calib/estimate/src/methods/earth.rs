@@ -4,7 +4,7 @@ use effects::earth_rotation;
 use gyroscope::EARTH_RATE;
 use sensor::{AnyEffect, Model, Nature};
 
-/// Whether the rotation of the earth is among effects.
+/// Returns true if the rotation of the earth is among the effects.
 pub fn is_among(effects: &[&'static dyn AnyEffect]) -> bool {
     let mut natures = effects.iter().map(|effect| effect.nature());
     natures.any(|nature| nature == Nature::EarthRotation)

@@ -1,8 +1,8 @@
-//! How a fit ended.
+//! Ending of a fit.
 
 use solver::{Report, Termination};
 
-/// How a fit ended.
+/// Ending of a fit: the reason and the number of steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ending {
     /// Why.

@@ -27,7 +27,7 @@ impl RawUnit {
         zero: Vector3::new(0.0, 0.0, 0.0),
     };
 
-    /// Whether the readings were in SI units already.
+    /// Returns true if the readings were in SI units already (scale of one).
     pub fn is_si(&self) -> bool {
         self.scale == 1.0
     }
@@ -59,7 +59,7 @@ impl RawUnit {
         }
     }
 
-    /// What a parameter gains on the way to raw units, by its place among the base parameters.
+    /// Returns the offset added to a parameter on its conversion to raw units, by its place among the base parameters.
     pub fn offset(&self, place: usize) -> f64 {
         match place {
             9..BASE_PARAMETERS => self.zero[place - 9],

@@ -29,7 +29,7 @@ const NEAR: i32 = 8;
 /// Samples averaged into one while many scales are tried.
 const AVERAGED: usize = 8;
 
-/// Where a gyroscope's fit starts.
+/// Starting point of a gyroscope's fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GyroGuess {
     /// Common scale; the bias is taken off already.

@@ -36,21 +36,21 @@ pub struct GyroscopeData {
     pub turns: Vec<TurnData>,
     /// The bias in each turn as the rests beside it show it.
     pub turn_bias: Vec<Vector3<f64>>,
-    /// How the directions before and after every turn move with the errors of the accelerometer, one entry per
-    /// independent combination of these with a variance of one; empty where they are taken for exact.
+    /// Changes of the directions before and after every turn by the errors of the accelerometer, one entry per
+    /// independent combination of errors of unit variance; empty where the directions are taken as exact.
     pub moved: Vec<Vec<[Vector3<f64>; 2]>>,
     /// Static means of the gyroscope with the corrected specific force.
     pub statics: Vec<StaticMean>,
 }
 
-/// What to fit.
+/// Request for a fit of the gyroscope.
 #[derive(Clone, Debug)]
 pub struct GyroscopeRequest {
     /// The recordings.
     pub recordings: Vec<GyroscopeData>,
     /// Base model and effects.
     pub model: Model,
-    /// How the rate is integrated.
+    /// Method that integrates the rate.
     pub integrator: Integrator,
 }
 
@@ -70,8 +70,8 @@ pub struct GyroscopeFit {
     pub chords: Vec<f64>,
     /// The same before the fit: unit scales, no misalignment.
     pub chords_before: Vec<f64>,
-    /// What the accelerometer's errors add to the sum of squares of the chords, rad², one entry per independent
-    /// combination of them.
+    /// Contribution of the accelerometer's errors to the sum of squares of the chords, rad², one entry per independent
+    /// combination of errors; empty where these are taken as exact or the model has effects.
     pub carried: Vec<f64>,
 }
 
@@ -235,12 +235,12 @@ fn with_effects(
     })
 }
 
-/// What the accelerometer's errors do to the gyroscope.
+/// Effect of the accelerometer's errors on the gyroscope's fit.
 #[derive(Default)]
 struct CarriedOver {
     /// Covariance of the free parameters.
     covariance: Vec<Vec<f64>>,
-    /// What is left in the chords, rad², per combination of errors.
+    /// Sum of squares that each combination of errors leaves in the chords after the fit, rad².
     left: Vec<f64>,
 }
 

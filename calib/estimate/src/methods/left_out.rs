@@ -1,4 +1,4 @@
-//! How large errors would be if a sensor had an effect that the model leaves out.
+//! Errors of the parameters by an effect that the model leaves out.
 //!
 //! An effect too small to show moves the estimates of the parameters that it resembles, and neither their standard errors
 //! nor the misfit say so. With `R` the whitened columns of the parameters (`m × n`), `E` those of the effect (`m × q`), `r`

@@ -26,7 +26,7 @@ const MOST_STEPS: usize = 200;
 /// A rest is called an outlier where chance makes one in so many sessions.
 const OUTLIER_LEVEL: f64 = 1e-4;
 
-/// What to fit.
+/// Request for a fit of an accelerometer.
 #[derive(Clone, Debug)]
 pub struct AccelerometerRequest {
     /// Static means of each recording, raw unit.
@@ -52,9 +52,9 @@ pub struct AccelerometerFit {
     pub second: Report,
     /// The unit of the readings.
     pub unit: RawUnit,
-    /// Whether each recording has a bias of its own.
+    /// True if each recording has a bias of its own.
     pub own_bias: bool,
-    /// Whether the recordings determine biases of their own almost for nothing.
+    /// True if the recordings determine biases of their own with little loss in the other standard errors.
     pub own_bias_is_cheap: bool,
     /// Rests that disagree with all the others.
     pub outliers: Vec<Outlier>,
@@ -171,7 +171,8 @@ fn step_two(
     Ok(solve(&problem, &start, &mask, &options)?)
 }
 
-/// Whether biases of their own are determined, and leave the standard errors of scale factors and misalignments nearly as they are.
+/// Returns true if biases of their own are determined and leave the standard errors of scale factors and misalignments
+/// nearly as they are.
 fn is_cheap(common: &Report, own: &Report) -> bool {
     let (one, each) = (&common.uncertainty, &own.uncertainty);
     let growth = one.names.iter().enumerate().filter_map(|(k, name)| {

@@ -24,8 +24,8 @@ const ROUNDING: f64 = 1e-9;
 /// Smallest squared pivot of normal equations with unit columns that keep digits enough for a step.
 const SAFE: f64 = 1e-10;
 
-/// What is added to the diagonal of normal equations that are closer to singular: what hardly changes the rows stays
-/// where it is.
+/// Damping added to the diagonal of normal equations that are closer to singular: combinations that hardly change the
+/// rows stay where they are.
 const HELD_UP: f64 = 1e-9;
 
 /// The first damping of a step that raised the cost.
@@ -144,14 +144,14 @@ impl Near {
     }
 }
 
-/// Where plain steps led.
+/// Point reached by plain Gauss–Newton steps.
 pub struct Approached {
     /// The parameters.
     pub x: Vec<f64>,
     /// The rows there.
     pub linear: Linear,
     equations: Normal,
-    /// How often the rows were linearised.
+    /// Number of linearisations of the rows.
     pub taken: usize,
 }
 
@@ -235,7 +235,7 @@ impl Normal {
     }
 }
 
-/// Whether the pivots keep digits enough for a step.
+/// Returns true if the pivots keep enough digits for a step.
 fn is_safe(factor: &ArrowFactor) -> bool {
     let least = factor
         .pivots()

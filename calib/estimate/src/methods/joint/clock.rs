@@ -17,10 +17,10 @@ use recording::{EvenClock, Stamps, Stream, even_clock};
 
 use crate::methods::joint::clock::sampling::Share;
 
-/// Which clock the turns are integrated by.
+/// Clock by which the turns are integrated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ClockMode {
-    /// What the data say.
+    /// Clock that the data support best.
     #[default]
     Auto,
     /// The stamps as they are.
@@ -29,7 +29,7 @@ pub enum ClockMode {
     Even,
 }
 
-/// How the stamps of a recording look, and how its clock was chosen.
+/// Result of the choice of a recording's clock.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ClockState {
     /// The stamps are even: there is nothing to choose.
@@ -50,11 +50,11 @@ pub enum ClockState {
 /// The clock of one recording.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SourceClock {
-    /// How it was chosen.
+    /// Result of the choice.
     pub state: ClockState,
     /// `λ`: the share of the scatter that belongs to the samples; 1 for the stamps as they are.
     pub share: f64,
-    /// What the fit made of it before it was rounded, and its standard error; `None` where it was not fitted.
+    /// Fitted share before it was rounded, and its standard error; `None` where it was not fitted.
     pub fitted: Option<(f64, f64)>,
     /// Root mean square of stamps less the even clock, s.
     pub scatter: f64,
@@ -68,13 +68,14 @@ pub struct SourceClock {
     pub lost: u64,
     /// `χ²` per degree of freedom of the turns' directions with this clock; `None` where nothing was fitted.
     pub misfit: Option<f64>,
-    /// Whether the samples are those of instants, and not means over their windows; told apart at slow rates only.
+    /// True if the samples are instantaneous values, and not means over their windows; the two are told apart at slow
+    /// rates only.
     pub instants: bool,
-    /// What is missing in the angles between samples.
+    /// Share of the jumps between samples that is missing in the angles.
     pub sampling: Share,
 }
 
-/// What a fit decided of the clock of one recording.
+/// Clock of one recording as a fit decided it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DecidedClock {
     clock: SourceClock,
@@ -84,7 +85,7 @@ pub struct DecidedClock {
 }
 
 impl DecidedClock {
-    /// Whether something is missing between samples.
+    /// Returns true if part of the rotation between samples is missing.
     pub(crate) fn is_undersampled(&self) -> bool {
         self.clock.sampling.value > 0.0
     }
@@ -105,12 +106,12 @@ pub struct TurnClock {
     pub scatter: Vec<f64>,
     /// Lengths of the samples' windows by the even clock, s.
     pub lengths: Vec<f64>,
-    /// What the scatter adds to them, s.
+    /// Change of the windows' lengths by the scatter, s.
     pub slack: Vec<f64>,
 }
 
 impl TurnClock {
-    /// Of the samples in `range`.
+    /// Builds the clock of the samples in `range`, from stamps and even times (s).
     pub(crate) fn of(stamps: &[f64], even: &[f64], range: std::ops::Range<usize>) -> Self {
         let scatter: Vec<f64> = stamps.iter().zip(even).map(|(s, e)| s - e).collect();
         let windows = |t: &[f64]| range.clone().map(|k| window(t, k)).collect();

@@ -58,7 +58,7 @@ pub struct Rest {
     /// The stretch through which the heading can be followed, among all: another one begins with every recording and after
     /// every turn that is not used.
     pub heading: usize,
-    /// What is left of the interval after trimming.
+    /// Span of the interval after trimming.
     pub span: Span,
     /// When the turn before it ended, s.
     pub turned: f64,
@@ -85,16 +85,16 @@ pub struct TurnSamples {
     pub lengths: Vec<f64>,
     /// The readings, near SI units.
     pub samples: Vec<Vector3<f64>>,
-    /// What they say of the means over the windows, near SI units.
+    /// Mean rates over the samples' windows, near SI units.
     pub readings: Vec<Vector3<f64>>,
-    /// What effects ask for at the samples; empty without effects.
+    /// Other inputs of the effects at the samples; empty where nothing asks for them.
     pub known: Vec<Kinematics<f64>>,
     /// The clocks behind stamps that scatter; empty where there is nothing to choose.
     pub clocks: Vec<TurnClock>,
     /// The one of them that `t` and `lengths` go by.
     pub base: usize,
-    /// How far the inner samples are from where their neighbours have them, less what noise explains, rad/s; empty where
-    /// that does not matter.
+    /// Interpolation errors of the inner samples from their neighbours, less the part that noise explains, rad/s; empty
+    /// where they are negligible.
     pub shocks: Vec<Vector3<f64>>,
 }
 
@@ -120,7 +120,7 @@ pub struct Source {
     pub accelerometer: Option<SensorNoise>,
     /// Noise of the gyroscope, near SI units.
     pub gyroscope: Option<SensorNoise>,
-    /// Whether its temperature was recorded.
+    /// True if its temperature was recorded.
     pub has_thermometer: bool,
     /// The time that walks of the biases are counted from while the noise is judged, s: the edge of a chunk
     /// near the middle. The biases of a fit are means over the rests.
@@ -145,12 +145,14 @@ impl Source {
         }
     }
 
-    /// Whether the device moves at rest and comes back, so that turns begin and end off its mean direction there.
+    /// Returns true if the device sways at rest and comes back, so that turns begin and end off its mean direction
+    /// there.
     pub fn moves_at_rest(&self) -> bool {
         self.noise_shares.iter().any(|share| *share < 1.0)
     }
 
-    /// Whether it does so by a sensor that shows it: readings in steps wider than the noise come and go by themselves.
+    /// Returns true if a sensor without coarse steps shows that the device sways: readings in steps wider than the
+    /// noise vary by themselves.
     pub fn sways(&self) -> bool {
         let sensors = [&self.accelerometer, &self.gyroscope].into_iter();
         let mut shares = sensors.zip(self.noise_shares);
@@ -175,7 +177,7 @@ pub struct Data {
     pub lost: Vec<LostTurn>,
     /// The chunks that shake, by their place.
     pub shaken: Vec<(usize, Shake)>,
-    /// What was touched within turns, with the place of the turn's recording and the turn.
+    /// Touches that broke a static interval, each with the places of its recording and of its turn.
     pub broken: Vec<(usize, usize, Span)>,
     /// The rests with gaps in them.
     pub gaps: Vec<(usize, Span)>,
@@ -192,13 +194,13 @@ pub struct Cut<'a> {
     pub force_unit: &'a RawUnit,
     /// The unit of the gyroscope.
     pub rate_unit: &'a RawUnit,
-    /// Which clock the turns are integrated by.
+    /// Clock by which the turns are integrated.
     pub clock: ClockMode,
 }
 
 impl Data {
-    /// What a step of the solver costs, in samples of turns that it integrates: beside them it factors a matrix that
-    /// grows with the static intervals.
+    /// Returns the cost of one step of the solver, in samples of turns: their integration, and the factorisation of a
+    /// matrix that grows with the static intervals.
     pub fn cost_of_a_step(&self) -> usize {
         let samples: usize = self.turns.iter().map(|turn| turn.readings.len()).sum();
         samples + self.rests.len().pow(3) / 4
@@ -222,24 +224,24 @@ impl Data {
         self.rests.last().map_or(0, |rest| rest.heading + 1)
     }
 
-    /// Whether the rate of a recording jumps between samples somewhere.
+    /// Returns true if the rate of a recording jumps between samples in any turn.
     pub(crate) fn jumps(&self, recording: usize) -> bool {
         let mut own = self.turns.iter().filter(|t| t.recording == recording);
         own.any(|turn| !turn.shocks.is_empty())
     }
 
-    /// Whether the rate moves between the samples of a recording, so that its turns miss more than noise.
+    /// Returns true if a recording moves between its samples, so that its turns miss by more than noise.
     pub fn misses_something_between_samples(&self) -> bool {
         let mut shares = self.sources.iter().map(|s| s.clock.sampling.value);
         shares.any(|share| share > 0.0)
     }
 
-    /// Whether the device moves at rest in some recording.
+    /// Returns true if the device sways at rest in any recording.
     pub fn moves_at_rest(&self) -> bool {
         self.sources.iter().any(Source::moves_at_rest)
     }
 
-    /// How many rests shake, where they are too many to have been touched one by one.
+    /// Returns the number of static intervals that shake, where they are too many to have been touched one by one.
     pub fn shakes_throughout(&self) -> Option<usize> {
         let mut rests: Vec<usize> = self
             .shaken

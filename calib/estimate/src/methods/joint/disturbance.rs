@@ -18,7 +18,7 @@ use crate::methods::joint::disturbance::shake::Shake;
 use crate::methods::joint::rows::Rows;
 use crate::methods::small_sample::LEAST_SPARE;
 
-/// What happened.
+/// Kind of a disturbance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Disturbance {
@@ -44,7 +44,7 @@ pub enum Reason {
     BiasStepped,
 }
 
-/// What is known of a disturbance.
+/// Further evidence of a disturbance, beside its test.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Seen {
     /// Nothing beside its size.
@@ -54,7 +54,7 @@ pub enum Seen {
     Shaken {
         /// When most, s.
         time: f64,
-        /// How many times as much as usual.
+        /// Ratio of the readings' standard deviation to the usual one.
         ratio: f64,
     },
     /// It cut a rest in two, of which the shorter part counts as part of a turn.
@@ -75,7 +75,7 @@ pub enum Seen {
 /// Something that was found disturbed and has parameters of its own since.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flagged {
-    /// What happened.
+    /// Kind of the disturbance.
     pub kind: Disturbance,
     /// Why it has parameters of its own.
     pub reason: Reason,
@@ -87,9 +87,9 @@ pub struct Flagged {
     pub span: Span,
     /// Its fitted size: of a push in m/s², of a creep in rad, else 0.
     pub size: f64,
-    /// Whether the readings shook there.
+    /// True if the readings shook there.
     pub shook: bool,
-    /// What is known of it.
+    /// Further evidence of it.
     pub seen: Seen,
 }
 
@@ -99,7 +99,7 @@ const LONG: usize = 3;
 /// A suspect: what the rows of the fit would have of it.
 #[derive(Clone, Debug)]
 pub struct Suspect {
-    /// What would have happened.
+    /// Kind of the suspected disturbance.
     pub kind: Disturbance,
     /// Why it has parameters of its own, where it has.
     pub reason: Reason,
@@ -107,11 +107,11 @@ pub struct Suspect {
     pub place: usize,
     /// `∂r/∂d`, one column per parameter.
     pub columns: Vec<Column>,
-    /// What is known of it.
+    /// Further evidence of it.
     pub seen: Seen,
-    /// What else the rows may have that looks like it: what these columns explain is no evidence.
+    /// Columns of harmless causes that look like it: the part of the rows that these explain is no evidence.
     pub nuisance: Vec<Column>,
-    /// What the slopes of the accelerometer within chunks say of it, whitened: `∂s/∂d` and `s`.
+    /// Slopes of the accelerometer within chunks, whitened: the derivatives `∂s/∂d` and the slope `s`.
     pub slopes: Vec<(Vec<f64>, f64)>,
 }
 
@@ -142,7 +142,7 @@ pub fn suspects(rows: &Rows<'_>, x: &[f64], rotations: &[Matrix3<f64>]) -> Vec<S
     all
 }
 
-/// What is suspected where a bias may be taken for it: the rate of one static interval alone, and a slip at once within a
+/// Lists the suspects that a moving bias can imitate: the rate of one static interval alone, and a sudden slip within a
 /// long one.
 pub fn excursions(rows: &Rows<'_>, x: &[f64], rotations: &[Matrix3<f64>]) -> Vec<Suspect> {
     let mut all: Vec<Suspect> = Vec::new();

@@ -141,7 +141,7 @@ impl Run<'_> {
             })
     }
 
-    /// What was disturbed, with the fitted sizes of the disturbances one after the other.
+    /// Converts suspects to flagged disturbances; `sizes` are their fitted parameters, one suspect after the other.
     fn in_words<'b>(
         &'b self,
         suspects: &'b [Suspect],
@@ -197,9 +197,9 @@ impl Run<'_> {
     }
 }
 
-/// Whether the minimum is nearer than a hundredth of the standard errors: of whitened residuals, what the
-/// Jacobian's columns still explain is below that share of what chance makes of them (Bates & Watts 1981). A
-/// combination that is hardly observable can keep rounding from letting the cost fall further.
+/// Returns true if the minimum is nearer than a hundredth of the standard errors: the part of the whitened residuals
+/// that the Jacobian's columns still explain is below that share of its expectation by chance (Bates & Watts 1981). A
+/// combination that is hardly observable can stop the cost from falling further, by rounding.
 fn is_near(residuals: &[f64], jacobian: &Columns) -> bool {
     let basis = Basis::of(jacobian);
     let left = basis.without_column(residuals);

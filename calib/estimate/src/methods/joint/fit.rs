@@ -29,7 +29,7 @@ pub struct JointFit {
     pub parameters: Parameters,
     /// Places of the free parameters, the columns of the Jacobian.
     pub free: Vec<usize>,
-    /// How many parameters come before the directions.
+    /// Number of parameters before the directions.
     pub shared: usize,
     /// First row of the gyroscope's means, first row of the turns.
     pub first_rows: [usize; 2],
@@ -41,10 +41,11 @@ pub struct JointFit {
     pub jacobian: Columns,
     /// The columns of the shared parameters less what all others can take of them (`m × k`), whitened by everything.
     pub reduced: Columns,
-    /// What the errors of the parameters are larger by and the weights do not know, whitened by everything (`m × q`).
+    /// Columns of errors that depend on the orientation: they enlarge the covariance and have no part in the weights;
+    /// whitened by everything (`m × q`).
     pub carried: Columns,
-    /// What the vertical part of the earth's rotation, which the weights take for another in every recording, does to the rows
-    /// of each, whitened by everything (`m × recordings`).
+    /// Columns of the vertical part of the earth's rotation, one per recording, because the weights take it as
+    /// independent in each; whitened by everything (`m × recordings`).
     pub of_place: Columns,
     /// Residuals whitened by white noise alone.
     pub white_residuals: Vec<f64>,
@@ -54,17 +55,17 @@ pub struct JointFit {
     pub whitening: Whitening,
     /// `∂r/∂d` of what was found disturbed, one column per parameter, not whitened.
     pub disturbance_columns: Vec<Column>,
-    /// What the noise may have besides, whitened by white noise: `Ca`, `Cg` …
+    /// Components of the noise beside the white one, whitened by white noise: `Ca`, `Cg` …
     pub components: Vec<Component>,
-    /// How much of it there is.
+    /// Levels of these components.
     pub levels: Vec<NoiseLevel>,
-    /// What the fit took: linearisations, times the samples of the turns.
+    /// Work of the fit: linearisations times the cost of a step, in samples of turns.
     pub work: usize,
-    /// What was found disturbed.
+    /// Disturbances that were found.
     pub flagged: Vec<Flagged>,
-    /// What depends on the orientation at the static intervals and should not.
+    /// Patterns by which the residuals at the static intervals depend on the orientation, with the sensor of each.
     pub shown: Vec<(Sensor, Shown)>,
-    /// Whether the accelerometer has a bias of its own in every recording.
+    /// True if the accelerometer has a bias of its own in every recording.
     pub own_force_bias: bool,
     /// Unit of the accelerometer.
     pub force_unit: RawUnit,
@@ -72,7 +73,7 @@ pub struct JointFit {
     pub rate_unit: RawUnit,
     /// Local gravity, m/s².
     pub gravity: f64,
-    /// How the solver's last run ended.
+    /// Ending of the solver's last run.
     pub ending: Ending,
     /// Turns' misses before any fit (unit scales), rad.
     pub chords_before: Vec<f64>,

@@ -9,19 +9,19 @@ use super::approach::Weighted;
 use crate::methods::Ending;
 use crate::methods::joint::blocks::columns::Part;
 
-/// Where the solver ended.
+/// End of a run of the solver.
 #[derive(Clone, Debug)]
 pub(crate) struct Ended {
     /// All parameters there.
     pub x: Vec<f64>,
     /// Why.
     pub ending: Ending,
-    /// How often the rows were linearised.
+    /// Number of linearisations of the rows.
     pub linearisations: usize,
 }
 
 impl Ended {
-    /// Where steps near the minimum have become nothing.
+    /// Builds the end of a run whose steps near the minimum have become negligible.
     pub fn settled(x: Vec<f64>, steps: usize) -> Self {
         Self {
             x,
@@ -96,7 +96,7 @@ struct Places {
 }
 
 impl Places {
-    /// Of the columns that every group has, among `count` parameters.
+    /// Sorts the free ones of `count` parameters by the groups of rows; `columns` are the parameters of every group.
     fn of(columns: &[Vec<usize>], count: usize, free: &[usize]) -> Self {
         let mut is_free = vec![false; count];
         free.iter().for_each(|&k| is_free[k] = true);

@@ -17,9 +17,9 @@ use crate::methods::joint::noise::weights::Whitening;
 use crate::methods::joint::rows::chart::Chart;
 use crate::methods::joint::rows::{Linear, Rows};
 
-/// What stays the same over all rounds.
+/// Inputs of a joint fit that stay the same over all rounds.
 pub(crate) struct Run<'a> {
-    /// What is asked.
+    /// Request of the fit.
     pub request: &'a JointRequest<'a>,
     /// Means of the rests and turns.
     pub data: &'a Data,
@@ -32,9 +32,9 @@ pub(crate) struct Run<'a> {
 /// The minimum under some weights.
 #[derive(Clone)]
 pub(crate) struct Point {
-    /// Where it is.
+    /// Parameters at the minimum.
     pub parameters: Parameters,
-    /// What is free.
+    /// Mask of the free parameters.
     pub mask: Mask,
     /// The rows there.
     pub linear: Linear,
@@ -109,8 +109,8 @@ impl Run<'_> {
         })
     }
 
-    /// How far the rows at `next` are from where the Jacobian at `point` has them, in standard deviations
-    /// of white noise (root of the sum of squares).
+    /// Returns the nonlinearity from `point` to `next`: the distance of the rows at `next` from their prediction by the
+    /// Jacobian at `point`, in standard deviations of white noise (root of the sum of squares).
     pub fn bend(&self, point: &Point, next: &Point, whitening: &Whitening) -> f64 {
         let (a, b) = (point.undisturbed(), next.undisturbed());
         let step = next.plain_values().iter().zip(point.plain_values());
@@ -149,7 +149,8 @@ impl Run<'_> {
         parameters
     }
 
-    /// Where the way to the minimum begins: there, or at a fit before, and at what is asked.
+    /// Returns the parameters at which the search begins: the first values or those of the fit before, then the
+    /// request's start values and held values.
     pub fn begin_at(&self, rows: &Rows<'_>) -> Parameters {
         let mut parameters = self.first_values(rows);
         if let Some(before) = self.request.minimum_before() {

@@ -47,7 +47,7 @@ const QUIETEST: f64 = 0.25;
 /// ones are rounding of noise-free readings.
 const FROZEN: f64 = 1e3;
 
-/// How far, in steps, a reading may lie off the grid of its converter.
+/// Largest distance of a reading from the grid of its converter, in steps.
 const OFF_GRID: f64 = 0.05;
 
 /// A least significant bit beyond this many standard deviations no longer averages out.
@@ -56,7 +56,7 @@ const DITHERED: f64 = 2.0;
 /// Standard deviations per axis, near SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SensorNoise {
-    /// Of one sample (3).
+    /// Standard deviation of one sample (3).
     pub white: Vector3<f64>,
     /// Standard deviation of long means over what white noise would give; 1 where the noise is not
     /// coloured (3).
@@ -160,7 +160,8 @@ impl SensorNoise {
         self.variance_of_mean(mean.count) + self.restless(mean) / mean.count as f64
     }
 
-    /// What the samples of a restless mean scatter by beyond the quiet ones, as it counts in a long sum; 0 of a quiet one (3).
+    /// Returns the variance of a restless mean's samples beyond the quiet ones, as it counts in a long sum; 0 for a
+    /// quiet mean (3).
     pub fn restless(&self, mean: &Mean) -> Vector3<f64> {
         Vector3::from_fn(|i, _| {
             let quiet = self.white[i].powi(2);

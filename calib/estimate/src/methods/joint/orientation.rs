@@ -21,7 +21,7 @@ const CHANCE: f64 = 2e-3;
 /// Fewer spare numbers than this beside a pattern and its parameters show nothing.
 const LEAST_SPARE: usize = 3;
 
-/// What is left of the norm is a misfit where chance leaves so much in fewer recordings than this share.
+/// P-value below which the residual of the norm is a misfit, and not chance.
 const UNLIKELY: f64 = 1e-3;
 
 /// Degrees of freedom that the measured noise counts for, and how likely what remains has to be by it alone.
@@ -116,7 +116,7 @@ impl StaticNumbers {
         (best.p_value < CHANCE / patterns.len() as f64).then_some(best)
     }
 
-    /// What the parameters leave, root of the mean square per degree of freedom; nothing where chance explains it.
+    /// Returns the root mean square of the residuals per degree of freedom; zero where chance explains it.
     pub fn misfit(&self) -> f64 {
         if self.rows.len() < LEAST_SPARE {
             return 0.0;
@@ -132,7 +132,7 @@ impl StaticNumbers {
         (variance * base.square / spare).sqrt()
     }
 
-    /// What unit coefficients of a pattern would do to the numbers (`n × q`).
+    /// Returns the changes of the numbers by unit coefficients of a pattern (`n × q`).
     pub fn columns(&self, pattern: Pattern) -> DMatrix<f64> {
         let per_axis = if pattern == Pattern::Force { 9 } else { 3 };
         DMatrix::from_fn(self.rows.len(), per_axis, |row, k| {
@@ -145,7 +145,7 @@ impl StaticNumbers {
         })
     }
 
-    /// What the parameters leave under walks of these sizes, as multiples of [`Self::walk`].
+    /// Fits the parameters under walks of these sizes, given as multiples of [`Self::walk`].
     fn walks(&self, sizes: &[f64]) -> Vec<Walking> {
         let groups = RowGroups::new(self.rows.iter().map(|(at, _)| at.recording).collect());
         let residuals = DMatrix::from_column_slice(self.rows.len(), 1, self.residuals.as_slice());
@@ -223,7 +223,7 @@ impl StaticNumbers {
     }
 }
 
-/// What columns leave of a residual.
+/// Fit of columns to a residual.
 #[derive(Clone, Copy, Debug)]
 struct Left {
     /// Sum of squares.
@@ -237,16 +237,16 @@ struct Left {
 /// The numbers under one walk of the bias.
 struct Walking {
     filter: WalkFilter,
-    /// Of the parameters' columns.
+    /// Basis of the parameters' columns.
     basis: Basis,
-    /// What the parameters leave.
+    /// Fit of the parameters alone.
     base: Left,
     /// The residuals then.
     left: Vec<f64>,
 }
 
 impl Walking {
-    /// Of residuals (`n × 1`) and the parameters' columns (`n × k`) in standard deviations.
+    /// Fits the parameters' columns (`n × k`) to the residuals (`n × 1`), both in standard deviations.
     fn new(
         filter: WalkFilter,
         groups: &RowGroups,
@@ -269,7 +269,7 @@ impl Walking {
         }
     }
 
-    /// What the parameters and more columns leave.
+    /// Fits the parameters and more columns together.
     fn with(&self, columns: &DMatrix<f64>) -> Left {
         let mut columns = whitened(&self.filter, columns);
         let norms: Vec<f64> = columns.col_iter().map(|c| c.norm_l2()).collect();

@@ -1,4 +1,4 @@
-//! What to fit, and what may be wrong with the data.
+//! Request for a joint fit, and disturbances known in advance.
 
 use recording::Recording;
 use recording::intervals::Segmentation;
@@ -9,7 +9,7 @@ use super::disturbance::{Disturbance, Reason};
 use super::fit::JointFit;
 use crate::methods::joint::noise::bias::BiasNoise;
 
-/// What to fit.
+/// Request for a joint fit.
 #[derive(Clone, Debug)]
 pub struct JointRequest<'a> {
     /// The recordings with their rests and turns.
@@ -22,37 +22,39 @@ pub struct JointRequest<'a> {
     pub gravity: f64,
     /// Noise of the biases of accelerometer and gyroscope, where it is known; estimated where not.
     pub bias_noise: Option<BiasNoise>,
-    /// Whether the biases may flicker as well as walk: both are then at their likeliest. Without, walks alone are
-    /// estimated, as averages over what they may be with a sixth of the prior chance on none.
+    /// True if the biases may have flicker noise beside their walks: the levels of both are then the likeliest.
+    /// Otherwise walks alone are estimated, as averages over their possible levels with a sixth of the prior chance on
+    /// no walk.
     pub flicker: bool,
-    /// Whether rests and turns that something disturbed are looked for and get parameters of their own, and
-    /// whether rests and turns may scatter beyond all noise. Without, the noise is white noise and walks, and
-    /// every row is believed.
+    /// True if disturbed static intervals and turns are searched for and get parameters of their own, and if intervals
+    /// and turns may scatter beyond all noise. Otherwise the noise is white noise and walks, with a scatter of the
+    /// turns only where they miss grossly.
     pub disturbances: bool,
-    /// What is known to be disturbed, by its place in the data: parameters of their own whatever is looked for.
+    /// Disturbances known in advance, by their place in the data: each has parameters of its own, with or without a
+    /// search.
     pub known: Vec<Known>,
     /// Parameters held at a value, by name.
     pub held: Vec<(String, f64)>,
     /// Parameters that begin at a value of their own, by name.
     pub starts: Vec<(String, f64)>,
-    /// Whether what effects ask for is worked out at the samples of turns even where no effect of the
-    /// models asks for it: time, temperature, specific force, angular acceleration.
+    /// True if the inputs of effects are computed at the samples of turns even where no effect of the models needs
+    /// them: time, temperature, specific force, angular acceleration.
     pub covariates: bool,
-    /// Which clock the turns are integrated by.
+    /// Clock by which the turns are integrated.
     pub clock: ClockMode,
     /// The clocks of the recordings where a fit before has decided them, and with them whether something is missing between
     /// samples: how much that is, is then fitted. Without, the data decide.
     pub clocks: Option<Vec<DecidedClock>>,
-    /// Whether this is one of many models that are compared: its minimum is then found to a thousandth of a standard error, and not
-    /// to what double precision allows.
+    /// True if this is one of many models that are compared: its minimum is then found to a thousandth of a standard
+    /// error, and not to what double precision allows.
     pub compared: bool,
     /// A fit of the same recordings and intervals with other effects that looked for no disturbances: the recordings need not be
     /// cut again, and the walks begin at its.
     pub before: Option<&'a JointFit>,
-    /// Whether the parameters begin at its minimum too.
+    /// True if the parameters begin at the minimum of that fit too.
     pub from_its_minimum: bool,
-    /// Whether the readings contain a rotation of the earth that nobody says: its direction is then estimated as far as
-    /// the data show it, and uncertain as far as they do not.
+    /// True if the readings contain a rotation of the earth that is not given: its direction is then estimated as far
+    /// as the data determine it, and uncertain as far as they do not.
     pub earth: bool,
 }
 
@@ -91,7 +93,7 @@ impl<'a> JointRequest<'a> {
 /// Something that is known to be disturbed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Known {
-    /// What happened.
+    /// Kind of the disturbance.
     pub kind: Disturbance,
     /// The rest, the chunk or the turn, by its place in [`super::Data`].
     pub place: usize,
@@ -109,7 +111,7 @@ impl Known {
         }
     }
 
-    /// Whether both are the same thing at the same place, for whatever reason.
+    /// Returns true if both are the same kind of disturbance at the same place, whatever the reason.
     pub fn is_at(&self, other: &Self) -> bool {
         (self.kind, self.place) == (other.kind, other.place)
     }

@@ -105,10 +105,11 @@ impl JointFit {
         }
     }
 
-    /// Whether white noise as it was measured within the static intervals makes what is left of the accelerometer's means.
+    /// Returns true if the white noise measured within the static intervals explains the residuals of the
+    /// accelerometer's means.
     ///
-    /// Where it does not, some other noise was found that does; without placements to spare, an effect that the model lacks
-    /// leaves as little and shows as little.
+    /// Where it does not, the fit has another component of noise that does. Without spare placements an effect that the
+    /// model lacks leaves residuals as small, and cannot be seen.
     fn white_noise_explains_force(&self) -> bool {
         let left = Left::of(&self.white_jacobian, &self.white_residuals);
         let rows = 0..self.first_rows[0];
@@ -116,14 +117,14 @@ impl JointFit {
         by_chance(square, rows.map(|i| left.spare(i)).sum()) > UNREMARKABLE
     }
 
-    /// Whether a shared parameter is one of the gyroscope's.
+    /// Returns true if the shared parameter `k` is one of the gyroscope's.
     fn of_gyroscope(&self, k: usize) -> bool {
         let (_, first, count) = self.of_sensor(Sensor::Gyroscope);
         (first..first + count).contains(&k)
             || self.parameters.names()[k].starts_with(Sensor::Gyroscope.prefix())
     }
 
-    /// What brings the readings of a sensor near SI units.
+    /// Returns the unit that brings the readings of a sensor near SI units.
     pub fn unit(&self, sensor: Sensor) -> RawUnit {
         self.of_sensor(sensor).0
     }
@@ -140,7 +141,7 @@ impl JointFit {
         }
     }
 
-    /// Whether the gyroscope was part of it.
+    /// Returns true if the gyroscope was part of the fit.
     pub fn has_gyroscope(&self) -> bool {
         self.first_rows[0] < self.first_rows[1]
     }
@@ -215,7 +216,8 @@ impl JointFit {
         }
     }
 
-    /// What the errors of a sensor's parameters make of its corrected readings, near SI units.
+    /// Returns the sensor's model with the covariance of its parameters, near SI units: it predicts the errors of
+    /// corrected readings.
     pub fn prediction(&self, sensor: Sensor) -> Prediction {
         let (_, first, count) = self.of_sensor(sensor);
         let uncertainty = self.shared_uncertainty();

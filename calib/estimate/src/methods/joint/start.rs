@@ -1,4 +1,4 @@
-//! Where the joint fit starts: units, a first accelerometer, directions.
+//! Start of the joint fit: units, a first accelerometer, directions.
 
 use findings::{Finding, Kind};
 use nalgebra::{Matrix3, Vector3};
@@ -28,8 +28,9 @@ pub struct Start {
     pub force_unit: RawUnit,
     /// Unit of the gyroscope.
     pub rate_unit: RawUnit,
-    /// Whether the accelerometer has a bias of its own in every recording: where they determine it almost for nothing, or refute
-    /// one for all. A difference that is too small to be refuted is an error of several standard errors in a common bias.
+    /// True if the accelerometer has a bias of its own in every recording: where the recordings determine it with little
+    /// loss in the other standard errors, or refute a common one. A difference too small for a refutation can still
+    /// shift a common bias by several standard errors.
     pub own_force_bias: bool,
     /// Parameters of the accelerometer's model near SI, for each recording.
     pub accelerometer: Vec<Vec<f64>>,

@@ -27,7 +27,7 @@ pub struct Reading<'a> {
     strength: f64,
     /// Standard deviation of an axis.
     sigma: f64,
-    /// Whether the recording has a bias of its own.
+    /// True if the recording has a bias of its own.
     own_bias: bool,
 }
 

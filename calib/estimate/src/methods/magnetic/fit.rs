@@ -18,7 +18,7 @@ const LEAST_PLACEMENTS: usize = 6;
 /// At most one placement in so many is left out as disturbed.
 const DISTURBED_SHARE: usize = 5;
 
-/// What to fit.
+/// Request for a fit of a magnetometer.
 #[derive(Clone, Debug)]
 pub struct MagneticRequest<'a> {
     /// Base model and effects.

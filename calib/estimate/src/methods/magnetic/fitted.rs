@@ -1,4 +1,4 @@
-//! What a fit of a magnetometer gives.
+//! Result of a fit of a magnetometer.
 
 use nalgebra::DMatrix;
 
@@ -49,7 +49,7 @@ pub struct MagneticFit {
     /// The bias of each recording: magnets that turn with the device may have moved in between. That of the last is the
     /// model's.
     pub biases: Vec<OwnBias>,
-    /// How much the field differs from place to place, standard deviation per axis, in the unit of the readings.
+    /// Unevenness of the field: standard deviation per axis from place to place, in the unit of the readings.
     pub unevenness: f64,
     /// Reading less model, root mean square of an axis.
     pub residual_rms: f64,
@@ -57,7 +57,7 @@ pub struct MagneticFit {
     pub reduced_chi2: f64,
     /// Degrees of freedom.
     pub degrees_of_freedom: usize,
-    /// What was fitted to.
+    /// Placements that were fitted to.
     pub placements: Vec<Placement>,
     /// Places of those whose reading is left out because the field was another there, with its difference (norm).
     pub disturbed: Vec<(usize, f64)>,

@@ -1,4 +1,4 @@
-//! What is measured: the magnetometer in each static interval, and the heading from one to the next.
+//! Measurements for the fit: the magnetometer in each static interval, and the change of heading from one to the next.
 
 use nalgebra::{Matrix3, Vector3};
 use recording::intervals::Span;
@@ -7,9 +7,9 @@ use sensor::Kinematics;
 /// A static interval as the magnetometer sees it.
 #[derive(Clone, Debug)]
 pub struct Placement {
-    /// Which recording.
+    /// Place of the recording.
     pub recording: usize,
-    /// Which of its static intervals.
+    /// Place of the static interval in that recording.
     pub interval: usize,
     /// When.
     pub span: Span,
@@ -22,11 +22,11 @@ pub struct Placement {
     /// Error of its direction, rad: a small rotation of the level frame in body axes, by each of the errors of the other
     /// sensors (3 each).
     pub tilt: Vec<Vector3<f64>>,
-    /// What else is known of the instant.
+    /// Other inputs of the effects there.
     pub known: Kinematics<f64>,
     /// Mean rate by the calibrated gyroscope, rad/s: what is left of its bias. `None` without one.
     pub rate: Option<Rest>,
-    /// Whether the reading counts: not where the field is another.
+    /// True if the reading is used; false where the field is another.
     pub is_used: bool,
 }
 
@@ -39,7 +39,7 @@ pub struct Rest {
     pub noise: f64,
 }
 
-/// How far the device turned about the vertical between two placements, one after the other.
+/// Rotation of the device about the vertical between two consecutive placements.
 #[derive(Clone, Debug)]
 pub struct HeadingChange {
     /// Place of the one before in the list of placements; the other is the next.
@@ -47,7 +47,7 @@ pub struct HeadingChange {
     /// From the [`Placement::reference`] of the one to that of the other, counter-clockwise seen from above, rad, by the
     /// rate less the mean of both rests.
     pub angle: f64,
-    /// What a rate too small by one would add, rad/(rad/s), body axes.
+    /// Change of the angle per unit by which the rate is too small, rad/(rad/s), body axes.
     pub by_rate: Vector3<f64>,
     /// Change of the angle by each of the errors of the other sensors, rad.
     pub by_error: Vec<f64>,

@@ -19,7 +19,7 @@ const LOOSE: f64 = 0.1;
 /// A walk of nothing still needs a width, in shares of the noise of a rest's mean.
 const LEAST_WALK: f64 = 1e-3;
 
-/// What is measured and modelled.
+/// Measurements and model of a fit.
 #[derive(Debug)]
 pub struct Problem<'a> {
     pub model: &'a Model,
@@ -31,7 +31,7 @@ pub struct Problem<'a> {
     pub errors: usize,
     /// Strength of the field where its logarithm is 0, in the unit of the readings.
     pub strength: f64,
-    /// Whether that is given, not estimated.
+    /// True if the strength is given, and not estimated.
     pub strength_given: bool,
     /// Density of the walk of the gyroscope's bias, rad/s/√s.
     pub walk: f64,
@@ -44,7 +44,7 @@ pub struct Blocks {
     pub errors: Block,
     pub fields: Vec<Block>,
     pub headings: Vec<Block>,
-    /// How far the bias of each recording but the last lies from that of the last.
+    /// Difference of the bias of each recording but the last from that of the last.
     pub biases: Vec<Block>,
     /// Rate offsets of the placements that turns begin or end at.
     pub rates: Vec<Option<Block>>,

@@ -25,7 +25,7 @@ pub struct Judged<'a> {
     problem: &'a Problem<'a>,
     minimum: &'a Minimum,
     uneven: f64,
-    /// Of model, other sensors' errors and fields, one after the other.
+    /// Covariance of model, other sensors' errors, fields and own biases, one after the other.
     covariance: Vec<Vec<f64>>,
     /// Reading less model of each placement.
     left: Vec<Vector3<f64>>,

@@ -10,7 +10,7 @@ use super::placement::{HeadingChange, Placement};
 /// Unknowns before the fields: `T` and `T b`.
 const SHARED: usize = 12;
 
-/// Where the solver starts.
+/// Starting point of the solver.
 #[derive(Clone, Debug)]
 pub struct Start {
     /// `T`, of determinant 1, or for the strength given.

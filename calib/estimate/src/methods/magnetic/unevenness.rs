@@ -1,4 +1,4 @@
-//! How much the field differs from place to place.
+//! Unevenness of the field from place to place.
 
 use recording::Error;
 

@@ -13,7 +13,7 @@ pub const EARTH_RATE: f64 = 7.29e-5;
 /// Largest believable scale factor error: ten times that of a poor sensor.
 const BELIEVABLE_SCALE_ERROR: f64 = 0.1;
 
-/// What the readings at rest show of the earth's rate.
+/// Visibility of the earth's rate in the readings at rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EarthRotation {
     /// The bias wanders by more than it between placements.
@@ -72,8 +72,8 @@ impl GyroscopePart {
         }
     }
 
-    /// Whether the earth's rate stands out from the wandering of the bias (three standard errors of
-    /// every scale factor below one), and whether it is there (every `|S|` below 0.1).
+    /// Judges the visibility of the earth's rate: whether it stands out from the motion of the bias (three standard
+    /// errors of every scale factor below one), and whether it is there (every `|S|` below 0.1).
     pub fn earth_rotation(&self) -> EarthRotation {
         // Comparisons are written so that NaN counts as hidden.
         let stands_out = self.scale_error_std.iter().all(|std| 3.0 * std < 1.0);

@@ -47,7 +47,7 @@ pub struct SixPosition {
     pub residual_rms: f64,
     /// The gyroscope, where it was recorded.
     pub gyroscope: Option<GyroscopePart>,
-    /// What the user should know.
+    /// Warnings for the user.
     pub warnings: Findings,
 }
 
@@ -56,9 +56,9 @@ pub struct SixPosition {
 pub struct Solved {
     /// The result.
     pub calibration: Calibration,
-    /// What it was made from.
+    /// Solution that the calibration was made from.
     pub solution: SixPosition,
-    /// Where the mean of each face comes from, in the order of [`Face::ALL`].
+    /// Sources of the faces' means, in the order of [`Face::ALL`].
     pub labels: [String; 6],
 }
 
@@ -209,8 +209,8 @@ impl SixPosition {
         }
     }
 
-    /// As a calibration, with standard errors by the scatter of the residuals; `first_order` takes
-    /// the authors' correction.
+    /// Converts the solution to a calibration, with standard errors by the scatter of the residuals; `first_order`
+    /// takes the authors' correction.
     ///
     /// # Errors
     /// Means that make `I + M` singular.

@@ -11,7 +11,7 @@ use recording::{Error, Recording};
 /// are far nearer, edges and corners (45° and 55°) far beyond.
 const WITHIN: f64 = 0.94;
 
-/// Which axis points where.
+/// Body axis that is vertical, and its sense.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Face {
     /// x down.
@@ -64,7 +64,7 @@ impl Face {
 /// A rest of the device on one of its faces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placement {
-    /// Where it comes from: the recording's name, or the time in it.
+    /// Source of the placement: the recording's name, or the time in it.
     pub label: String,
     /// Mean reading of the accelerometer, m/s².
     pub accelerometer: Vector3<f64>,

@@ -61,7 +61,7 @@ pub struct Choice {
 }
 
 impl Choice {
-    /// What a user should know of how the recording was cut.
+    /// Returns the findings on how the recording was cut, for the user.
     pub fn remarks(&self) -> Vec<Finding> {
         let shortened = self
             .shortened
@@ -135,7 +135,7 @@ pub fn cut(
     })
 }
 
-/// What one detector finds at all multipliers.
+/// Result of one detector at all multipliers.
 struct Attempt<'a> {
     survey: Survey<'a>,
     trials: Vec<Trial>,
@@ -183,14 +183,15 @@ impl<'a> Attempt<'a> {
         self.trials.iter().find(chosen)
     }
 
-    /// Whether this one, of shorter intervals, shows many more placements that one accelerometer can have read.
+    /// Returns true if this attempt, of shorter intervals, has many more placements that a single accelerometer can
+    /// have read.
     fn shows_many_more(&self, longer: &Self) -> bool {
         let few = longer.trial().map_or(0, |t| t.placements);
         let more = |t: &Trial| t.plausible && t.placements as f64 >= MANY_MORE * few as f64;
         self.trial().is_some_and(more)
     }
 
-    /// Whether the recording may hold many more intervals that are only too short.
+    /// Returns true if the recording may hold many more intervals that are only too short.
     fn leaves_out_much(&self) -> bool {
         let Some((found, _)) = self.result() else {
             return true;
@@ -199,7 +200,8 @@ impl<'a> Attempt<'a> {
         self.survey.count_lasting(self.multiplier, shortest) as f64 >= MANY_MORE * found as f64
     }
 
-    /// Whether this one, of shorter intervals, is to be preferred.
+    /// Returns true if this attempt, of shorter intervals, is better than the `longer` one: a calibration where that
+    /// has none, many more placements with a smaller error, or as many with a far smaller error.
     fn beats(&self, longer: &Self) -> bool {
         match (self.result(), longer.result()) {
             (None, None) => self.shows_many_more(longer),

@@ -1,4 +1,4 @@
-//! What the accelerometer's fit leaves of one set of static intervals.
+//! Residual of the accelerometer fit over one set of static intervals.
 
 use nalgebra::Vector3;
 use sensor::{Base, Model};
@@ -30,7 +30,7 @@ const KNOWN_TO: f64 = 0.05;
 /// Norms that scatter by more than this fraction of gravity are those of a device in motion.
 const STILL: f64 = 0.02;
 
-/// What one multiplier gives.
+/// Result of one multiplier.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Trial {
     /// The multiplier.
@@ -44,7 +44,7 @@ pub struct Trial {
     /// Number of placements among them: neighbours with the same force are one that was interrupted.
     #[serde(skip)]
     pub placements: usize,
-    /// Whether the fit can be that of a sensor, however well it is known.
+    /// True if the fit can be that of a sensor, with any uncertainty.
     #[serde(skip)]
     pub plausible: bool,
     /// Placements beyond the number of parameters; `None` where the fit is no calibration: too few
@@ -68,15 +68,15 @@ pub(super) struct NormFit {
     leverage: f64,
     /// From readings to m/s².
     pub base: Base<f64>,
-    /// Whether it has the parameters of a sensor and leaves what a device at rest leaves, however well it is known.
+    /// True if the parameters are possible for a sensor and the residual for a device at rest, with any uncertainty.
     pub plausible: bool,
-    /// Whether it can be the calibration of a sensor.
+    /// True if the fit can be the calibration of a sensor.
     pub sound: bool,
 }
 
 impl NormFit {
-    /// Of static means whose white noise is `noise` each, m/s² after the unit is found; `None` where
-    /// there is nothing to fit or nothing to check it with.
+    /// Fits the norm of gravity to static means with white noise `noise` each, in the unit of the readings; `None`
+    /// where there is nothing to fit or nothing to check it with.
     pub fn of(means: &[StaticMean], noise: f64, gravity: f64) -> Option<Self> {
         let raw: Vec<_> = means.iter().map(|m| m.raw).collect();
         let unit = accelerometer_unit(&raw, gravity)?;
@@ -134,7 +134,7 @@ pub(super) fn bare_mean(raw: Vector3<f64>) -> StaticMean {
     }
 }
 
-/// Whether a sensor can have these parameters.
+/// Returns true if these parameters are possible for a sensor.
 fn of_a_sensor(base: &Base<f64>, gravity: f64) -> bool {
     (0..9).all(|k| {
         let (i, j) = (k / 3, k % 3);

@@ -19,11 +19,11 @@ const RIDGE: f64 = 1e-12;
 pub struct Arrow {
     places: Arc<Places>,
     parts: Vec<Wing>,
-    /// Of the shared columns (`s × s`), the lower triangle.
+    /// Block of the shared columns (`s × s`), the lower triangle.
     last: Mat<f64>,
 }
 
-/// Where the columns stand.
+/// Places of the columns in the blocks.
 #[derive(Clone, Debug)]
 pub struct Places {
     /// The columns of every group, and of all groups.
@@ -41,14 +41,14 @@ enum Place {
 
 #[derive(Clone, Debug)]
 struct Wing {
-    /// Of the group's own columns (`k × k`), the lower triangle.
+    /// Block of the group's own columns (`k × k`), the lower triangle.
     own: Mat<f64>,
-    /// Of those with the shared ones (`k × s`).
+    /// Block of the own columns with the shared ones (`k × s`).
     border: Mat<f64>,
 }
 
 impl Places {
-    /// Of columns in groups of rows.
+    /// Sorts columns into those of one group of rows and the shared ones.
     pub fn of(columns: &Columns) -> Self {
         let parts_of = columns.parts_of();
         let shared: Vec<usize> = (0..columns.ncols()).filter(|&k| parts_of[k] != 1).collect();

@@ -1,4 +1,4 @@
-//! What columns leave of the rows.
+//! Orthonormal basis of columns, and the part of the rows outside their space.
 
 use faer::{Mat, MatRef};
 
@@ -34,7 +34,7 @@ struct Own {
 }
 
 impl Basis {
-    /// Of the columns, scaled to unit length first.
+    /// Builds the basis of the columns, each scaled to unit length first.
     pub fn of(columns: &Columns) -> Self {
         Self::with_tolerance(columns, RANK_TOLERANCE)
     }

@@ -87,7 +87,7 @@ impl Columns {
         Self::zeros(groups, 0, vec![Vec::new(); groups.iter().len()])
     }
 
-    /// Of columns with few entries, each in one group.
+    /// Builds columns from sparse ones, each with entries in one group only.
     pub fn sparse(groups: &RowGroups, columns: &[&Column]) -> Self {
         let mut of_group = vec![Vec::new(); groups.iter().len()];
         for (k, column) in columns.iter().enumerate() {
@@ -108,7 +108,7 @@ impl Columns {
         all
     }
 
-    /// Of a whole matrix (`m × n`).
+    /// Cuts a dense matrix (`m × n`) into the rows of the groups.
     pub fn cut(whole: &Mat<f64>, groups: &RowGroups) -> Self {
         let alone = groups.iter().len() == 1;
         let of_group = |rows: &Vec<usize>| {
@@ -173,7 +173,7 @@ impl Columns {
         }
     }
 
-    /// How many groups have each column.
+    /// Counts the groups that hold each column.
     pub fn parts_of(&self) -> Vec<usize> {
         let mut count = vec![0; self.count];
         for part in &self.parts {

@@ -17,7 +17,7 @@ pub struct Covariance {
 pub type Block = (Vec<usize>, Mat<f64>);
 
 impl Covariance {
-    /// Of blocks that have no row in common.
+    /// Builds the covariance of `size` rows from blocks that have no row in common.
     pub fn of_blocks(size: usize, blocks: Vec<Block>) -> Self {
         let mut of_row = vec![None; size];
         for (block, (rows, _)) in blocks.iter().enumerate() {
@@ -28,12 +28,12 @@ impl Covariance {
         Self { blocks, of_row }
     }
 
-    /// Of nothing.
+    /// Builds a covariance of zeros.
     pub fn none(size: usize) -> Self {
         Self::of_blocks(size, Vec::new())
     }
 
-    /// Of any symmetric matrix.
+    /// Builds the covariance from any symmetric matrix, as one block.
     pub fn dense(values: Mat<f64>) -> Self {
         let size = values.nrows();
         Self::of_blocks(size, vec![((0..size).collect(), values)])
@@ -85,7 +85,7 @@ impl Covariance {
         Self::of_blocks(self.size(), changed.collect())
     }
 
-    /// What some rows, in ascending order, share with each other; `None` where that is nothing.
+    /// Returns the covariance among some rows, given in ascending order; `None` where no block contains any of them.
     pub fn part(&self, rows: &[usize]) -> Option<Mat<f64>> {
         let places: Vec<Option<(usize, usize)>> =
             rows.iter().map(|&row| self.of_row[row]).collect();

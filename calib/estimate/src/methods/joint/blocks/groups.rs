@@ -1,4 +1,4 @@
-//! Which rows belong to which recording.
+//! Groups of rows, one for every recording.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ pub struct RowGroups {
 }
 
 impl RowGroups {
-    /// Of the group of every row (`m`).
+    /// Builds the groups from the group of every row (`m`).
     pub fn new(of_row: Vec<usize>) -> Self {
         let count = of_row.iter().max().map_or(0, |last| last + 1);
         Self::of_count(of_row, count)

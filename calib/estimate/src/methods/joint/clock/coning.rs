@@ -41,7 +41,7 @@ pub struct Coning {
 }
 
 impl Coning {
-    /// Of samples that are means over their windows.
+    /// Builds the terms for samples that are means over their windows.
     pub fn new() -> Self {
         Self {
             columns: weights(angles_since, rates),
@@ -49,7 +49,8 @@ impl Coning {
         }
     }
 
-    /// Of samples at the middles of their windows, `θ_k = ω_k h_k`: the rate is the polynomial through them.
+    /// Builds the terms for samples at the middles of their windows, `θ_k = ω_k h_k`: the rate is the polynomial
+    /// through them.
     pub fn at_instants() -> Self {
         Self {
             columns: weights(instants_angles_since, instants_rates),

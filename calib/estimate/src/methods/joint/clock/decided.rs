@@ -17,7 +17,7 @@ impl Data {
         all
     }
 
-    /// How many clocks there are behind the stamps of a recording.
+    /// Returns the number of even clocks that fit the stamps of a recording.
     pub(crate) fn bases(&self, recording: usize) -> usize {
         let own = self.turns.iter().find(|turn| turn.recording == recording);
         own.map_or(0, |turn| turn.clocks.len())
@@ -29,7 +29,7 @@ impl Data {
         own.map_or(0, |turn| turn.base)
     }
 
-    /// What was decided of the clocks of all recordings.
+    /// Returns the clocks of all recordings as they stand now.
     pub fn decided_clocks(&self) -> Vec<DecidedClock> {
         let of = |k: usize| DecidedClock {
             clock: self.sources[k].clock,

@@ -51,10 +51,11 @@ const SLOW: f64 = 0.015;
 /// Log-likelihood that samples at instants have to gain over means.
 const EVIDENT: f64 = 4.0;
 
-/// What is missing of the jumps between samples at instants where nothing is known of it.
+/// First value of the sampling share: the usual part of the jumps that is missing between instantaneous samples.
 const USUAL: f64 = 0.25;
 
-/// As much of the jumps as is seen: one turn that something else is wrong with makes such a share.
+/// Sampling share from which on the new fit is rejected: a single turn with another fault makes a share as large as
+/// this.
 const WHOLE: f64 = 0.9;
 
 /// Fits the clocks of the recordings, writes them into the data, and returns the point that was reached; `None` where
@@ -119,7 +120,7 @@ fn begin_with_a_share(data: &mut Data) {
     }
 }
 
-/// How sure the shares are that were begun with and stayed.
+/// Estimates the uncertainty of the sampling shares that kept their first value.
 fn say_how_sure(data: &mut Data, left: &Left) {
     for k in 0..data.sources.len() {
         let (levels, turns) = (data.sources[k].levels(), left.of(data, k));
@@ -224,8 +225,9 @@ impl ClockFit<'_> {
         Ok(left)
     }
 
-    /// Where turns may not scatter beyond all noise, what was allowed beside a share belongs to the share: so it is in the fits
-    /// that this one is compared with, and what is judged needs the same noise in all of them.
+    /// Refits with the whole scatter of the turns given to the sampling share, where the request allows the turns no
+    /// scatter beyond all noise.
+    /// The fits that this one is compared with do the same: a comparison needs the same noise in all of them.
     fn with_the_whole_scatter(&mut self, data: &mut Data, left: Left) -> Result<Left, Error> {
         let shares = |source: &Source| source.floor > 0.0 && source.clock.sampling.value > 0.0;
         if !data.sources.iter().any(shares) {
@@ -239,7 +241,7 @@ impl ClockFit<'_> {
         self.rounds(data)
     }
 
-    /// Whether something is missing between samples, where that is decided.
+    /// Returns the earlier decision on whether a recording misses something between samples; `None` without one.
     fn decided(&self, recording: usize) -> Option<bool> {
         let decided = self.decided.as_ref()?.get(recording);
         decided.map(DecidedClock::is_undersampled)

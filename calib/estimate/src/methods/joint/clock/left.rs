@@ -1,4 +1,4 @@
-//! What a fit leaves of the turns, and what the shares of clocks and samples would do to it.
+//! Residuals of the turns after a fit, and their dependence on the shares of clocks and samples.
 
 use nalgebra::{DMatrix, DVector, Matrix2, Vector2};
 
@@ -14,12 +14,12 @@ const MEDIAN_OF_TWO: f64 = 1.386_294_361_119_890_6;
 /// And of one.
 const MEDIAN_OF_ONE: f64 = 0.454_936_423_119_572_3;
 
-/// What a fit leaves of the turns, and what the shares would do to it.
+/// Residuals of the turns after a fit, and their dependence on the shares.
 pub(super) struct Left {
     turns: Vec<Evidence>,
-    /// What the fit leaves of all rows, whitened (`m`).
+    /// Whitened residuals of all rows after the fit (`m`).
     residuals: Vec<f64>,
-    /// Of them, what a clock's share moves, for each open recording (`m`).
+    /// Derivative of these residuals by the clock's share, for each open recording (`m`).
     by_share: Vec<Vec<f64>>,
     /// First row of the turns.
     first: usize,
@@ -28,10 +28,11 @@ pub(super) struct Left {
 }
 
 impl Left {
-    /// Of a fit; `open` are the recordings whose clock's share is fitted.
+    /// Builds the residuals after a fit; `open` are the recordings whose clock's share is fitted.
     ///
-    /// What a share of one adds to the covariance of every turn (`by_share`) is that at the point of the weights: at another one
-    /// by a thousandth, a share would be more than all of a noise that is a thousand times as large as what is left without it.
+    /// `by_share_of_one`, the covariance that a share of one adds to every turn, must be the one in the weights. If it
+    /// differed by a thousandth, taking away a share that makes up all but a thousandth of the noise would leave a
+    /// negative variance.
     pub fn of_fit(
         run: &Run<'_>,
         point: &Point,
@@ -77,7 +78,7 @@ impl Left {
         }
     }
 
-    /// What is known of the turns of a recording.
+    /// Returns the evidence of the turns of a recording.
     pub fn of(&self, data: &Data, recording: usize) -> Vec<Evidence> {
         let turns = data.turns.iter().zip(&self.turns);
         turns

@@ -1,12 +1,12 @@
-//! What the rate does between samples.
+//! Motion of the rate between samples.
 //!
-//! A gyroscope that is sampled at instants, without a filter before, does not see what a shock does between two
-//! of them: the sum of samples times steps is not the angle. How far a sample is from where its neighbours
-//! have it says how much may be missing,
+//! A gyroscope that samples instantaneous values, without a filter before, misses part of a shock between two samples:
+//! the sum of samples times steps is not the angle. The distance of a sample from the interpolation of its neighbours
+//! shows how much may be missing,
 //!
 //! `e_k = (15 (ω_{k+1} + ω_{k−1}) − 6 (ω_{k+2} + ω_{k−2}) + (ω_{k+3} + ω_{k−3}))/20 − ω_k`,
 //!
-//! and the rows of a turn have the covariance `c² Σ (J_k e_k)(J_k e_k)ᵀ` more, with one `c` per recording.
+//! and the covariance of a turn's rows grows by `c² Σ (J_k e_k)(J_k e_k)ᵀ`, with one `c` per recording.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -43,8 +43,8 @@ const BY: f64 = 100.0;
 /// Log-likelihood that a share has to gain.
 const WORTH_IT: f64 = 2.0;
 
-/// What the white noise leaves of `e` at the inner samples of a turn, near SI units; empty where it does not
-/// matter.
+/// Computes the interpolation errors `e` at the inner samples of a turn, reduced by the part that white noise explains,
+/// rad/s near SI units; empty where their sum of squares is negligible against the white noise.
 pub(crate) fn shocks(readings: &[Vector3<f64>], noise: &Vector3<f64>) -> Vec<Vector3<f64>> {
     let expected = VISIBLE * NOISE * noise.map(|s| s * s).sum();
     let at = |k: usize| {
@@ -63,16 +63,16 @@ pub(crate) fn shocks(readings: &[Vector3<f64>], noise: &Vector3<f64>) -> Vec<Vec
     }
 }
 
-/// What is known of the two rows of a turn, whitened by its noise with a share and a floor.
+/// Evidence of one turn: its two rows, whitened by noise with a share and a floor.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Evidence {
-    /// What the fit leaves of the rows, in units of what it can leave.
+    /// Residuals of the rows after the fit, scaled to unit variance: `(I − H)^−½` times the remainder.
     pub left: Vector2<f64>,
-    /// What the fit can leave of unit noise: the trace of `I − H`.
+    /// Number of directions of the two rows that the fit leaves free: the eigenvalues of `I − H` that exceed `LEFT`.
     pub spare: f64,
-    /// What a share of one adds to their covariance.
+    /// Covariance that a share of one adds to the scaled residuals.
     by_share: Matrix2<f64>,
-    /// What a floor of one radian adds.
+    /// Covariance that a floor of one radian adds.
     by_floor: Matrix2<f64>,
 }
 
@@ -90,7 +90,7 @@ pub(crate) struct Levels {
 pub struct Share {
     /// `c`.
     pub value: f64,
-    /// Where the log-likelihood is half a unit lower, to both sides.
+    /// Interval in which the log-likelihood is within half a unit of its maximum.
     pub between: [f64; 2],
     /// Log-likelihood gained over none, a constant scatter of the turns being allowed for.
     pub over_none: f64,
@@ -101,11 +101,11 @@ pub struct Share {
 }
 
 impl Evidence {
-    /// Of what the fit leaves of two rows (`left`), its hat matrix `H` there, and what share and floor add to their
-    /// covariance `C`.
+    /// Scales the residuals `left` of two rows, with the block `hat` of the hat matrix `H` and the covariances `C` that
+    /// share and floor add.
     ///
-    /// `left = (I − H) r`, so that `u = (I − H)^−½ left` has the covariance `I + (I − H)^½ C (I − H)^½`; a
-    /// direction that the fit leaves next to nothing of says nothing.
+    /// `left = (I − H) r`, so that `u = (I − H)^−½ left` has the covariance `I + (I − H)^½ C (I − H)^½`. A direction in
+    /// which `I − H` is close to zero carries no information and is left out.
     pub fn new(
         left: &Vector2<f64>,
         hat: &Matrix2<f64>,

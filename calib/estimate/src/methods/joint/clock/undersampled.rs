@@ -9,7 +9,8 @@ use crate::methods::joint::fit::JointFit;
 /// same for all.
 const BEATS_NOISE: f64 = 5.0;
 
-/// What of it has to stay without the turn that speaks most for it: one that is off is an outlier.
+/// Log-likelihood over the noise that has to remain without the turn that gains most: a single turn that is off is an
+/// outlier.
 const OF_MORE_THAN_ONE: f64 = 2.0;
 
 /// No more than the whole jump can be missing: a share that ends there makes up for something else.
@@ -18,16 +19,16 @@ const LIMIT: f64 = 0.99;
 /// A turn with this share of the variance of the worst is shown.
 const SHOWN: f64 = 0.1;
 
-/// What is missing in the turns of one recording.
+/// Rotation missing between the samples of one recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Undersampled {
     /// Place of the recording.
     pub recording: usize,
     /// The share that is missing.
     pub share: Share,
-    /// Whether the turns miss by more than the noise of the readings, and not only one of them.
+    /// True if the turns miss by more than the noise of the readings, and more than one of them does.
     pub is_evident: bool,
-    /// What it makes of a turn: root mean square over all, rad.
+    /// Error of a turn that it explains: root mean square over all turns, rad.
     pub rms: f64,
     /// The turns that it makes most of: the static interval before, when, and how much, rad; worst first.
     pub turns: Vec<(usize, Span, f64)>,

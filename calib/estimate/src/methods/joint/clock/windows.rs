@@ -21,7 +21,7 @@ const GAP: f64 = 3.5;
 /// Steps that differ by less than this share are even.
 const EVEN: f64 = 1e-6;
 
-/// What the samples at times `t` say of the means over their windows.
+/// Estimates the mean rates over the windows of samples at times `t` (s).
 pub(crate) fn means_over_windows(t: &[f64], samples: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
     let mut steps: Vec<f64> = t.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let mut means = samples.to_vec();

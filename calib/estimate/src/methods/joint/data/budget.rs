@@ -1,4 +1,4 @@
-//! How many static intervals the joint problem takes, and which of a recording that has more.
+//! Limits of the joint problem: number of static intervals, with the choice among more, and steps of the solver.
 
 use findings::{Finding, Kind};
 use std::ops::Range;
@@ -20,7 +20,7 @@ pub const MOST_STATIC_INTERVALS: usize = 100;
 /// The same where many models are fitted one after the other.
 pub const MOST_IN_A_SEARCH: usize = 60;
 
-/// What the steps of the solver on the way to a fit may cost together, in samples of turns.
+/// Largest total cost of the solver's steps on the way to a fit, in samples of turns.
 const MOST_WORK: usize = 4_000_000;
 
 /// Steps of the solver in one run near the minimum: readings of which nothing is left to fit, as of a dead zone, would take
@@ -42,12 +42,12 @@ impl Steps {
         left.clamp(FEWEST_STEPS, MOST_STEPS)
     }
 
-    /// Whether the runs on the way have used up what they may.
+    /// Returns true if the runs on the way have used up their budget, each step of this cost.
     pub fn are_spent(&self, cost: usize) -> bool {
         self.0.load(Relaxed) >= MOST_WORK / cost.max(1)
     }
 
-    /// What all steps cost, in samples of turns.
+    /// Returns the cost of all steps, in samples of turns.
     pub fn work(&self, cost: usize) -> usize {
         self.0.load(Relaxed) * cost
     }

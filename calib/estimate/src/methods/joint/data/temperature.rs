@@ -1,4 +1,4 @@
-//! What is known of the temperature: of all recordings, or it is taken for that of none.
+//! Use of the temperature: in all recordings, or in none where one lacks it.
 
 use sensor::Kinematics;
 

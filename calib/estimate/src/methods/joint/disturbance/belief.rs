@@ -1,4 +1,4 @@
-//! What the rows are believed to hold: levels of noise, and disturbances.
+//! Weights of the rows: levels of noise, and disturbances.
 
 use sensor::Sensor;
 
@@ -8,7 +8,7 @@ use crate::methods::joint::disturbance::Suspect;
 use crate::methods::joint::noise::weights::{Component, NoiseLevel, Whitening};
 use crate::methods::joint::orientation::Shown;
 
-/// How rows are believed.
+/// Weights of the rows, with the disturbances that have parameters of their own.
 pub(crate) struct Weights {
     /// Sizes of the components.
     pub levels: Vec<NoiseLevel>,
@@ -16,16 +16,17 @@ pub(crate) struct Weights {
     pub flagged: Vec<Suspect>,
     /// Kinds of noise beside the white one, as covariances of the rows.
     pub components: Vec<Component>,
-    /// Whether the walk of the accelerometer's bias begins anew in every rest.
+    /// True if the walk of the accelerometer's bias begins anew in every static interval.
     pub walk_ends_with_rests: bool,
-    /// What makes the rows white.
+    /// Whitening of the rows.
     pub whitening: Whitening,
-    /// What the errors are larger by and the weights do not know, whitened by the white noise (`m × q`).
+    /// Columns of errors that depend on the orientation: they enlarge the covariance and have no part in the weights;
+    /// whitened by the white noise (`m × q`).
     pub carried: Columns,
-    /// What the vertical part of the earth's rotation, which the weights take for another in every recording, does to the rows
-    /// of each, whitened by the white noise (`m × recordings`).
+    /// Columns of the vertical part of the earth's rotation, one per recording, because the weights take it as
+    /// independent in each; whitened by the white noise (`m × recordings`).
     pub of_place: Columns,
-    /// What depends on the orientation and should not.
+    /// Patterns by which the residuals depend on the orientation, with the sensor of each.
     pub shown: Vec<(Sensor, Shown)>,
 }
 

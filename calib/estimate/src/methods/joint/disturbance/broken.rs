@@ -93,7 +93,7 @@ pub fn touched(pair: &Pair<'_>, turn: Span, beside: &Beside) -> Option<Span> {
     }
 }
 
-/// How far the device turned, rad: gravity does not tell a turn about the vertical from none.
+/// Returns the angle by which the device turned, rad: gravity does not show a turn about the vertical.
 fn rotation(rate: &Stream, from: f64, to: f64, bias: &Vector3<f64>) -> f64 {
     let samples = rate.between(from, to);
     let steps = rate.t[samples.clone()].windows(2).zip(samples);

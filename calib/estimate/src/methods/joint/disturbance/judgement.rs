@@ -1,4 +1,4 @@
-//! How the rows are believed: levels of noise, and the disturbances that they flag.
+//! Judgement of the rows: levels of noise, and the disturbances that the rows flag.
 
 use nalgebra::Matrix3;
 use sensor::Sensor;
@@ -22,9 +22,10 @@ use crate::methods::joint::rows::Rows;
 /// So many disturbances may be the whole of a misfit by noise alone.
 const FEW: usize = 2;
 
-/// Where the norm of specific force misses at all static intervals, one that did not shake was pushed if its force is off by
-/// so many times as much: four standard deviations along each of three axes. Less is what the model lacks, as it shows
-/// in this interval: hysteresis of 1 mg leaves single ones off by one to three times the misfit of the others.
+/// Multiple of the misfit by which the specific force of an interval that did not shake must be off to count as a push,
+/// where the norm misses at all static intervals: four standard deviations along each of three axes. A smaller
+/// excursion is the effect that the model lacks: hysteresis of 1 mg leaves single intervals off by one to three times
+/// the misfit of the others.
 const STANDS_OUT: f64 = 7.0;
 
 impl Run<'_> {
@@ -132,7 +133,7 @@ impl Run<'_> {
         }
     }
 
-    /// What the request knows to be disturbed.
+    /// Returns the suspects that the request names as disturbed.
     fn known(&self, rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
         if self.request.known.is_empty() {
             return Vec::new();

@@ -172,7 +172,7 @@ struct Window {
     ratio: f64,
 }
 
-/// What chance does to the cube roots.
+/// Distribution of the cube roots by chance.
 #[derive(Clone, Copy)]
 struct Law {
     centre: f64,
@@ -198,7 +198,8 @@ impl Law {
         }
     }
 
-    /// That of a stretch that shakes throughout: about its own centre, and nowhere narrower than that of all.
+    /// Returns the distribution for a stretch that shakes throughout: its own centre and spread, neither less than
+    /// those of all stretches.
     fn of_restless(&self, own: &[Window], count: usize) -> Self {
         let own = Self::of(own, count);
         Self {

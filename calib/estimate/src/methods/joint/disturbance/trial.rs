@@ -39,24 +39,24 @@ pub struct Trial<'a> {
     alike: Vec<usize>,
     /// The columns of all, then what looks like each, whitened (`m × k`): those of a suspect are in one group of rows.
     columns: Columns,
-    /// Of the columns of the Jacobian.
+    /// Basis of the columns of the Jacobian.
     basis: Basis,
     /// The residuals, whitened (`m`).
     residuals: Vec<f64>,
 }
 
-/// What is fitted beside the Jacobian, and what all of it leaves.
+/// Disturbances fitted beside the Jacobian, and the residuals after that.
 struct Known {
     /// An orthonormal basis of what the columns of the disturbances add (`m × a`).
     added: Mat<f64>,
-    /// What is left of the residuals (`m`).
+    /// Remainder of the residuals (`m`).
     left: Vec<f64>,
     /// The parts of the suspects' columns in the space of all that is fitted, group by group.
     inside: Vec<Mat<f64>>,
 }
 
 impl<'a> Trial<'a> {
-    /// Of residuals, a Jacobian and the suspects' columns, all whitened.
+    /// Builds the tests from residuals, a Jacobian and the suspects' columns, all whitened.
     pub fn new(
         suspects: &'a [Suspect],
         columns: Columns,
@@ -137,7 +137,7 @@ impl<'a> Trial<'a> {
             .collect()
     }
 
-    /// What the columns of `known` add to the basis, and what is left.
+    /// Fits the columns of the suspects `known` beside the Jacobian.
     fn with(&self, known: &[usize]) -> Known {
         let places: Vec<usize> = known
             .iter()
@@ -197,7 +197,7 @@ impl<'a> Trial<'a> {
         Some((own, moved))
     }
 
-    /// How far a suspect is off, the others among the flagged fitted beside it: the length of its parameters.
+    /// Returns the norm of a suspect's parameters, the other flagged ones fitted beside it.
     pub fn size(&self, suspect: usize, flagged: &[usize]) -> Option<f64> {
         let others: Vec<usize> = flagged.iter().copied().filter(|&k| k != suspect).collect();
         let score = self.score(suspect, &self.with(&others))?;

@@ -6,16 +6,16 @@ use recording::{Stream, is_before};
 
 /// Length of the means that are compared with those of the middle, s.
 const BATCH: f64 = 0.1;
-/// How far from either end motion is looked for, s, and the most of the rest that this may be.
+/// Longest part of either end that is searched for motion: in s, and as a share of the static interval.
 const ENDS: f64 = 1.5;
 const SHARE: f64 = 0.25;
 /// A mean this many standard deviations off is motion.
 const OFF: f64 = 4.0;
 /// A stretch that shakes by so many standard deviations more than the middle is the end of a motion.
 const SHAKES: f64 = 5.0;
-/// What is cut off in any case, s: motion that is still smaller than the noise.
+/// Margin cut off in any case, s: it holds motion that is still smaller than the noise.
 const GUARD: f64 = 0.1;
-/// What is cut off either end at most, as a share of the rest: something of a short one is left, whatever its ends do.
+/// Largest share of the static interval that is cut off either end: some of a short one remains in any case.
 const MOST_CUT: f64 = 1.0 / 3.0;
 /// Differences below this share of the reading are rounding.
 const ROUNDING: f64 = 1e-12;

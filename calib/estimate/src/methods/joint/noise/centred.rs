@@ -104,7 +104,7 @@ fn total(rows: &[usize], exposures: &[Exposure]) -> Mat<f64> {
     total
 }
 
-/// Of every row of a sensor's means how long that mean lasts, s, and its axis.
+/// Returns the duration, s, and the axis of the mean behind every row of a sensor; zeros for all other rows.
 fn lengths(rows: &Rows<'_>, sensor: Sensor) -> Vec<(f64, usize)> {
     let mut lengths = vec![(0.0, 0); rows.count()];
     let first = rows.first_row(sensor);

@@ -33,7 +33,7 @@ pub struct Link {
 }
 
 impl Chain {
-    /// Of nothing.
+    /// Builds an empty chain: a covariance of zeros.
     pub fn none(stations: &Stations) -> Self {
         Self::of_width(stations, 0)
     }
@@ -46,7 +46,7 @@ impl Chain {
         }
     }
 
-    /// Of parts of some stations, by the first row of each.
+    /// Builds the chain of links, each at the station that begins with the given row.
     pub fn of_links(
         stations: &Stations,
         width: usize,
@@ -92,7 +92,7 @@ impl Chain {
         chain
     }
 
-    /// What the rows of every station share with each other, and with no other.
+    /// Builds the chain of a covariance among the rows of each station; rows of different stations share nothing.
     pub fn of_each(stations: &Stations, covariance: &Covariance) -> Self {
         let own = |rows: Vec<usize>| {
             let own = covariance.part(&rows)?;

@@ -1,4 +1,4 @@
-//! How rows feel a bias that walks at random.
+//! Exposure of the rows to a random walk of a bias.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -8,8 +8,8 @@ use nalgebra::{DMatrix, Matrix2x3, Vector3};
 
 use crate::methods::joint::blocks::covariance::Covariance;
 
-/// What a group of rows (`d` of them) takes from the path `b(t) − b(t_r)` of a bias since the reference
-/// time, axis by axis: `∫ w(t) (b(t) − b(t_r)) dt`.
+/// Integral of a walking bias over a group of `d` rows, from its value at the reference time and axis by axis:
+/// `∫ w(t) (b(t) − b(t_r)) dt`.
 ///
 /// Of a Brownian path of unit density, `E b_i(s) b_j(t) = δ_ij min(τ(s), τ(t))` with `τ` the distance from
 /// the reference on the same side of it, 0 across. Groups do not overlap in time, so that of two the
@@ -20,7 +20,7 @@ pub struct Exposure {
     pub rows: Range<usize>,
     /// The recording, or whatever has a path of its own: paths of different ones are independent.
     pub recording: usize,
-    /// Whether the group lies after the reference time.
+    /// True if the group lies after the reference time.
     pub after: bool,
     /// Distance of its near end from the reference, s.
     pub near: f64,
@@ -128,7 +128,7 @@ pub fn covariance(exposures: &[Exposure], m: usize) -> Covariance {
 pub struct Path<'a, T> {
     /// The rows, in ascending order.
     pub rows: Vec<usize>,
-    /// What feels it, and its rows as places among these.
+    /// Items that feel it, each with its rows as places among these.
     pub items: Vec<(&'a T, Range<usize>)>,
 }
 

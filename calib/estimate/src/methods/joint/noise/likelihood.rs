@@ -43,7 +43,7 @@ pub struct Restricted {
     mixed: Mixed,
     /// Independent numbers whose variances depend on the same components.
     pub within: Vec<Within>,
-    /// How often the likelihood was worked out.
+    /// Number of evaluations of the likelihood so far.
     pub evaluations: Cell<usize>,
 }
 
@@ -56,7 +56,8 @@ struct Measured {
 }
 
 impl Restricted {
-    /// Of residuals `r` (`m`), Jacobian `J` (`m × n`) and kinds of noise, all whitened by the white noise.
+    /// Builds the likelihood from residuals `r` (`m`), Jacobian `J` (`m × n`) and components of noise, all whitened by
+    /// the white noise.
     pub fn new(residuals: &[f64], jacobian: &Columns, components: &[&Component]) -> Self {
         Self {
             mixed: Mixed::new(residuals, jacobian, components),

@@ -48,12 +48,12 @@ pub struct Mixed {
     dropped: Vec<usize>,
 }
 
-/// How a component is treated.
+/// Treatment of a component.
 #[derive(Clone, Debug)]
 enum Kind {
-    /// As covariance that is passed on.
+    /// Covariance that is passed on from station to station.
     Passed,
-    /// As columns, of this variance at least.
+    /// Columns fitted beside the Jacobian, with the least variance of their coefficients.
     Columns(Range<usize>, f64),
 }
 
@@ -78,7 +78,7 @@ pub struct Part {
     gram: Mat<f64>,
 }
 
-/// What lines add up to.
+/// Sums over lines.
 #[derive(Clone, Debug)]
 pub struct Sum {
     /// `XᵀV₀⁻¹X`.
@@ -102,7 +102,8 @@ pub struct At {
 }
 
 impl Mixed {
-    /// Of residuals (`m`), a Jacobian (`m × n`, in the rows of the recordings) and kinds of noise, whitened by the white noise.
+    /// Builds the problem from residuals (`m`), a Jacobian (`m × n`, in the rows of the recordings) and components of
+    /// noise, all whitened by the white noise.
     pub fn new(residuals: &[f64], jacobian: &Columns, components: &[&Component]) -> Self {
         let mut unit = jacobian.clone();
         let norms = jacobian.norms().into_iter();
@@ -182,7 +183,7 @@ impl Mixed {
         self.lines.iter().map(of).sum()
     }
 
-    /// Whether what a line gives depends on a component.
+    /// Returns true if the part of a line depends on a component.
     pub fn feels(&self, line: usize, component: usize) -> bool {
         self.lines[line].sequence.feels(component)
     }
@@ -192,7 +193,7 @@ impl Mixed {
         self.lines[line].part(theta)
     }
 
-    /// Of no line yet.
+    /// Returns the sum over no lines.
     pub fn nothing(&self) -> Sum {
         Sum {
             normal: Arrow::zeros(&self.places),

@@ -21,7 +21,7 @@ const LEAST_FREEDOM: f64 = 20.0;
 const SENSORS: [Sensor; 2] = [Sensor::Accelerometer, Sensor::Gyroscope];
 
 impl Data {
-    /// Whether long means of some sensor are believed to spread by more than white noise.
+    /// Returns true if the noise of any sensor is coloured: long means are expected to spread by more than white noise.
     pub(crate) fn is_coloured(&self) -> bool {
         let mut noises = self
             .sources

@@ -1,4 +1,4 @@
-//! What steps wider than the noise do to means.
+//! Effect of steps wider than the noise on means.
 
 use super::scatter::scatter;
 

@@ -1,4 +1,4 @@
-//! What the noise of the recordings makes of the rows.
+//! Noise of the rows, from the noise of the recordings.
 
 use nalgebra::{Matrix2, Matrix2x3, Vector3};
 use sensor::{Base, Sensor};
@@ -17,7 +17,7 @@ pub struct RowNoise {
     pub variance: Vec<f64>,
     /// Per row: its white covariance with the row before; only the two rows of a turn share noise.
     pub with_before: Vec<f64>,
-    /// How the rows of accelerometer and gyroscope feel a walk of the bias.
+    /// Exposures of the rows to the walks of the biases of accelerometer and gyroscope.
     pub exposures: [Vec<Exposure>; 2],
     /// Per turn: the covariance that a sampling share of one adds.
     pub by_share: Vec<Matrix2<f64>>,

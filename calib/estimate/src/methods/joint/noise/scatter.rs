@@ -1,4 +1,4 @@
-//! How values scatter about their mean.
+//! Scatter of values about their mean.
 
 /// Noise below this (m/s² or rad/s) is rounding: keeps noise-free recordings weighted, and sensibly.
 pub(crate) const FLOOR: f64 = 1e-9;

@@ -30,7 +30,7 @@ struct Stop {
     /// `d × r` each, row by row.
     gives: Vec<f64>,
     takes: Vec<f64>,
-    /// What is kept of the state on the way to here (`r`); `None` where that is everything.
+    /// Share of the state that is kept on the way to this station (`r`); `None` where all of it is.
     keeps: Option<Vec<f64>>,
 }
 
@@ -41,9 +41,9 @@ pub struct Factor {
     pub log_determinant: f64,
     /// Diagonal blocks.
     lower: Vec<Small>,
-    /// What the state is told by the whitened rows (`d × r` each).
+    /// Contributions of the whitened rows to the state (`d × r` for each station).
     told: Vec<f64>,
-    /// Where each station's part of it begins.
+    /// First index of each station's part of them.
     begins: Vec<usize>,
 }
 
@@ -104,7 +104,7 @@ impl Sequence {
         self.rows
     }
 
-    /// Whether the rows feel a component.
+    /// Returns true if the rows have noise of a component.
     pub fn feels(&self, component: usize) -> bool {
         let mut own = self.stops.iter().flat_map(|stop| &stop.own);
         own.any(|(c, block)| *c == component && block.iter().any(|v| *v != 0.0))

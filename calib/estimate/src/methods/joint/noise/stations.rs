@@ -13,7 +13,7 @@ pub struct Station {
     pub rows: Range<usize>,
     /// The recording: stations share noise with others of the same one only.
     pub line: usize,
-    /// Whether it lies after the reference time, and by how much; the other way round before it.
+    /// Side of the reference time (true after it), and signed distance from it, s: positive after, negative before.
     place: (bool, f64),
 }
 
@@ -22,7 +22,7 @@ pub struct Station {
 pub struct Stations(Arc<[Station]>);
 
 impl Stations {
-    /// Of rows of which the turns' begin at `first_turn`.
+    /// Builds the stations of all rows; those of the turns begin at row `first_turn`.
     pub fn new(noise: &RowNoise, first_turn: usize) -> Self {
         let count = noise.variance.len();
         let mut place = vec![(true, f64::MAX); count];

@@ -14,15 +14,15 @@ pub struct WalkFilter {
     pub log_determinant: f64,
 }
 
-/// What the filter does at one number.
+/// Step of the filter at one number.
 #[derive(Clone, Copy, Debug)]
 struct Step {
     row: usize,
-    /// Whether the walk begins anew.
+    /// True if the walk begins anew.
     begins: bool,
-    /// What the number sees of the bias.
+    /// Derivative of the number by the bias, in its standard deviations.
     sees: Vector3<f64>,
-    /// How the bias follows the number.
+    /// Kalman gain: change of the estimated bias per unit of innovation.
     gain: Vector3<f64>,
     /// Standard deviation of what is left of the number.
     std: f64,

@@ -18,7 +18,7 @@ const BEYOND: f64 = 2.5;
 /// Beyond a size with this share of the likeliest one's weight nothing is left to try.
 const NOTHING: f64 = 1e-7;
 
-/// How often the sizes tried are doubled at most.
+/// Largest number of doublings of the range of sizes tried.
 const DOUBLINGS: usize = 12;
 
 /// Rounds over the walks, and the relative change of a variance that ends them.
@@ -36,8 +36,8 @@ pub struct Walks {
 }
 
 impl Walks {
-    /// Of residuals (`m`) and a Jacobian (`m × n`), both whitened by the white noise, with walks of unit density and other
-    /// noise of a `fixed` variance.
+    /// Builds the problem from residuals (`m`) and a Jacobian (`m × n`), both whitened by the white noise, with walks
+    /// of unit density and other noise of a `fixed` variance.
     pub fn new(
         residuals: &[f64],
         jacobian: &Columns,

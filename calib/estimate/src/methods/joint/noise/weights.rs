@@ -31,7 +31,7 @@ pub struct White {
 }
 
 impl White {
-    /// Of these rows, the turns' from `first_turn` on.
+    /// Builds the whitening of these rows, the turns' from `first_turn` on.
     pub fn new(noise: &RowNoise, first_turn: usize) -> Self {
         let m = noise.variance.len();
         let (mut diagonal, mut beside) = (vec![0.0; m], vec![0.0; m]);
@@ -108,7 +108,7 @@ impl White {
         }
     }
 
-    /// How the rows feel a walk after whitening.
+    /// Whitens the exposure of rows to a walk.
     pub fn exposure(&self, exposure: &Exposure) -> Exposure {
         let first = exposure.rows.start;
         let mut whole = exposure.clone();
@@ -152,10 +152,10 @@ impl White {
     }
 }
 
-/// What else the noise has than white: a covariance among the rows, for a variance of one.
+/// Component of the noise beside the white one: a covariance among the rows, for a variance of one.
 #[derive(Clone, Debug)]
 pub struct Component {
-    /// What it is.
+    /// Kind of the noise.
     pub kind: ComponentKind,
     /// `L⁻¹ C L⁻ᵀ` (`m × m`) within the recordings; nothing of an error that all recordings share.
     pub covariance: Covariance,
@@ -166,14 +166,14 @@ pub struct Component {
 /// The form of a covariance.
 #[derive(Clone, Debug)]
 pub enum Form {
-    /// What is passed on along the recordings.
+    /// Covariance that is passed on from station to station.
     Passed(Chain),
     /// `U Uᵀ` of a few columns.
     Columns(Columns),
 }
 
 impl Form {
-    /// What is passed on.
+    /// Returns the chain; `None` for columns.
     pub fn chain(&self) -> Option<&Chain> {
         match self {
             Self::Passed(chain) => Some(chain),
@@ -199,34 +199,35 @@ pub enum ComponentKind {
     RateScatter,
     /// Scatter of the turns, rad.
     TurnScatter,
-    /// What the turns may scatter by beyond the noise of their samples where too few of them show whether they do, rad.
+    /// Scatter of the turns beyond the noise of their samples that has to be expected where too few of them show it,
+    /// rad.
     TurnDoubt,
-    /// What no effect of the model explains of the specific force and its orientation does, m/s² at one g.
+    /// Dependence of the specific force on the orientation that no effect of the model explains, m/s² at one g.
     ForceOfOrientation,
     /// The same of the rate at the static intervals, rad/s at one g.
     RateOfOrientation,
     /// The rotation of the earth where nobody says the latitude: its size is known, its direction is not; rad/s per
     /// component.
     EarthRotation,
-    /// What rounding to steps wider than the noise makes of the gyroscope's bias, the same in every static interval.
+    /// Error of the gyroscope's bias by rounding to steps wider than the noise, the same in every static interval.
     CommonRounding,
 }
 
 impl ComponentKind {
-    /// Whether it is a random walk of a bias.
+    /// Returns true if it is a random walk of a bias.
     pub fn is_walk(self) -> bool {
         matches!(self, Self::AccelerometerWalk | Self::GyroscopeWalk)
     }
 
-    /// Whether it depends on the orientation: it enlarges the errors, and rows are weighted as without it.
+    /// Returns true if it depends on the orientation: it enlarges the errors, and the rows are weighted as without it.
     ///
-    /// Weights that know of it would leave to it what belongs to scales and biases as well; a model that
+    /// Weights with this component would attribute to it what belongs to scale factors and biases as well. A model that
     /// misses an effect predicts other orientations best with the parameters that fit best.
     pub fn is_of_orientation(self) -> bool {
         matches!(self, Self::ForceOfOrientation | Self::RateOfOrientation)
     }
 
-    /// Whether it is flicker noise of a bias.
+    /// Returns true if it is flicker noise of a bias.
     pub fn is_flicker(self) -> bool {
         matches!(
             self,
@@ -234,7 +235,7 @@ impl ComponentKind {
         )
     }
 
-    /// Whether it is noise as it was measured or is known, not what remains of a misfit.
+    /// Returns true if it is noise that was measured or is known, and not the remainder of a misfit.
     pub fn is_noise(self) -> bool {
         self.is_walk() || self.is_flicker() || self.known_variance().is_some()
     }
@@ -252,7 +253,7 @@ impl ComponentKind {
 /// A component and how much of it there is, near SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoiseLevel {
-    /// What.
+    /// Kind of the component.
     pub kind: ComponentKind,
     /// Its size: the root of the factor on the component's covariance.
     pub size: f64,
@@ -281,7 +282,7 @@ pub struct Whitening {
     pub white: White,
     /// Rows that share noise: those of a recording, or of several where a covariance connects them.
     groups: RowGroups,
-    /// Of every group the Cholesky factors of `I + Σ size² C`; none where that is the identity.
+    /// Cholesky factors of `I + Σ size² C` for every group; empty where that is the identity.
     factors: Vec<Vec<Factor>>,
 }
 

@@ -1,4 +1,4 @@
-//! Where and when the device lay.
+//! Orientation, time and recording of a static interval.
 
 use nalgebra::Vector3;
 

@@ -15,13 +15,13 @@ use crate::methods::joint::rows::{Linear, Rows};
 pub struct At<'a> {
     /// The rows.
     pub rows: &'a Rows<'a>,
-    /// Where.
+    /// Parameters at which it is linearised.
     pub x: &'a [f64],
     /// Residuals and Jacobian there, disturbances left out.
     pub linear: &'a Linear,
     /// The free parameters.
     pub free: &'a [usize],
-    /// What the rotation of the earth does to the rows, where nobody says it.
+    /// Columns of the earth's rotation in the rows, where it is not given.
     pub earth: Option<&'a Columns>,
 }
 
@@ -52,8 +52,8 @@ impl At<'_> {
         any
     }
 
-    /// What the norm of specific force misses at the static intervals that nothing disturbed, m/s²; nothing where chance
-    /// explains it.
+    /// Returns the misfit of the norm of specific force at the static intervals that nothing disturbed, m/s²; zero
+    /// where chance explains it.
     pub fn misfit_of_norm(&self, disturbed: &[&Suspect]) -> f64 {
         self.numbers(Sensor::Accelerometer, disturbed).misfit()
     }

@@ -48,7 +48,7 @@ impl Analysis {
         self.components.len() > before
     }
 
-    /// Whether the quieter three quarters of rests or turns are off by far more than the noise.
+    /// Returns true if the quieter three quarters of the static intervals or turns are off by far more than the noise.
     pub fn is_missed(&self, rows: &Rows<'_>, known: &[&Suspect]) -> bool {
         !self.missed(rows, &self.taken(known)).is_empty()
     }
@@ -116,7 +116,8 @@ impl Analysis {
         self.components.len() > before
     }
 
-    /// Whether no kind of rows is conspicuous even by what the residuals are before anything more is fitted.
+    /// Returns true if no kind of rows exceeds its expected sum of squares conspicuously, even before anything more is
+    /// fitted.
     fn is_quiet(&self, rows: &Rows<'_>, r: &[f64]) -> bool {
         let [rate, turns, end] = [rows.first_rate_row(), rows.first_turn_row(), rows.count()];
         let directions = 2 * rows.data.rests.len() + 9;
@@ -204,7 +205,8 @@ impl Analysis {
     }
 }
 
-/// How the rows feel a walk of the accelerometer's bias that is none at the begin of every rest; whitened by the white noise.
+/// Computes the exposures of the accelerometer's rows to a walk of its bias that begins at zero in every static
+/// interval; whitened by the white noise.
 fn exposures_within_rests(rows: &Rows<'_>, white: &White) -> Vec<Exposure> {
     let exposure = |(k, (_, chunk)): (usize, (usize, &Chunk))| {
         let span = chunk.accelerometer?.span;
@@ -218,7 +220,7 @@ fn exposures_within_rests(rows: &Rows<'_>, white: &White) -> Vec<Exposure> {
     means.filter_map(exposure).collect()
 }
 
-/// What a shift of a rest on each axis does to its rows of the accelerometer, unit columns.
+/// Builds the unit columns of a shift on each axis in a static interval's rows of the accelerometer.
 fn by_axis(rows: &[usize]) -> [Column; 3] {
     [0, 1, 2].map(|axis| {
         let mut column = Column::none();

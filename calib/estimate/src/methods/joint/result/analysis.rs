@@ -25,22 +25,22 @@ pub struct Analysis {
     pub jacobian: Columns,
     /// Whitening by the white noise.
     pub white: White,
-    /// What else the noise may have.
+    /// Components of the noise beside the white one.
     pub components: Vec<Component>,
-    /// What depends on the orientation, of unit size, whitened by the white noise (`m × q` each).
+    /// Columns of errors that depend on the orientation, of unit size, whitened by the white noise (`m × q` each).
     pub(super) orientation: Vec<(ComponentKind, Columns)>,
-    /// What is known to be in the noise by unit sizes, whitened by the white noise (`m × q` each).
+    /// Columns of errors known to be in the noise, of unit size, whitened by the white noise (`m × q` each).
     pub(super) carried: Vec<Columns>,
     /// The rows in the order in which the biases pass them.
     pub stations: Stations,
-    /// How the gyroscope's means, then the turns, feel its bias.
+    /// Exposures of the gyroscope's means, then of the turns, to its bias.
     pub(super) rate_exposures: Vec<Exposure>,
-    /// Whether the walk of the accelerometer's bias begins anew in every rest.
+    /// True if the walk of the accelerometer's bias begins anew in every static interval.
     pub walk_ends_with_rests: bool,
 }
 
 impl Analysis {
-    /// Of a linearised problem and its noise.
+    /// Whitens a linearised problem by the white part of its noise.
     pub fn new(rows: &Rows<'_>, linear: &Linear, noise: &RowNoise, free: &[usize]) -> Self {
         let white = White::new(noise, rows.first_turn_row());
         let (residuals, jacobian) = linear.whitened_by(free, &white);
@@ -73,8 +73,8 @@ impl Analysis {
         }
     }
 
-    /// What a shift of the gyroscope's reading in every rest does to the rows (`m × 3 rests`), whitened: what shifts it
-    /// in a rest shifts it by half in the turns on either side, as far as anybody can know.
+    /// Builds the columns of a shift of the gyroscope's readings in every static interval (`m × 3 rests`), whitened:
+    /// the shift counts in full in the interval and by half in the turn on either side.
     pub(super) fn rate_shifts(&self, rows: &Rows<'_>) -> Columns {
         let means = rows.means(Sensor::Gyroscope);
         let of_means = means.map(|(_, chunk)| vec![(chunk.rest, 1.0)]);
@@ -141,7 +141,7 @@ pub struct Whitened {
     pub columns: Columns,
     /// The residuals, and zeros below (`m + q`).
     pub residuals: Vec<f64>,
-    /// What whitened the rows (`m`).
+    /// Whitening of the rows (`m`).
     pub whitening: Whitening,
     /// `q`.
     pub errors: usize,

@@ -1,4 +1,4 @@
-//! Whether the gyroscope has the same scale factors and misalignments in every recording.
+//! Test for a recording in which the gyroscope has other scale factors and misalignments.
 
 use faer::Mat;
 use nalgebra::{DMatrix, DVector};
@@ -16,7 +16,7 @@ pub struct Apart {
     pub recording: usize,
     /// The parameter that differs most, near SI units.
     pub parameter: String,
-    /// How much larger it is there than in the others.
+    /// Change of the parameter there against the other recordings.
     pub change: f64,
     /// Its standard error.
     pub std: f64,

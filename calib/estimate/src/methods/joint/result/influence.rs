@@ -1,4 +1,4 @@
-//! What every static interval does to the result.
+//! Influence of every static interval on the result.
 
 use serde::Serialize;
 
@@ -6,7 +6,7 @@ use crate::methods::joint::blocks::basis::Basis;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::fit::JointFit;
 
-/// What is left of a row when all others have had their say; below this they say nothing of it.
+/// Smallest squared pivot of `I − H` in the rows of a static interval; below it the other rows do not determine these.
 const HELD_UP: f64 = 1e-8;
 
 /// The influence of one rest.
@@ -14,7 +14,7 @@ const HELD_UP: f64 = 1e-8;
 pub struct Influence {
     /// Place of the rest in the data.
     pub rest: usize,
-    /// How many parameters' worth of information its rows are: the sum of their leverages.
+    /// Sum of the leverages of its rows: the number of parameters that they determine.
     pub leverage: f64,
     /// The shared parameter that moves most without it.
     pub parameter: String,

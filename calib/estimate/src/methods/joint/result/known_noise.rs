@@ -68,8 +68,8 @@ impl Analysis {
         self.carried.push(whitened);
     }
 
-    /// What the vertical part of the earth's rotation, of which `earth` has a column for every recording before all others, does to
-    /// the rows of each, of the size that it may have, whitened by the white noise (`m × recordings`).
+    /// Returns the columns of the vertical part of the earth's rotation, one per recording and of the size that it may
+    /// have, whitened by the white noise (`m × recordings`); `earth` begins with a column of it for every recording.
     pub fn of_place(&self, earth: Option<&Columns>) -> Columns {
         let Some(earth) = earth else {
             return Columns::none(self.white.groups());
@@ -82,7 +82,8 @@ impl Analysis {
         columns
     }
 
-    /// What depends on the orientation at these levels, whitened by the white noise (`m × q`).
+    /// Returns the columns of the errors that depend on the orientation at these levels, whitened by the white noise
+    /// (`m × q`).
     pub fn carried(&self, levels: &[NoiseLevel]) -> Columns {
         let none = Columns::none(self.white.groups());
         self.orientation.iter().fold(none, |sum, (kind, columns)| {

@@ -1,4 +1,4 @@
-//! What fitted columns leave of the rows.
+//! Residuals and leverages of the rows after a fit of columns.
 
 use crate::methods::joint::blocks::basis::Basis;
 use crate::methods::joint::blocks::columns::Columns;
@@ -6,7 +6,7 @@ use crate::methods::joint::blocks::columns::Columns;
 /// The share of rests (or turns) that a judgement of most of them rests on.
 const QUIETER: f64 = 0.75;
 
-/// What columns that are fitted leave of the rows.
+/// Residuals and leverages of the rows after a fit of columns.
 pub(crate) struct Left {
     residuals: Vec<f64>,
     basis: Basis,

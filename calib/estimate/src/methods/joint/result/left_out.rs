@@ -1,4 +1,4 @@
-//! How large errors would be if a sensor had an effect that the joint fit leaves out.
+//! Errors of the joint fit's parameters by an effect that its model leaves out.
 
 use faer::Mat;
 use sensor::AnyEffect;

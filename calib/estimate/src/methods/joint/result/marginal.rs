@@ -1,4 +1,4 @@
-//! What the data say of some parameters when all others are free.
+//! Marginal covariance of some parameters, all others free.
 
 use faer::Mat;
 use solver::{Uncertainty, uncertainty};

@@ -1,4 +1,4 @@
-//! How far the data are from the model, before any error is inflated.
+//! Misfit of the data from the model, before any error is enlarged.
 
 use faer::Mat;
 use sensor::Sensor;
@@ -15,15 +15,15 @@ use crate::methods::small_sample::by_chance;
 /// Added to the unit diagonal of normal equations.
 const HELD_UP: f64 = 1e-11;
 
-/// What one kind of rows leaves, against the noise that was measured within the static intervals, walks of the biases
-/// among it.
+/// Misfit of one kind of rows, against the noise that was measured within the static intervals and the walks of the
+/// biases.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChannelMisfit {
-    /// Which rows.
+    /// Kind of the rows.
     pub channel: Channel,
     /// Root mean square of what is left: m/s² of the norm, rad/s of the rate, rad of the direction.
     pub rms: f64,
-    /// What the noise makes of that.
+    /// Root mean square expected by the noise, in the same unit.
     pub noise: f64,
     /// `χ²` against the noise.
     pub chi2: f64,
@@ -31,23 +31,24 @@ pub struct ChannelMisfit {
     pub dof: f64,
     /// Probability of so much by noise alone.
     pub p_value: f64,
-    /// How it depends on the orientation, where it does.
+    /// Pattern by which the residuals depend on the orientation, where they do.
     pub pattern: Option<Shown>,
 }
 
 impl ChannelMisfit {
-    /// What is left over the noise: `√(χ²/dof)`.
+    /// Returns the ratio of the residuals to the noise: `√(χ²/dof)`.
     pub fn ratio(&self) -> f64 {
         (self.chi2 / self.dof).sqrt()
     }
 }
 
 impl JointFit {
-    /// What the norm of specific force, the rate at the static intervals and the direction through turns leave, where
-    /// each has degrees of freedom.
+    /// Returns the misfits of the norm of specific force, of the rate at the static intervals and of the direction
+    /// through turns, each where it has degrees of freedom.
     ///
-    /// Rows are in the order force, rate, turns, and whitening mixes a row with those before it only: what the
-    /// parameters leave of the first rows, of the first two kinds and of all differ by independent sums of squares.
+    /// Rows are in the order force, rate, turns, and whitening mixes a row with those before it only. The residual sums
+    /// of squares of the first rows, of the first two kinds and of all rows therefore differ by independent sums of
+    /// squares.
     pub fn misfits(&self) -> Vec<ChannelMisfit> {
         let whitening = self.noise_whitening();
         let m = self.white_residuals.len();

@@ -63,7 +63,7 @@ impl JointFit {
     }
 }
 
-/// Whether an effect goes by the specific force alone, in proportion to its parameters.
+/// Returns true if an effect depends on the specific force alone and is linear in its parameters.
 fn by_force_alone(effect: &&'static dyn AnyEffect) -> bool {
     let needs = effect.needs();
     needs.iter().all(|need| *need == Quantity::SpecificForce)

@@ -1,4 +1,4 @@
-//! How large walks, scatter and flicker are: by restricted likelihood, without a refit.
+//! Levels of walks, scatter and flicker by restricted likelihood, without a refit.
 
 use super::analysis::Analysis;
 use crate::methods::joint::blocks::column::Column;
@@ -16,7 +16,8 @@ use crate::methods::joint::rows::Rows;
 /// Prior chance of no doubt of turns at all, over that of any.
 const NO_DOUBT: f64 = 1.0;
 
-/// How far usual walks go, in standard deviations of a chunk's mean.
+/// Usual limit of a walk: its standard deviation in the row that feels it most, in standard deviations of a chunk's
+/// mean.
 const USUAL: f64 = 3.0;
 
 /// The same of what turns scatter by without any recording showing it, in standard deviations of the best turn.

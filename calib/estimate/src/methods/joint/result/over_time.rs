@@ -1,4 +1,4 @@
-//! How much the biases moved while the recording lasted, and whether the earth's rotation is where the latitude has it.
+//! Motion of the biases during a recording, and test of the earth's rotation against the latitude.
 
 use faer::Mat;
 use nalgebra::{Matrix3, Vector3};
@@ -25,8 +25,8 @@ pub struct BiasMotion {
 }
 
 impl JointFit {
-    /// How much a bias moved in a recording: the slope of the readings at rest over time, beside everything that was fitted,
-    /// walks counted as noise. `None` with fewer than two static intervals.
+    /// Estimates the motion of a bias in a recording: the slope of the readings at the static intervals over time,
+    /// beside everything that was fitted, walks counted as noise. `None` with fewer than two static intervals.
     pub fn bias_motion(&self, sensor: Sensor, recording: usize) -> Option<BiasMotion> {
         let mean = |chunk: &Chunk| chunk.mean(sensor);
         let own = |chunk: &Chunk| self.data.rests[chunk.rest].recording == recording;
@@ -78,7 +78,7 @@ impl JointFit {
         })
     }
 
-    /// What three whitened columns would take beside all that is fitted, and the covariance of that.
+    /// Estimates the coefficients of three whitened columns beside everything that was fitted, and their covariance.
     fn beside(&self, columns: &Columns) -> Option<(Vector3<f64>, Matrix3<f64>)> {
         let left = Basis::of(&self.jacobian).without(columns).to_dense();
         let r = Mat::from_fn(self.residuals.len(), 1, |i, _| self.residuals[i]);
@@ -90,8 +90,8 @@ impl JointFit {
         Some((-(inverse * Vector3::from_fn(|i, _| right[(i, 0)])), inverse))
     }
 
-    /// How far a parameter that was held would go if it were free, and the standard error of that; `None` where it is no
-    /// parameter or nothing shows it.
+    /// Estimates the change of a held parameter if it were free, and its standard error; `None` where there is no such
+    /// parameter or it is unobservable.
     pub fn pull_of_held(&self, name: &str) -> Option<(f64, f64)> {
         let place = self.parameters.index(name)?;
         let linear = self.rows().linearize(self.parameters.values());

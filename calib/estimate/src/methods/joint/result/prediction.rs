@@ -1,4 +1,4 @@
-//! What the errors of the parameters make of corrected readings and headings.
+//! Predicted errors of corrected readings and headings, from the covariance of the parameters.
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use sensor::{BASE_PARAMETERS, Base, Kinematics, Model, PLACES, Sensor, inverse};
@@ -66,7 +66,7 @@ impl Prediction {
 
 /// The sensor of a prediction.
 impl Prediction {
-    /// Which sensor it speaks of.
+    /// Returns the sensor.
     pub fn sensor(&self) -> Sensor {
         self.model.sensor()
     }

@@ -11,9 +11,9 @@ pub struct ByParameters<'a> {
     passes: Passes,
 }
 
-/// What the effect is asked for at every instant.
+/// Evaluations of the effect at every instant.
 enum Passes {
-    /// Of an effect `F p`, the errors of unit parameters, which are the columns of `F`.
+    /// Unit parameters of an effect `F p`: the errors are the columns of `F`.
     Units(Vec<Vec<f64>>),
     /// Its error with derivatives by so many of the parameters at once.
     Jets(Vec<(Vec<Jet>, usize)>),

@@ -8,12 +8,13 @@ use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::rows::Rows;
 
 impl Rows<'_> {
-    /// What a unit rotation of the earth does to the rows: the gyroscope at rest reads it, turns contain it. The first columns
-    /// are the vertical part (up) in every recording, the others two horizontal ones in every stretch through which the heading
-    /// can be followed, as each begins with a heading of its own (`m × (recordings + 2 headings)`).
+    /// Builds the columns of a unit rotation of the earth in the rows: the gyroscope at rest reads it, and turns
+    /// contain it. The first columns are the vertical part (up) in every recording. The others are two horizontal parts
+    /// in every stretch through which the heading can be followed, as each begins with a heading of its own
+    /// (`m × (recordings + 2 headings)`).
     ///
-    /// The vertical part is the same in all recordings of one place. Weights take it for each recording's own, which
-    /// keeps their rows apart; the stated errors are those of one for all (`JointFit::of_place`).
+    /// The vertical part is the same in all recordings of one place. Weights take it as independent in each recording,
+    /// which keeps their rows apart; the stated errors are those of one common part (`JointFit::of_place`).
     pub fn earth_columns(&self, x: &[f64]) -> Columns {
         let attitudes = self.attitudes(x);
         let recordings = self.data.sources.len();

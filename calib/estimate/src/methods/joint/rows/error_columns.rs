@@ -7,7 +7,7 @@ use sensor::{AnyEffect, Kinematics, Sensor};
 use super::by_parameters::ByParameters;
 use super::sensitivity::{MeanSensitivity, Sensitivities};
 
-/// Where an error is asked for.
+/// Instant at which an error is evaluated.
 #[derive(Clone, Copy, Debug)]
 pub struct Instant<'a> {
     /// The truth; of a rest that in the middle of a chunk.
@@ -25,7 +25,7 @@ pub enum Place {
     Turn(usize),
 }
 
-/// Where the error is asked for within a turn.
+/// Instants of a turn at which the error is evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sampling {
     /// At every sample.

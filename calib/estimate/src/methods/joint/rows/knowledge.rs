@@ -1,4 +1,4 @@
-//! What effects look at, written down where the rows find it.
+//! Inputs of the effects, stored in the data for the rows.
 
 use sensor::{Model, Sensor};
 
@@ -9,7 +9,7 @@ use crate::truth::{Models, Sensing, Truth};
 /// A model near SI units and its parameters.
 pub type NearSi<'a> = (&'a Model, &'a [f64]);
 
-/// What is known of a recording by the units of its readings alone.
+/// Builds the true signals of a recording from the units of its readings alone.
 pub fn by_units<'a>(cut: &Cut<'a>) -> Truth<'a> {
     let first = |sensor, unit: &RawUnit| Some(Sensing::first(Model::base(sensor), *unit));
     let models = Models {
@@ -19,7 +19,7 @@ pub fn by_units<'a>(cut: &Cut<'a>) -> Truth<'a> {
     Truth::as_far_as_known(cut.recording, Some(cut.segmentation), models)
 }
 
-/// What is known of a recording by models of its sensors.
+/// Builds the true signals of a recording from models of its sensors.
 pub fn by_models<'a>(cut: &Cut<'a>, force: NearSi<'_>, rate: NearSi<'_>) -> Truth<'a> {
     let sensing = |(model, p): NearSi<'_>, unit: &RawUnit| {
         Some(Sensing {

@@ -1,4 +1,4 @@
-//! Which parameter stands where.
+//! Places of the parameters among the columns.
 
 use sensor::Sensor;
 use solver::Parameters;
@@ -20,7 +20,7 @@ pub struct Layout {
     pub accelerometer: usize,
     /// Number of parameters of the gyroscope's model; 0 without one.
     pub gyroscope: usize,
-    /// Whether the accelerometer has a bias of its own in every recording; the gyroscope always has.
+    /// True if the accelerometer has a bias of its own in every recording; the gyroscope always has.
     pub own_force_bias: bool,
     /// Number of recordings.
     pub recordings: usize,

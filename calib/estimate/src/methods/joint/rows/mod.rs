@@ -37,7 +37,7 @@ pub struct Rows<'a> {
     pub gyroscope: &'a Model,
     /// Local gravity, m/s².
     pub gravity: f64,
-    /// Which parameter stands where.
+    /// Places of the parameters among the columns.
     pub layout: Layout,
     /// Coordinates of the direction of every rest.
     pub charts: &'a [Chart],
@@ -45,7 +45,7 @@ pub struct Rows<'a> {
     pub disturbances: &'a [Column],
     /// The rows of the recordings.
     groups: RowGroups,
-    /// Of samples that are means over their windows, and of samples at instants.
+    /// Coning terms for samples that are means over their windows, and for samples at instants.
     conings: [Coning; 2],
 }
 
@@ -59,7 +59,7 @@ pub struct Linear {
 }
 
 impl<'a> Rows<'a> {
-    /// Of these data and models.
+    /// Builds the rows of these data and models.
     pub fn new(
         data: &'a Data,
         (accelerometer, gyroscope): (&'a Model, &'a Model),

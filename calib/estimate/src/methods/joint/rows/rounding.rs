@@ -1,4 +1,4 @@
-//! What steps wider than the noise do to the means over static intervals and to the turns.
+//! Effect of steps wider than the noise on the means over static intervals and on the turns.
 
 use nalgebra::{Matrix2x3, Vector3};
 use sensor::Sensor;
@@ -9,12 +9,12 @@ use crate::methods::joint::rows::Rows;
 use crate::methods::joint::rows::turn::MARGIN;
 
 impl Rows<'_> {
-    /// What the rounding of the gyroscope's readings does to its means over the static intervals and to the turns, by
-    /// recording and axis (`m × 3 recordings`); `None` where the noise averages it out.
+    /// Builds the columns of the rounding of the gyroscope's readings in its means over the static intervals and in the
+    /// turns, by recording and axis (`m × 3 recordings`); `None` where the noise averages it out.
     ///
-    /// The rate at rest is the bias every time: readings in steps wider than the noise are off by the same amount in
-    /// every interval, with the standard deviation `LSB/√12`, and intervals do not average it out. Nor do those samples
-    /// of a turn in which an axis reads what it reads at rest.
+    /// The rate in a static interval is the bias every time. Readings in steps wider than the noise are therefore off
+    /// by the same amount in every interval, with the standard deviation `LSB/√12`, and several intervals do not
+    /// average it out. The same holds for those samples of a turn in which an axis reads what it reads at rest.
     pub fn rounding_columns(&self, x: &[f64]) -> Option<Columns> {
         let is_coarse = |source: &Source| {
             let noise = source.gyroscope.as_ref();
@@ -57,7 +57,8 @@ impl Rows<'_> {
         Some(columns)
     }
 
-    /// What a shift of the samples that read what they read at rest does to the two rows of a turn.
+    /// Computes the derivative of the two rows of a turn by a shift, per axis, of the samples that read what they read
+    /// at rest.
     fn held(
         &self,
         x: &[f64],

@@ -1,4 +1,4 @@
-//! What an error of the readings that no model has would do to the rows.
+//! Sensitivity of the rows to an error of the readings that no model has.
 
 use nalgebra::{Matrix2x3, Matrix3};
 use sensor::{Base, Kinematics, Sensor, inverse};

@@ -52,7 +52,7 @@ impl<'a> ModelSlopes<'a> {
         }
     }
 
-    /// Whether no effect depends on the signal.
+    /// Returns true if no effect depends on the signal.
     pub fn is_apart_from_signal(&self) -> bool {
         let mut all = self.effects.iter();
         all.all(|own| own.constants.is_none())

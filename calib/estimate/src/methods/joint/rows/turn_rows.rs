@@ -16,7 +16,7 @@ pub(super) struct TurnSlopes {
     through: Option<Vec<Matrix3<f64>>>,
     /// `∂e/∂p` by the parameters of the effects, sample by sample.
     by_parameters: Vec<Vector3<f64>>,
-    /// How many parameters.
+    /// Number of parameters.
     count: usize,
 }
 
@@ -81,7 +81,7 @@ impl Rows<'_> {
         residual
     }
 
-    /// How the samples of a turn are taken.
+    /// Returns the coning terms for the samples of a turn: means over windows, or values at instants.
     pub(crate) fn coning(&self, turn: &TurnSamples) -> &Coning {
         let instants = self.data.sources[turn.recording].clock.instants;
         &self.conings[usize::from(instants)]
@@ -152,7 +152,7 @@ impl Rows<'_> {
             .collect()
     }
 
-    /// What the effects do at the corrected rates of a turn.
+    /// Computes the derivatives of the effects at the corrected rates of a turn, rad/s.
     pub(super) fn turn_slopes(
         &self,
         turn: &TurnSamples,

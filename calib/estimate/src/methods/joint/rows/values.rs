@@ -35,8 +35,8 @@ impl Rows<'_> {
         reading.map_or(unknown, |reading| reading - mean.value)
     }
 
-    /// How fast the reading of a sensor changes within a chunk by the model, per second: by the straight line through
-    /// instants of it; nothing where no effect tells instants of a static interval apart.
+    /// Returns the slope of a sensor's predicted reading within a chunk, per second, by a straight line through
+    /// instants of it; zero without effects.
     pub fn slope_within(&self, x: &[f64], sensor: Sensor, chunk: &Chunk) -> Vector3<f64> {
         let (model, mean) = self.model_and_mean(sensor, chunk);
         let Some(mean) = mean.filter(|_| !model.effects().is_empty()) else {

@@ -1,4 +1,4 @@
-//! How rows feel a bias with flicker noise.
+//! Flicker noise of a bias, as a covariance of the rows.
 
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -208,7 +208,7 @@ impl Flicker {
     }
 }
 
-/// What a group of rows (`d` of them) takes from a bias `b(t)`: `∫ w(t) b(t) dt`, axis by axis.
+/// Integral `∫ w(t) b(t) dt` of a bias with flicker noise over a group of `d` rows, axis by axis.
 #[derive(Clone, Debug)]
 pub struct Fading {
     rows: Range<usize>,

@@ -1,4 +1,4 @@
-//! What flicker noise of the biases does to the rows of the joint problem.
+//! Flicker noise of the biases in the rows of the joint problem.
 
 use sensor::Sensor;
 

@@ -1,4 +1,5 @@
-//! What the readings within static intervals say of the noise of the biases: no error of a model shows there.
+//! Evidence of the biases' noise from the slopes of the readings within static intervals: no error of a model shows
+//! there.
 
 use recording::averages::median;
 use sensor::Sensor;

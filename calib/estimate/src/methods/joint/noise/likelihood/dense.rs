@@ -15,9 +15,8 @@ use crate::methods::joint::noise::bias::Within;
 const MOST_WORK: f64 = 1.5e9;
 const FEWEST_STEPS: f64 = 20.0;
 
-/// What is left of the residuals when the parameters have had their share: in every group of rows
-/// `z = Nᵀ r ~ N(S γ, I + Σ θ_c C_c)`, `N` the left null space of the columns of the whitened Jacobian that are the
-/// group's own, `S` those that it shares with others.
+/// Residuals with the parameters projected out: in every group of rows `z = Nᵀ r ~ N(S γ, I + Σ θ_c C_c)`, `N` the left
+/// null space of the columns of the whitened Jacobian that are the group's own, `S` those that it shares with others.
 #[derive(Clone, Debug)]
 pub(crate) struct Dense {
     parts: Vec<Part>,
@@ -81,7 +80,7 @@ impl Dense {
         }
     }
 
-    /// Of one group of rows that shares nothing: numbers `z` (`q`) and covariances (`q × q`).
+    /// Builds the problem of one group of rows that shares nothing: numbers `z` (`q`) and covariances (`q × q`).
     pub(crate) fn alone(z: &[f64], covariances: Vec<Mat<f64>>) -> Self {
         Self {
             components: covariances.len(),
@@ -319,7 +318,7 @@ fn make_orthonormal(parts: &mut [Part]) -> usize {
 struct Measured {
     log_likelihood: f64,
     parts: Vec<MeasuredPart>,
-    /// Of `Σ Sᵀ V⁻¹ S`; none where nothing is shared.
+    /// Factor of `Σ Sᵀ V⁻¹ S`; `None` where nothing is shared.
     common: Option<Llt<f64>>,
     /// Variances of the independent numbers.
     own: Vec<f64>,
@@ -327,7 +326,7 @@ struct Measured {
 
 /// The same of one group of rows.
 struct MeasuredPart {
-    /// Of the covariance `V` of `z`.
+    /// Factor of the covariance `V` of `z`.
     factor: Llt<f64>,
     /// `P z`: `V⁻¹ z` less what the shared columns take.
     weighted: Mat<f64>,

@@ -12,7 +12,7 @@ pub struct Slopes {
     pub information: Vec<Vec<f64>>,
 }
 
-/// What a component's `C_c P r` does: its rows, whitened, line by line.
+/// Product `C_c P r` of one variance component with the projected residual, whitened, line by line.
 type Moved = Vec<Vec<f64>>;
 
 impl Mixed {
@@ -95,7 +95,7 @@ impl Mixed {
 struct AtLine<'a> {
     line: &'a Line,
     part: &'a Part,
-    /// What the columns leave of the whitened residuals (`k`).
+    /// Whitened residuals after the fit of the columns (`k`).
     left: Vec<f64>,
     /// `P r` (`k`).
     weighted: Vec<f64>,
