@@ -26,7 +26,7 @@ pub struct BiasMotion {
 
 impl JointFit {
     /// Estimates the motion of a bias in a recording: the slope of the readings at the static intervals over time,
-    /// beside everything that was fitted, walks counted as noise. `None` with fewer than two static intervals.
+    /// beside everything that was fitted, walks counted as noise. `None` with fewer than two chunks.
     pub fn bias_motion(&self, sensor: Sensor, recording: usize) -> Option<BiasMotion> {
         let mean = |chunk: &Chunk| chunk.mean(sensor);
         let own = |chunk: &Chunk| self.data.rests[chunk.rest].recording == recording;
