@@ -41,7 +41,7 @@ const LATE_APART: f64 = 1e-3;
 /// The findings with the models behind them, for pictures.
 #[derive(Clone, Debug)]
 pub struct Discovery {
-    /// What was found.
+    /// Findings of the search, as written to findings.json.
     pub findings: Findings,
     /// The models.
     pub search: Search,
@@ -209,7 +209,7 @@ pub(super) fn discover_in(
     })
 }
 
-/// What to say where a temperature is known of some recordings only.
+/// Returns the finding that a temperature is missing from some of the recordings; `None` where none lacks it.
 fn unknown_temperature(state: &State) -> Option<Finding> {
     let without = state.fit.data.without_thermometer();
     let names = without.join(" and ");

@@ -1,4 +1,4 @@
-//! Whether a session can show anything at all.
+//! Check that a session has enough data for a search.
 
 use findings::{Finding, Kind};
 use recording::Error;

@@ -1,4 +1,4 @@
-//! What a model holds besides the base models.
+//! Terms that a model has beyond the base models.
 
 use estimate::methods::joint::Known;
 use sensor::AnyEffect;
@@ -6,14 +6,14 @@ use sensor::AnyEffect;
 /// The parameter that shapes an effect (`tau`, `t0`), by its place, and its value, which the fit holds.
 pub type Held = Option<(usize, f64)>;
 
-/// What the model holds besides the base models.
+/// Effects and disturbances of a model, on top of the base models.
 #[derive(Clone, Debug, Default)]
 pub struct Extension {
     /// Effects, with what shapes them.
     pub effects: Vec<(&'static dyn AnyEffect, Held)>,
     /// Disturbances with their place: parameters of their own.
     pub disturbed: Vec<Known>,
-    /// Whether time constants are fitted, from their values on, and not held there.
+    /// True if time constants are fitted, starting from their held values; false if they stay fixed.
     pub settles: bool,
 }
 
@@ -34,7 +34,7 @@ impl Extension {
         }
     }
 
-    /// Whether both hold the same, in whatever order.
+    /// Returns true if both have the same terms, in any order.
     pub fn is_same(&self, other: &Self) -> bool {
         let holds = |(effect, held): &(&'static dyn AnyEffect, Held)| {
             let mut others = other.effects.iter();

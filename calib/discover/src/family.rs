@@ -1,4 +1,4 @@
-//! What may be missing: families of hypotheses about one recording.
+//! Families of hypotheses about terms that the model of a recording may lack.
 
 use estimate::methods::joint::{Column, Columns, Disturbance, effect_columns, step_columns};
 use faer::Mat;
@@ -23,18 +23,18 @@ const TYPICAL_MISS: f64 = 1e-2;
 const TYPICAL_EXCURSION: f64 = 2e-4;
 const TYPICAL_SLIP: f64 = 1e-3;
 
-/// How many parameters of an effect depend on the heading; they stand before the others.
+/// Returns the number of parameters of an effect that depend on the heading; they come before the others.
 pub fn references(effect: &dyn AnyEffect) -> usize {
     let params = effect.params().iter();
     params.filter(|p| p.role == Role::Reference).count()
 }
 
-/// Whether an effect is that of late stamps, which the moving accelerometer shows.
+/// Returns true if the effect is a time offset of the stamps, which shows in the accelerometer during motion.
 pub fn is_late(effect: &dyn AnyEffect) -> bool {
     effect.nature() == Nature::Delay && effect.sensor() == Sensor::Accelerometer
 }
 
-/// What a family claims.
+/// Claim of a family: an effect, a disturbance or an unexplained shape.
 #[derive(Clone, Copy, Debug)]
 pub enum Claim {
     /// The sensor has an effect of the catalogue.
@@ -67,7 +67,7 @@ impl Claim {
         }
     }
 
-    /// Whether both claim the same.
+    /// Returns true if both make the same claim.
     pub fn is_same(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Effect(one), Self::Effect(two)) => one.name() == two.name(),
@@ -104,7 +104,7 @@ pub struct Hypothesis {
 /// All hypotheses of one claim.
 #[derive(Clone, Debug)]
 pub struct Family {
-    /// What it claims.
+    /// Claim that all its hypotheses share.
     pub claim: Claim,
     /// The ways.
     pub hypotheses: Vec<Hypothesis>,
@@ -138,7 +138,7 @@ pub fn coefficients(effect: &dyn AnyEffect) -> (Vec<usize>, Option<usize>) {
     (linear, shape)
 }
 
-/// Whether the error does not grow with this parameter: it is tried at some values.
+/// Returns true if the error is not linear in this parameter, so that it is tried at some values.
 fn is_shape(p: &Param) -> bool {
     matches!(
         p.role_by_name(),
@@ -165,7 +165,7 @@ pub fn families(state: &State, catalogue: &[&'static dyn AnyEffect]) -> Vec<Fami
     all
 }
 
-/// Whether a model lacks an effect of a sensor that was recorded.
+/// Returns true if the effect's sensor was recorded and the model does not have the effect yet.
 pub(super) fn may_be_missing(state: &State, effect: &dyn AnyEffect) -> bool {
     let is_recorded = effect.sensor() == Sensor::Accelerometer || state.fit.has_gyroscope();
     is_recorded && !state.has(effect.name())

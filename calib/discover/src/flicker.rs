@@ -19,13 +19,13 @@ const LIKELIER: f64 = 3.0;
 /// clean session with flicker it was 5, of harmonics in the force on every axis 10.
 const MUCH_LIKELIER: f64 = 9.0;
 
-/// What a search found.
+/// Result of one search.
 pub struct Found {
     /// The names.
     pub search: Search,
-    /// What they leave.
+    /// Disagreement that remains beside the names.
     pub rest: Option<Unexplained>,
-    /// What shapes say of the base models, where that was asked.
+    /// Tests for shapes in the residuals of the base models, where they were run.
     pub of_base: Option<Described>,
 }
 
@@ -76,9 +76,10 @@ fn look(session: &Session<'_>, request: &Request, base: State) -> Result<Found, 
     })
 }
 
-/// Whether the biases flicker beside all that a model has: on [`FLICKERING`] axes at least, as one that wanders or follows the
-/// placement by itself is something else, and by more than the shape of what remains explains. Of turns that miss something
-/// between samples nobody can tell.
+/// Returns true if flicker (1/f) noise of the biases explains the data much better than the final model of a search does.
+///
+/// At least [`FLICKERING`] axes have to show it, as one axis alone has another cause, and it has to explain more than the
+/// shape of the remainder does. It cannot be decided where turns miss motion between the samples.
 fn flickers(session: &Session<'_>, first: &Found) -> bool {
     let model = &first.search.last;
     let is_knocked = model.fit.data.misses_something_between_samples();

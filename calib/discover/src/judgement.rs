@@ -14,11 +14,11 @@ use super::request::{Request, Session};
 use super::search::Search;
 use super::state::State;
 
-/// What a search found and what stays of it.
+/// Result of a search after its remainder has been judged.
 pub struct Judged {
     /// The names.
     pub search: Search,
-    /// What they leave.
+    /// Disagreement that remains beside the names.
     pub rest: Option<Unexplained>,
     /// The formula that explains the whole in their place.
     pub instead: Option<Proposed>,

@@ -1,4 +1,4 @@
-//! Where simulation and data disagree, and what the model lacks.
+//! Discovery of model errors: comparison of simulation and data, and the terms that the model lacks.
 //!
 //! ```text
 //! Session ──► State: joint fit ──► Projected z = Nᵀ r ──► rank(families) ──► Extension ─┐

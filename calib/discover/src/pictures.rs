@@ -14,20 +14,20 @@ use super::gap::sequence::whitening_at;
 use super::search::Name;
 use super::state::State;
 
-/// What one named effect explains.
+/// Plot data of one named effect: residuals with and without it.
 #[derive(Clone, Debug)]
 pub struct Picture {
     /// The effect.
     pub effect: String,
     /// The channel that the points are of.
     pub channel: Channel,
-    /// What the error of the effect goes with; `None` where no single number at a rest tells.
+    /// Covariate of the effect's error; `None` where no single number per static interval describes it.
     pub covariate: Option<Covariate>,
     /// The points: one per chunk of a rest of the norm, three of the rate, two per turn of the direction.
     pub points: Vec<Point>,
 }
 
-/// What an error goes with.
+/// Quantity that an error depends on.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Covariate {
     /// In words.
@@ -47,7 +47,7 @@ pub struct Point {
     pub before: f64,
     /// With it and everything else named.
     pub after: f64,
-    /// What the effect adds that the other parameters cannot take up.
+    /// Contribution of the effect that the other parameters cannot absorb.
     pub predicted: f64,
     /// Standard deviation of the white noise.
     pub std: f64,
@@ -107,8 +107,8 @@ pub(crate) fn residuals(state: &State) -> Mat<f64> {
     Mat::from_fn(r.len(), 1, |i, _| r[i])
 }
 
-/// What the parameters of a model leave of a white-whitened column (`m × 1`) under the noise of the final
-/// model, in the unit of the rows.
+/// Computes the residual of a white-whitened column (`m × 1`) after a fit of the model's parameters under the noise of the
+/// final model, in the unit of the rows.
 ///
 /// Not under the noise of the model itself: where an effect is missing it is taken for a walk of the bias, and
 /// a large walk lets the residual go where it likes.
@@ -149,7 +149,7 @@ fn of_channel(
     }
 }
 
-/// Of each chunk of a rest, `−uᵀ T r`: how far the norm lies above gravity.
+/// Computes `−uᵀ T r` of each chunk of a static interval: the excess of the norm over gravity, m/s².
 fn of_norm(state: &State, rows: &[Mat<f64>; 3], goes_with: Option<&GoesWith>) -> Vec<Point> {
     let means = state.sensitivities.means.iter();
     means
@@ -171,7 +171,7 @@ fn of_norm(state: &State, rows: &[Mat<f64>; 3], goes_with: Option<&GoesWith>) ->
         .collect()
 }
 
-/// Of each chunk of a rest and each axis, `−(T r)_i`.
+/// Computes `−(T r)_i` of each chunk of a static interval and each axis, rad/s.
 fn of_rate(state: &State, rows: &[Mat<f64>; 3], goes_with: Option<&GoesWith>) -> Vec<Point> {
     let means = state.sensitivities.means.iter();
     means
@@ -195,7 +195,7 @@ fn of_rate(state: &State, rows: &[Mat<f64>; 3], goes_with: Option<&GoesWith>) ->
         .collect()
 }
 
-/// Of each turn, `−r` in both coordinates.
+/// Computes `−r` of each turn in both coordinates, rad.
 fn of_turns(state: &State, rows: &[Mat<f64>; 3]) -> Vec<Point> {
     let turns = state.sensitivities.turns.iter();
     turns
@@ -256,7 +256,7 @@ enum Kind {
     SinceTurn,
 }
 
-/// What tells most of the quantities that an effect looks at, first to last.
+/// Quantities that an effect may need with the covariate to plot for each; the first that applies is used.
 const TELLING: [(Quantity, Kind); 7] = [
     (Quantity::Temperature, Kind::Temperature),
     (Quantity::TemperatureRate, Kind::TemperatureRate),
@@ -278,7 +278,8 @@ fn kind_of(effect: &dyn AnyEffect) -> Option<Kind> {
     (needs == [Quantity::SpecificForce]).then(|| of_force(effect))
 }
 
-/// Whether an error goes with the force along its axis, with a product of those across it, or with one along any direction.
+/// Returns the dependence of an error on specific force: on that along its axis, on a product of those across it, or on
+/// that along any direction.
 fn of_force(effect: &dyn AnyEffect) -> Kind {
     let params = effect.params();
     let p: Vec<f64> = (0..params.len())

@@ -180,9 +180,10 @@ impl Ranked {
 /// One hypothesis at all densities.
 #[derive(Default)]
 pub(super) struct Tried<'a> {
-    /// Where the data are likeliest under it, the likelihood ratio, and the score there.
+    /// Setting at which the data are likeliest under the hypothesis, with the likelihood ratio and the score there.
     pub likeliest: Option<(&'a Level, f64, Score)>,
-    /// Of every density the log-likelihood under it, its coefficients anywhere, and `ln p` of the score.
+    /// Log-likelihood plus log prior of each setting under the hypothesis, integrated over its coefficients, and `ln p` of
+    /// the score.
     all: Vec<[f64; 2]>,
 }
 
@@ -235,8 +236,7 @@ pub(super) fn log_sum(a: impl Iterator<Item = f64> + Clone) -> f64 {
     most + a.map(|a| (a - most).exp()).sum::<f64>().ln()
 }
 
-/// How much of what `one` explains the columns of `other` explain too: `ρ²` of the disagreement that the
-/// estimate of `one` predicts, at its densities.
+/// Computes the share `ρ²` of the contribution of `one` that the columns of `other` explain too, at the densities of `one`.
 pub fn shared(
     projected: &Projected,
     families: &[Family],

@@ -1,4 +1,4 @@
-//! What to look into.
+//! Request and session of a search.
 
 use std::borrow::Borrow;
 use std::sync::Arc;
@@ -16,12 +16,12 @@ use sensor::{AnyEffect, Nature, Role};
 
 use super::extension::Extension;
 
-/// How to look for what is missing.
+/// Settings of a search for missing effects.
 #[derive(Clone, Debug)]
 pub struct Request {
     /// Local gravity, m/s².
     pub gravity: f64,
-    /// Where that comes from.
+    /// Source of that value.
     pub gravity_source: GravitySource,
     /// Chance of any false claim about recordings of a device that lacks nothing: half of it for names of effects, a quarter for
     /// faults of the recording that models show, a quarter for saying that something is unexplained.
@@ -34,12 +34,12 @@ pub struct Request {
     pub clock: ClockMode,
     /// The detector of motion.
     pub detector: Detector,
-    /// Whether the detector's multiplier is chosen by what the accelerometer's fit leaves.
+    /// True if the detector's multiplier is chosen by the residual of the accelerometer's fit.
     pub choose_multiplier: bool,
-    /// Whether recordings that look like those of different devices are taken for those of one.
+    /// True if recordings that look like those of different devices are accepted as those of one.
     pub force_device: bool,
-    /// Whether flicker (1/f) of the biases is estimated beside their walks. It takes some of what depends on the placement,
-    /// as an effect does, for noise.
+    /// True if flicker (1/f) noise of the biases is estimated beside their random walks. It can absorb errors that depend
+    /// on the placement, as an effect does.
     pub flicker: bool,
     /// The effects that may be missing.
     pub catalogue: Vec<&'static dyn AnyEffect>,
@@ -88,9 +88,11 @@ impl Request {
     }
 }
 
-/// Whether an effect is a candidate. Those with a shape of their own (a relaxation after turns, a period) and those that stand
-/// in the room are described as a remainder instead: on recordings of a phone they took the place of simpler names, or
-/// their fits did not end. `calibrate --effects` has them all.
+/// Returns true if an effect is a candidate.
+///
+/// Effects with a shape of their own (a relaxation after turns, a period) and those fixed in the room are described as a
+/// remainder instead: on recordings of a phone they displaced simpler names, or their fits did not converge.
+/// `calibrate --effects` has them all.
 fn is_looked_for(effect: &dyn AnyEffect) -> bool {
     let params = effect.params();
     let is_periodic = params.iter().any(|p| p.role == Role::Shape);
@@ -107,7 +109,7 @@ pub struct Session<'a> {
     pub gravity: f64,
     /// Noise of the biases, where it is known.
     pub noise: Option<BiasNoise>,
-    /// Whether flicker of the biases is estimated.
+    /// True if flicker of the biases is estimated.
     pub flicker: bool,
     /// Latitude, degrees north.
     pub latitude: Option<f64>,
@@ -117,7 +119,7 @@ pub struct Session<'a> {
     pub clocks: Option<Vec<DecidedClock>>,
     /// A fit that others begin at: that of the base models, once it is there.
     pub base: Option<Arc<JointFit>>,
-    /// Which static intervals are used of recordings that have more than the joint problem takes, in words.
+    /// Findings that name the static intervals in use, for recordings with more than the joint problem takes.
     pub cut_down: Vec<::findings::Finding>,
 }
 
@@ -154,8 +156,10 @@ impl<'a> Session<'a> {
         })
     }
 
-    /// Whether others begin at the minimum of the base models. Not of turns that miss something between samples: how much that
-    /// is, is fitted too, and from the base models on it ends elsewhere (a third more on rec_3 of the phone).
+    /// Returns true if other fits start at the minimum of the base models.
+    ///
+    /// They do not where turns miss motion between the samples: that share is fitted too, and from the base models on the
+    /// fit ends at another value (a third larger on rec_3 of the phone).
     fn begins_at_the_base(&self) -> bool {
         let base = self.base.as_deref();
         base.is_some_and(|fit| !fit.data.misses_something_between_samples())

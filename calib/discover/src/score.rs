@@ -12,7 +12,7 @@ const UNSEEN: f64 = 1e-9;
 /// moves the data by less than a standard deviation is not seen.
 const FAINT: f64 = 0.01;
 
-/// What the data say of some columns.
+/// Score test of some columns against the residuals.
 #[derive(Clone, Debug)]
 pub struct Score {
     /// `bᵀ A⁺ b`: χ² of `dof` when nothing is missing.
@@ -27,7 +27,7 @@ pub struct Score {
     pub log_determinant: f64,
 }
 
-/// Of whitened columns `w` (`q × k`) and disagreement `z` (`q × 1`): `A = wᵀw`, `b = wᵀz`.
+/// Computes the score of whitened columns `w` (`q × k`) against the residuals `z` (`q × 1`): `A = wᵀw`, `b = wᵀz`.
 pub fn score(w: MatRef<'_, f64>, z: &Mat<f64>) -> Score {
     let k = w.ncols();
     let gram = w.transpose() * w;

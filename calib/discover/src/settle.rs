@@ -22,7 +22,7 @@ pub(super) struct HeldShape {
 }
 
 impl HeldShape {
-    /// Whether a fit of it came out near what was tried.
+    /// Returns true if the fitted value of the parameter is near those tried.
     fn is_shown_by(&self, fitted: &Parameters) -> bool {
         let place = fitted.index(&format!("{}.{}", self.effect, self.parameter.name));
         place.is_some_and(|k| near(self.parameter).contains(&fitted.values()[k]))

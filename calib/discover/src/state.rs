@@ -24,21 +24,21 @@ const BESIDE_A_STEP: usize = 3;
 /// One model, fitted.
 #[derive(Clone, Debug)]
 pub struct State {
-    /// What the model holds.
+    /// Terms of the model beyond the base models.
     pub extension: Extension,
     /// The fit.
     pub fit: Arc<JointFit>,
-    /// What errors that the model lacks would do to the rows.
+    /// Derivatives of the rows by errors that the model lacks.
     pub sensitivities: Arc<Sensitivities>,
-    /// What is left.
+    /// Residuals, projected onto the null space of the model's own parameters.
     pub projected: Arc<Projected>,
     /// Noise of the biases when nothing more is missing: given or likeliest.
     pub noise: BiasNoise,
-    /// Whether it was given.
+    /// True if that noise was given.
     pub noise_given: bool,
     /// The settings of the densities, once somebody asked.
     levels: OnceLock<Arc<Vec<Level>>>,
-    /// What may have been disturbed, once somebody asked.
+    /// Possible disturbances, computed on first use.
     suspects: OnceLock<Arc<Vec<Suspect>>>,
 }
 
@@ -65,7 +65,7 @@ impl State {
         })
     }
 
-    /// What is left if the biases flicker as well as walk, and that noise.
+    /// Computes the projected residuals where the biases flicker as well as walk, with that noise.
     pub fn flickering(&self) -> (Projected, BiasNoise) {
         let (components, levels) = self.fit.flickering();
         let projected = projected(&self.fit, (&components, &levels));
@@ -105,24 +105,24 @@ impl State {
         self.fit.whitening.white.sparse(columns)
     }
 
-    /// What one suspect could explain (`q × columns`), as the model's own parameters leave it.
+    /// Returns the columns (`q × columns`) of one suspect, projected onto the null space of the model's own parameters.
     pub fn explained_by(&self, suspect: &Suspect) -> Mat<f64> {
         let own: Vec<&Column> = suspect.columns.iter().collect();
         let own = Column::side_by_side(self.rows(), &own);
         self.projected.columns(self.whitened(own).as_ref())
     }
 
-    /// Whether the model has the effect of this name.
+    /// Returns true if the model has the effect of this name.
     pub fn has(&self, name: &str) -> bool {
         self.extension.effects.iter().any(|(e, _)| e.name() == name)
     }
 
-    /// Whether a disturbance is in the model already.
+    /// Returns true if the model already has this disturbance.
     pub fn is_flagged(&self, kind: Disturbance, place: usize) -> bool {
         self.known(kind, place).is_some()
     }
 
-    /// What the model holds of this kind at this place.
+    /// Returns the disturbance of this kind at this place, if the model has it.
     pub fn known(&self, kind: Disturbance, place: usize) -> Option<Known> {
         let mut all = self.extension.disturbed.iter();
         all.find(|k| k.kind == kind && k.place == place).copied()
@@ -134,7 +134,7 @@ impl State {
             .get_or_init(|| Arc::new(levels(&self.projected, self.noise, self.noise_given)))
     }
 
-    /// What may have been disturbed.
+    /// Returns the possible disturbances.
     pub fn suspects(&self) -> &[Suspect] {
         self.suspects.get_or_init(|| {
             let rows = self.fit.plain_rows();
@@ -146,7 +146,7 @@ impl State {
         })
     }
 
-    /// What the model holds as disturbed, in the order of the findings, and the places of its parameters.
+    /// Lists the disturbances of the model in the order of the findings, with the places of their parameters.
     fn held(&self) -> impl Iterator<Item = (Known, Range<usize>)> + '_ {
         let mut next = self.fit.parameters.values().len() - self.fit.disturbance_columns.len();
         let suspects = self.suspects().iter();
@@ -158,8 +158,7 @@ impl State {
         })
     }
 
-    /// How sure the model is of what it holds as disturbed: `ln p` of `βᵀ C⁻¹ β`, `β` the parameters of one
-    /// disturbance and `C` their covariance.
+    /// Returns `ln p` of `βᵀ C⁻¹ β` for each disturbance of the model, `β` its parameters and `C` their covariance.
     pub fn disturbances(&self) -> Vec<(Known, f64)> {
         let all = self.held();
         all.map(|(known, own)| (known, self.log_p_of_nothing(own)))
@@ -230,7 +229,7 @@ impl State {
     }
 }
 
-/// What a fit leaves, under noise of these components and levels.
+/// Projects the residuals of a fit, under noise of these components and levels.
 fn projected(fit: &JointFit, noise: (&[Component], &[NoiseLevel])) -> Projected {
     let mut projected = Projected::new(&fit.white_residuals, &fit.white_jacobian, noise);
     projected.within = within(&fit.data, &projected.kinds());

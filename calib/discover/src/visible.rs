@@ -1,4 +1,4 @@
-//! What recordings of this kind cannot show, and which recording would.
+//! Errors that recordings of this kind cannot show, and the recordings that would.
 
 use ::findings::{Finding, Findings, Kind, Remedy};
 use sensor::{Quantity, Sensor};

@@ -8,7 +8,7 @@ use crate::state::State;
 /// Turns that a verdict needs beyond the four coefficients.
 const SPARE_TURNS: usize = 6;
 
-/// What the moving accelerometer says of a delay of its stamps.
+/// Time offset of the stamps, estimated from the accelerometer during motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Delay {
     /// Stamps are late by this, s.

@@ -42,24 +42,24 @@ pub struct Integrity {
     /// The finding; documents have its text as `detail`.
     #[serde(rename = "detail", serialize_with = "::findings::texts::what")]
     pub finding: Finding,
-    /// What these recordings cannot tell from it.
+    /// Names of other faults that these recordings cannot tell from it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub indistinguishable_from: Vec<&'static str>,
-    /// How large it is, where that is measured: rad of a slip, a turn or, root mean square over the turns, of undersampled
-    /// motion; m/s² or rad/s of what a static interval is off by.
+    /// Size of the fault, where it is measured: rad for a slip or a turn, or, root mean square over the turns, for
+    /// undersampled motion; m/s² or rad/s for the offset of a static interval.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub size: Option<Size>,
 }
 
-/// How large a fault is.
+/// Size of a fault, with its unit.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Size {
     /// In SI units.
     pub value: f64,
     /// `rad`, `rad/s`, `m/s^2` or `s`.
     pub unit: &'static str,
-    /// How many times the noise of the readings the channel is off by where nothing is said of it; `None` of what is at one
-    /// place.
+    /// Ratio of the channel's misfit to the noise of the readings, where the fault is not modelled; `None` for a fault at
+    /// one place.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gap: Option<f64>,
 }
@@ -122,7 +122,7 @@ pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
     all
 }
 
-/// Whether the samples of the other sensor are lost at the same time.
+/// Returns true if the other sensor loses its samples at the same time.
 fn is_lost_beside(fault: &Integrity, lost: &Integrity) -> bool {
     fault.name == lost.name
         && fault.recording == lost.recording
@@ -145,8 +145,8 @@ fn samples_missing(which: &str, length: f64) -> Finding {
         .number("length", length, "s")
 }
 
-/// What a fit found disturbed, in the same form; `seen` are the faults that the readings themselves show: samples are
-/// called lost where the stamps say so; `either` says what each cannot be told from.
+/// Builds the faults from the disturbances that a fit flagged. A turn counts as lost samples where `seen`, the faults in
+/// the readings themselves, has lost samples at that time; `either` has the alternatives to each disturbance.
 pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<Integrity> {
     let sizes = state.disturbed_sizes();
     let found = state.fit.flagged.iter().zip(sizes);

@@ -66,7 +66,7 @@ pub fn explain_disturbed(session: &Session<'_>, search: &mut Search) -> Result<(
     Ok(())
 }
 
-/// What leaves out the intervals on either side of the steps of a model.
+/// Lists the exclusions of the chunks just before and just after each bias step of a model.
 fn beside_steps(state: &State) -> Vec<Known> {
     let mut all = Vec::new();
     for (effect, shape) in &state.extension.effects {
@@ -88,7 +88,7 @@ fn beside_steps(state: &State) -> Vec<Known> {
     all
 }
 
-/// What leaves a chunk of a sensor out; `None` where that would leave out others too.
+/// Builds the exclusion of one chunk of a sensor; `None` where it would exclude other chunks too.
 fn left_out(state: &State, sensor: Sensor, chunk: usize) -> Option<Known> {
     if sensor == Sensor::Accelerometer {
         return Some(Known {

@@ -1,4 +1,4 @@
-//! What turns miss because the rate jumps between samples.
+//! Errors of turns whose rate jumps between samples.
 
 use ::findings::{Finding, Kind};
 
@@ -54,7 +54,7 @@ pub fn undersampled(state: &State) -> Vec<Integrity> {
     found.collect()
 }
 
-/// What is left of gravity's direction after the turns of a recording.
+/// Errors of gravity's direction after the turns of one recording.
 struct Left {
     recording: usize,
     /// Place of each turn in the recording's segmentation, and the angle, rad.
@@ -88,7 +88,7 @@ impl Left {
         })
     }
 
-    /// How many times what the noise of the readings makes of the turns that is.
+    /// Returns the ratio of their root mean square to that predicted from the noise of the readings.
     fn over_the_readings(&self, state: &State) -> f64 {
         let fit = &state.fit;
         let noise = fit.rows().noise(fit.parameters.values());

@@ -1,4 +1,4 @@
-//! What may be there beside a name: too weak to be named, and so alike that the coefficients hang on it.
+//! Effects that may exist beside a named one: too weak to be named, but so correlated that its coefficients depend on them.
 
 use estimate::calibration::EffectParameter;
 use estimate::methods::joint::Basis;
@@ -39,7 +39,7 @@ pub struct Beside {
 }
 
 impl Beside {
-    /// Whether more than chance speaks for it, and it would move a coefficient much.
+    /// Returns true if it is significant and would change a coefficient of the named effect by several standard errors.
     pub fn is_likely(&self) -> bool {
         self.p_value < LIKELY && self.largest_change > LARGE_CHANGE
     }
@@ -50,7 +50,7 @@ pub struct Rival {
     effect: &'static dyn AnyEffect,
     /// Its columns (`m × k`), for typical sizes and whitened by everything.
     columns: Mat<f64>,
-    /// What the data say of them beside the names.
+    /// Score of its columns against the residuals, with the named effects in the model.
     score: Score,
     p_value: f64,
 }
@@ -124,8 +124,10 @@ impl Rival {
         (beside.is_likely() || hangs_on_it).then_some(beside)
     }
 
-    /// What its coefficients `δ` do to those of an effect of the model: with `A` the columns of these, less what all other
-    /// parameters can take, and `W` its own, `T δ` with `T = −(AᵀA)⁻¹AᵀW`, of covariance `T cov(δ) Tᵀ`.
+    /// Computes the change of the coefficients of an effect of the model that its coefficients `δ` cause.
+    ///
+    /// With `A` the columns of that effect, projected onto the null space of all other parameters, and `W` its own columns,
+    /// the change is `T δ` with `T = −(AᵀA)⁻¹AᵀW`, of covariance `T cov(δ) Tᵀ`.
     fn moved(&self, named: &dyn AnyEffect, state: &State) -> Option<Vec<Moved>> {
         let fit = &state.fit;
         let parameter_of = |k: usize| {
@@ -153,11 +155,11 @@ impl Rival {
     }
 }
 
-/// What a rival does to a coefficient of a named effect.
+/// Effect of a rival on one coefficient of a named effect.
 struct Moved {
     parameter: String,
     change: f64,
-    /// What its variance becomes larger by.
+    /// Increase of the coefficient's variance.
     variance: f64,
 }
 

@@ -73,7 +73,7 @@ pub fn late_apart(state: &State, request: &Request, alpha: f64) -> Vec<Integrity
     late.filter_map(fault).collect()
 }
 
-/// Whether the delays of recordings differ by more than chance.
+/// Returns true if the time offsets of the recordings differ significantly at level `alpha`.
 fn differ(all: &[(usize, Delay)], alpha: f64) -> bool {
     let weight = |own: &Delay| own.std.powi(-2);
     let whole: f64 = all.iter().map(|(_, own)| weight(own)).sum();

@@ -8,7 +8,7 @@ use sensor::Sensor;
 use crate::score::{Score, log_tail, score};
 use crate::search::{Name, VERTICAL};
 
-/// What a name explains beyond another latitude is by chance in more than this share of recordings.
+/// Significance level for the part of an effect that another latitude does not explain.
 const BY_CHANCE: f64 = 0.01;
 
 /// The doubt about `latitude` that explains a name as well, up to what chance adds to its more parameters.
@@ -27,7 +27,8 @@ pub fn instead_of(name: &Name, latitude: f64) -> Option<LatitudeDoubt> {
     (doubt.is_of_the_earth() && beyond > BY_CHANCE.ln()).then_some(doubt)
 }
 
-/// What the data say of the vertical part of the earth's rotation without the name, at the noise that they have with it.
+/// Scores the vertical part of the earth's rotation against the model without the named effect, at the noise of the model
+/// with it.
 fn vertical(name: &Name) -> Option<Score> {
     let state = &name.without;
     let earth = earth_rotation();

@@ -1,4 +1,4 @@
-//! What `discover` found: the contents of findings.json.
+//! Findings of `discover`: the contents of findings.json.
 
 pub(super) mod beside;
 pub(super) mod late;
@@ -39,7 +39,7 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// As in the file.
+    /// Returns the name of the verdict in the file.
     pub fn name(self) -> &'static str {
         match self {
             Self::Nothing => "none",
@@ -71,22 +71,22 @@ pub struct EffectFinding {
     pub p_value: f64,
     /// Chance of so much by any test of the catalogue.
     pub adjusted_p_value: f64,
-    /// What these recordings cannot tell from it.
+    /// Names of effects that these recordings cannot tell from it.
     pub indistinguishable_from: Vec<String>,
-    /// How far each of those explains the same: `ρ²`.
+    /// Share `ρ²` of this effect's contribution that each of those explains too.
     pub shared: Vec<f64>,
-    /// What tells it from the effects among them.
+    /// Separation from each of those that is an effect, too.
     pub rivals: Vec<Rivalry>,
-    /// What recording would tell them apart.
+    /// Recording that would tell them apart.
     #[serde(serialize_with = "remedy_in_words")]
     pub told_apart_by: Option<Remedy>,
-    /// What the recordings say of a latitude that was given, where a wrong one explains this as well.
+    /// Doubt about the given latitude, where a wrong latitude explains this as well.
     #[serde(
         skip_serializing_if = "Option::is_none",
         serialize_with = "finding_in_words"
     )]
     pub latitude_in_doubt: Option<Finding>,
-    /// What may be there too and would change its parameters much.
+    /// Effects that may exist too and would change its parameters by several standard errors.
     pub may_be_beside: Vec<Beside>,
     /// Its parameters after the refit.
     pub parameters: Vec<EffectParameter>,
@@ -139,14 +139,14 @@ pub struct Validation {
     pub dof: f64,
 }
 
-/// What was found.
+/// Findings of one search: the document findings.json.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Findings {
     /// [`FINDINGS_SCHEMA`].
     pub schema: &'static str,
     /// The verdict.
     pub verdict: Verdict,
-    /// What was named, most evident first.
+    /// Effects that were named, most evident first.
     pub effects: Vec<EffectFinding>,
     /// Faults of the recording.
     pub integrity: Vec<Integrity>,
@@ -154,13 +154,13 @@ pub struct Findings {
     pub unexplained: Option<Unexplained>,
     /// A formula for it, where one closes the gap on intervals that the fit did not see.
     pub proposed: Option<Proposal>,
-    /// Where the base models disagree with the data.
+    /// Channels in which the base models disagree with the data.
     pub disagreement: Vec<Disagreement>,
     /// The best of the catalogue against the base models.
     pub ranking: Vec<RankedClaim>,
     /// Effects of the catalogue that this recording cannot show at ten times their typical size.
     pub not_observable: Vec<String>,
-    /// What no recording of this kind shows.
+    /// Errors that no recording of this kind can show.
     #[serde(with = "::findings::texts::of_warnings")]
     pub never_visible: ::findings::Findings,
     /// Gaps on recordings that the fit did not see.

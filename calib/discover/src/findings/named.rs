@@ -23,12 +23,12 @@ pub struct Final<'a> {
     held_out: Option<[Misfit; 3]>,
     calibration: &'a Calibration,
     rivals: Vec<Rival>,
-    /// As it was given.
+    /// Latitude in the request, degrees north.
     latitude: Option<f64>,
 }
 
 impl<'a> Final<'a> {
-    /// That of a search with the calibration that it is written down as.
+    /// Builds it from a search and the calibration of its final model.
     pub fn of(search: &'a Search, calibration: &'a Calibration, request: &Request) -> Self {
         let last = &search.last;
         let noise = last.noise;

@@ -1,4 +1,4 @@
-//! What a search found, as findings of its calibration: the verdict is a function of them.
+//! Results of a search as typed findings of its calibration; the verdict is a function of these findings.
 
 use ::findings::{Finding, Kind};
 
@@ -63,7 +63,7 @@ fn affecting(found: Finding, channel: Channel, rms: Option<f64>) -> Finding {
     }
 }
 
-/// Whether a fit says so of its own account.
+/// Returns true if the fit itself reports a finding of this kind.
 fn is_of_the_fit(kind: Kind) -> bool {
     use Kind as K;
     matches!(

@@ -13,7 +13,7 @@ const BLOCKS: usize = 8;
 /// Eigenvalues below this share of the largest are directions that the rest of the data say nothing of.
 const UNSEEN: f64 = 1e-8;
 
-/// What each channel of a block misses when the rest of the data predict it, summed over all blocks.
+/// Computes the prediction error of each channel over blocks that are left out in turn, summed over all blocks.
 ///
 /// With `P = N (Nᵀ V N)⁻¹ Nᵀ` a block `B` that is left out is missed by `(P_BB)⁺ (P r)_B`, of covariance
 /// `(P_BB)⁺`: no refit is needed. The errors of the parameters that the other blocks give are in it, and

@@ -1,4 +1,4 @@
-//! Where the data disagree with a model: channel, intervals, covariate.
+//! Location of a disagreement between model and data: channel, intervals, covariate.
 
 use estimate::methods::joint::{BiasNoise, Instant, Sampling, error_columns};
 use faer::Mat;
@@ -26,7 +26,7 @@ pub struct Disagreement {
     /// The intervals that are missed most when the others predict them.
     #[serde(rename = "where")]
     pub place: String,
-    /// What it goes with best.
+    /// Name of the covariate that correlates best with it.
     pub covariate: String,
     /// `√(χ²/dof)`.
     pub size: f64,
@@ -92,7 +92,7 @@ fn worst_intervals(state: &State, channel: Channel) -> String {
     format!("intervals {}", names.join(", "))
 }
 
-/// What an error may go with: one number at an instant.
+/// Candidate covariate of an error: its name and its value on each axis at one instant.
 type Covariate = (&'static str, fn(&Instant<'_>) -> Vector3<f64>);
 
 const COVARIATES: [Covariate; 11] = [

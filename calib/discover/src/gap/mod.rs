@@ -1,4 +1,4 @@
-//! How far the data are from a model: by channel, by place, on intervals and recordings that the fit did not see.
+//! Misfit of the data to a model: by channel and place, and on intervals and recordings that the fit did not use.
 
 pub(super) mod channel;
 pub(super) mod held_out;

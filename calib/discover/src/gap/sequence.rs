@@ -62,8 +62,8 @@ impl Sequence {
         Self::under(whitening, fit.white_jacobian.clone(), ends)
     }
 
-    /// Of rows that end, kind by kind, at `ends`, under any whitening; `jacobian` (`m × n`) is that of what
-    /// is free, white-whitened.
+    /// Builds it for rows whose kinds end at `ends`, under any whitening; `jacobian` (`m × n`) is that of the free
+    /// parameters, white-whitened.
     pub fn under(whitening: Whitening, jacobian: Columns, ends: [usize; 3]) -> Self {
         let jacobian = whitening.finish_columns(jacobian);
         let bases = ends.map(|end| Basis::of(&jacobian.first_rows(end)));
@@ -74,13 +74,13 @@ impl Sequence {
         }
     }
 
-    /// Of the disagreement itself.
+    /// Computes the misfit of each channel from the residuals of the fit.
     pub fn misfits(&self, state: &State) -> [Misfit; 3] {
         let r = &state.fit.white_residuals;
         self.of_column(r)
     }
 
-    /// Of any white-whitened column (`m`): how much of it each channel shows.
+    /// Computes the part of any white-whitened column (`m`) that shows in each channel.
     pub fn of_column(&self, column: &[f64]) -> [Misfit; 3] {
         let column = self.whitening.finish_column(column);
         let mut before = Misfit::default();

@@ -70,7 +70,7 @@ pub fn validate(
         .collect())
 }
 
-/// What each channel of the session misses under the calibration of `model`.
+/// Computes the misfit of each channel of the session under the calibration of `model`.
 fn missed(session: &Session<'_>, model: &State, noise: BiasNoise) -> Result<[Misfit; 3], Error> {
     // What was disturbed in the other recording was disturbed there.
     // An instant belongs to the recording that it was found in: nothing is judged by it here.
@@ -200,7 +200,7 @@ fn of_heading(model: &Model) -> Vec<String> {
     places.map(|k| all.names()[k].clone()).collect()
 }
 
-/// Whether a parameter is a bias, of one recording or of all.
+/// Returns true if the parameter is a bias, of one recording or common to all.
 fn is_bias(name: &str) -> bool {
     name.starts_with("accel.b_") || name.starts_with("gyro.b_")
 }

@@ -34,13 +34,15 @@ pub struct Level {
 }
 
 impl Level {
-    /// Whether the bias of this sensor is judged at it.
+    /// Returns true if noise of this sensor's bias is judged at this setting.
     pub fn is_of(&self, sensor: Sensor) -> bool {
         self.of.is_none_or(|own| own == sensor)
     }
 
-    /// Whether an error of this sensor is tried at it. What the gyroscope does to turns may have been taken for a walk of the
-    /// accelerometer, whose directions the turns are compared with.
+    /// Returns true if errors of this sensor are tried at this setting.
+    ///
+    /// Errors of the gyroscope are tried at every setting: the turns are compared with the accelerometer's directions, so
+    /// that an error of the gyroscope can look like a random walk of the accelerometer's bias.
     pub fn is_for(&self, sensor: Sensor) -> bool {
         sensor == Sensor::Gyroscope || self.is_of(sensor)
     }

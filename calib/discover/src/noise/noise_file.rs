@@ -16,9 +16,9 @@ const LARGEST: f64 = 1.0;
 /// Noise of the biases with what the user should know of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GivenNoise {
-    /// Of accelerometer (m/s²/√s) and gyroscope (rad/s/√s).
+    /// Random walk densities of accelerometer (m/s²/√s) and gyroscope (rad/s/√s).
     pub noise: BiasNoise,
-    /// Where a density is only bounded.
+    /// Notes about densities for which the file has only an upper bound.
     pub notes: Findings,
 }
 

@@ -25,9 +25,10 @@ pub struct Projected {
     shared: Mat<f64>,
     /// Kinds of noise of the biases, in order.
     kinds: Vec<ComponentKind>,
-    /// Whether turns scatter, as they are off by far more than the noise.
+    /// True if the turns scatter, their errors being far larger than the noise.
     pub scatters: bool,
-    /// What the readings within static intervals say of that noise, in its order: no error of a model shows there.
+    /// Slopes of the readings within static intervals, which show the noise of the biases but no error of a model;
+    /// components in the order of `kinds`.
     pub within: Vec<Within>,
 }
 
@@ -57,7 +58,7 @@ impl Part {
 }
 
 impl Projected {
-    /// Of white-whitened residuals (`m`), Jacobian (`m × n`) and kinds of noise (`m × m`) with their levels.
+    /// Builds it from white-whitened residuals (`m`), Jacobian (`m × n`) and kinds of noise (`m × m`) with their levels.
     pub fn new(
         residuals: &[f64],
         jacobian: &Columns,
@@ -260,7 +261,7 @@ fn put(all: &mut Mat<f64>, above: usize, used: &[usize], own: &Mat<f64>) {
 pub struct Whitened {
     /// `P L⁻¹ z` (`q × 1`), `P` what takes out what the recordings share.
     pub z: Mat<f64>,
-    /// Of every recording its number of rows of `z`, and `L` of `V = L Lᵀ`; `None` for the identity.
+    /// Number of rows of `z` and the Cholesky factor `L` of `V = L Lᵀ` of each recording; `None` for the identity.
     factors: Vec<(usize, Option<Mat<f64>>)>,
     /// An orthonormal basis of what the recordings share (`q × s`).
     taken: Mat<f64>,

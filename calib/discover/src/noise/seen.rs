@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DVector};
 pub struct Seen {
     /// `L⁻¹ F`.
     pub inside: Columns,
-    /// What the basis `T` of what recordings share takes of it, `Tᵀ L⁻¹ F` (`s × k`): `P = I − T Tᵀ`.
+    /// Projection `Tᵀ L⁻¹ F` (`s × k`) onto the basis `T` of the recordings' shared parameters: `P = I − T Tᵀ`.
     pub taken: Mat<f64>,
 }
 

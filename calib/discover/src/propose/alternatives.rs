@@ -1,4 +1,4 @@
-//! What would do about as well as a proposed term.
+//! Terms that fit about as well as a proposed one.
 
 use faer::Mat;
 use sensor::Formula;

@@ -13,7 +13,7 @@ pub const MOST_PRODUCTS: usize = 3;
 
 /// A product that was chosen.
 pub struct Chosen<'a> {
-    /// Which.
+    /// The product.
     pub product: &'a Product,
     /// Its place among the screened ones.
     pub place: usize,
@@ -47,7 +47,7 @@ impl<'a> Stable<'a> {
         &self.products[self.screened.products[place]]
     }
 
-    /// Whether two explain nearly the same.
+    /// Returns true if two products explain nearly the same.
     pub fn are_alike(&self, one: usize, other: usize) -> bool {
         alike(&self.screened.bases[one], &self.screened.bases[other])
     }

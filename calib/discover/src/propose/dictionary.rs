@@ -1,4 +1,4 @@
-//! What an unexplained error may be made of: products of covariates.
+//! Candidate terms of an unexplained error: products of covariates.
 
 use faer::{Mat, MatRef};
 use nalgebra::{DMatrix, Matrix2x3};
@@ -21,18 +21,19 @@ const UNSEEN: f64 = 1e-4;
 pub struct Product {
     /// The sensor that would read it.
     pub sensor: Sensor,
-    /// What is multiplied.
+    /// Factors of the product, each a covariate with its power.
     pub factors: Vec<(Covariate, u32)>,
     /// The axes on which the data can see it.
     pub axes: Vec<Axis>,
     /// `Nᵀ ∂r/∂c` of those axes (`q × axes`), in unit length.
     pub columns: Mat<f64>,
-    /// What they were divided by.
+    /// Lengths that the columns were divided by.
     pub lengths: Vec<f64>,
 }
 
 impl Product {
-    /// How much it asks to be believed: its degree, and more than that of any polynomial where it has a size or a history.
+    /// Returns the complexity of the product: its degree, and more than that of any polynomial where it has a size or a
+    /// history.
     pub fn degree(&self) -> u32 {
         let of = |(covariate, power): &(Covariate, u32)| match covariate {
             Covariate::SpecificForce(_)
@@ -99,9 +100,9 @@ pub fn dictionary(state: &State) -> Vec<Product> {
     all
 }
 
-/// What is multiplied.
+/// Covariates that products are built from.
 struct Offered {
-    /// What products of up to three factors are made of.
+    /// Covariates of products with up to three factors.
     powers: Vec<Covariate>,
     /// So many of them, the first ones, stand beside a size too.
     first: usize,
@@ -127,7 +128,7 @@ impl Offered {
     }
 }
 
-/// What has been before: the last change of force, turn and temperature; and how much the device vibrates.
+/// Lists the covariates of history (last change of force, last turn, time since it, change of temperature) and vibration.
 fn history() -> Vec<Covariate> {
     let triads = [
         Covariate::LastChange,

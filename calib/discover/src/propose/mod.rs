@@ -46,7 +46,7 @@ const MAY_REMAIN: f64 = 0.2;
 /// A formula that explains what no effect of the catalogue does. It is no name: another formula may do as well.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Proposal {
-    /// What it is called.
+    /// Name of the formula.
     pub name: String,
     /// The formula as users read it.
     pub equation: String,
@@ -66,7 +66,7 @@ pub struct Proposal {
     pub held_out_gap_after: f64,
     /// Share of the halves of the intervals that select each of its products: the least.
     pub stability: f64,
-    /// What would do about as well in place of one of its terms, as formulas of one term.
+    /// Alternatives to single terms that fit about as well, each as a formula of one term.
     pub alternatives: Vec<String>,
     /// The formula itself.
     #[serde(skip)]
@@ -89,7 +89,7 @@ pub struct Proposed {
 }
 
 impl Proposed {
-    /// As it is written down; `parameters` are those of the refit.
+    /// Builds the proposal as it is written to the file; `parameters` are those of the refit.
     pub fn written(self, channel: Channel, parameters: Vec<EffectParameter>) -> Proposal {
         let mut formula = self.formula;
         for (term, p) in formula.terms.iter_mut().zip(&parameters) {
@@ -154,7 +154,7 @@ fn propose_of(
     None
 }
 
-/// What became of a formula.
+/// Result of trying a formula.
 enum Tried {
     Closes(Box<Proposed>),
     /// It leaves a gap.

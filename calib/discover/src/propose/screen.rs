@@ -18,12 +18,12 @@ const TWINS: f64 = 0.98;
 /// Chance that noise alone pulls any product of the dictionary into the model.
 const BY_CHANCE: f64 = 0.05;
 
-/// What passed.
+/// Products of the dictionary that passed the screening.
 #[derive(Debug)]
 pub struct Screened {
     /// Places in the dictionary of those with the best scores, twins among them.
     pub kept: Vec<usize>,
-    /// Of those without twins, most evident first.
+    /// Places of those that are left without twins, most evident first.
     pub products: Vec<usize>,
     /// Their orthonormal columns (`q × rank`).
     pub bases: Vec<Mat<f64>>,

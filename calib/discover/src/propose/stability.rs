@@ -1,4 +1,4 @@
-//! How often a group, or one much like it, is selected when half of the intervals speak.
+//! Stability selection: frequency with which a group, or one much like it, is selected from half of the intervals.
 
 use std::ops::Range;
 
@@ -66,7 +66,7 @@ pub fn stability(state: &State, whitened: &Whitened, bases: &[Mat<f64>], floor: 
         .collect()
 }
 
-/// Whether two spaces of orthonormal columns (`q × p`) share most of what the smaller one holds.
+/// Returns true if two spaces of orthonormal columns (`q × p`) share most of the smaller one.
 pub fn alike(one: &Mat<f64>, other: &Mat<f64>) -> bool {
     let rank = one.ncols().min(other.ncols()).max(1) as f64;
     (one.transpose() * other).squared_norm_l2() > ALIKE * rank

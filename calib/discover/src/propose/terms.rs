@@ -21,14 +21,14 @@ pub struct Terms {
     pub sensor: Sensor,
     /// Their whitened columns (`q × 1` each).
     pub columns: Vec<Mat<f64>>,
-    /// What they explain together, `χ²`.
+    /// `χ²` that they explain together.
     pub statistic: f64,
-    /// Of the least stable.
+    /// Selection frequency of the least stable product.
     pub stability: f64,
 }
 
 impl Terms {
-    /// Whether `term` of `product` is one of them.
+    /// Returns true if `term` of `product` is one of them.
     pub fn holds(&self, product: &Product, term: &Term) -> bool {
         let name = term.name();
         product.sensor == self.sensor && self.terms.iter().any(|own| own.name() == name)

@@ -1,4 +1,4 @@
-//! What the data say of the bias that an axis has in every chunk of a static interval.
+//! Information of the data on the bias of each axis in every chunk of a static interval.
 
 use estimate::methods::joint::{BiasNoise, Column, columns};
 use faer::Mat;
@@ -19,7 +19,7 @@ pub(super) struct OfSensor {
     pub rows: Vec<usize>,
     /// The chunks of every recording, or of several that share noise.
     pub together: Vec<Vec<usize>>,
-    /// Of every axis what the data say at each setting of the densities.
+    /// Normal equations of the biases, for each axis at each setting of the densities.
     pub axes: [Vec<AtLevel>; 3],
 }
 
@@ -29,7 +29,7 @@ pub(super) struct AtLevel {
     pub noise: BiasNoise,
     /// Its log-likelihood over that of the likeliest setting.
     pub gained: f64,
-    /// What the data say there.
+    /// Normal equations of the biases there.
     pub biases: Biases,
 }
 
@@ -51,7 +51,7 @@ pub(super) struct Own {
     pub taken: Mat<f64>,
 }
 
-/// Of every sensor with static means, at these settings of the densities.
+/// Computes the normal equations of the biases of every sensor with static means, at these settings of the densities.
 pub(super) fn biases(state: &State, levels: &[Level]) -> Vec<OfSensor> {
     let sensors = [Sensor::Accelerometer, Sensor::Gyroscope].into_iter();
     sensors

@@ -1,10 +1,10 @@
-//! What the models leave of every static interval and turn, for a picture.
+//! Residuals of the models in every static interval and turn, for a plot.
 
 use crate::discovery::Discovery;
 use crate::gap::channel::Channel;
 use crate::pictures::{Point, left, points, residuals};
 
-/// What one channel leaves.
+/// Residuals of one channel.
 #[derive(Clone, Debug)]
 pub struct Left {
     /// The channel.
@@ -13,7 +13,7 @@ pub struct Left {
     pub points: Vec<(usize, Point)>,
 }
 
-/// What the base models and the final one leave in every channel, whatever the verdict.
+/// Computes the residuals of the base models and the final model in every channel, whatever the verdict.
 pub fn left_by_interval(discovery: &Discovery) -> Vec<Left> {
     let (base, last) = (&discovery.search.base, &discovery.search.last);
     let noise = last.noise;

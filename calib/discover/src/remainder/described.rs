@@ -1,4 +1,4 @@
-//! What shapes and wandering biases say of what a model leaves.
+//! Tests for shapes and wandering biases in the residuals of a model.
 
 use estimate::methods::joint::BiasNoise;
 use faer::Mat;
@@ -41,7 +41,7 @@ pub(super) struct Trial {
     pub recording: Option<String>,
     pub columns: Option<Shaped>,
     pub wandering: Option<(Sensor, usize)>,
-    /// What the shape adds to the rows, white-whitened (`m × 1`).
+    /// Contribution of the shape to the rows, white-whitened (`m × 1`).
     pub predicted: Option<Mat<f64>>,
 }
 
@@ -55,7 +55,7 @@ pub struct Described {
 }
 
 impl Described {
-    /// Of what a model leaves.
+    /// Runs the tests on the residuals of a model.
     pub fn of(state: &State) -> Self {
         let levels = state.levels();
         let is_slow = |f: &Family| matches!(f.claim, Claim::Shape(Shape::SlowTime, _));

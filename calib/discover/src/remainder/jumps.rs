@@ -23,11 +23,11 @@ pub(super) struct Jumps {
     pub sensor: Sensor,
     /// The axis.
     pub axis: usize,
-    /// How often it jumps.
+    /// Number of jumps.
     pub count: usize,
     /// The rows of the chunks on the upper level.
     above: Vec<usize>,
-    /// How far above, in m/s² or rad/s; negative where that level is the lower one.
+    /// Height of the upper level above the other, m/s² or rad/s; negative where it is the lower one.
     pub change: f64,
     /// The noise of the biases beside it.
     pub noise: BiasNoise,
@@ -51,7 +51,7 @@ impl Jumps {
         1.0 + self.count as f64
     }
 
-    /// What being on the upper level does to the rows, white-whitened (`m × 1`).
+    /// Returns the indicator column of the chunks on the upper level, white-whitened (`m × 1`).
     pub fn columns(&self, state: &State) -> Mat<f64> {
         let mut column = Column::none();
         self.above.iter().for_each(|&row| column.set(row, 1.0));

@@ -1,4 +1,4 @@
-//! What remains when everything of the catalogue has had its chance.
+//! Remainder: the disagreement that no effect of the catalogue explains.
 
 mod biases;
 pub(super) mod by_interval;

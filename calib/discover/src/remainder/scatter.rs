@@ -36,8 +36,8 @@ pub struct Scatter {
 }
 
 impl Scatter {
-    /// Whether it is forgotten within the shortest memory tried, which is that of one static interval: it need not go with time
-    /// at all.
+    /// Returns true if its correlation time is at most the shortest one tried, that of one static interval: it need not
+    /// depend on time at all.
     pub fn is_forgotten(&self) -> bool {
         self.memory <= MEMORIES[0]
     }
@@ -161,7 +161,7 @@ impl Biases {
     }
 }
 
-/// What `Y` (`s × n`) adds to `θ uᵀ M⁻¹ u − ln |M|`, `M = E − θ YᵀY` with the diagonal `E = 1 + θ d`:
+/// Computes the contribution of `Y` (`s × n`) to `θ uᵀ M⁻¹ u − ln |M|`, `M = E − θ YᵀY` with the diagonal `E = 1 + θ d`:
 /// `wᵀ K⁻¹ w − ln |K|` with `K = I − θ Y E⁻¹ Yᵀ` and `w = θ Y E⁻¹ u` (Woodbury).
 fn by_shared(theta: f64, sizes: &[f64], seen: &[f64], taken: &Mat<f64>) -> f64 {
     let s = taken.nrows();

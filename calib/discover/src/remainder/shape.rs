@@ -1,4 +1,4 @@
-//! What a disagreement looks like that no effect of the catalogue has.
+//! Shapes of a disagreement that no effect of the catalogue has.
 
 use effects::{relaxation, room_field};
 use estimate::methods::joint::Instant;

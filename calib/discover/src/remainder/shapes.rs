@@ -156,7 +156,7 @@ fn rate_products(i: &Instant<'_>, out: &mut Vec<Vector3<f64>>) {
     on_every_axis(&[w.x * w.y, w.y * w.z, w.z * w.x], out);
 }
 
-/// What shapes ask for beyond one instant.
+/// Data of the whole session that shapes need.
 struct Scene<'a> {
     state: &'a State,
     /// The rotation vector of the turn before every rest, rad; zero where there is none.
@@ -219,7 +219,7 @@ impl<'a> Scene<'a> {
             .collect()
     }
 
-    /// What the mean over a chunk leaves of a cosine.
+    /// Returns the factor by which averaging over a chunk reduces a cosine of this `frequency`, Hz.
     fn averaged(&self, i: &Instant<'_>, frequency: f64) -> f64 {
         let x = PI * frequency * self.mean(i).map_or(0.0, |m| m.span.length());
         if x.abs() < 1e-6 { 1.0 } else { x.sin() / x }
@@ -233,7 +233,8 @@ impl<'a> Scene<'a> {
         chunk.gyroscope.as_ref().or(chunk.accelerometer.as_ref())
     }
 
-    /// Of several recordings a drift of each, and a step wherever it would show: biases begin anew in every recording.
+    /// Builds the shapes of single recordings, where there are several: a drift, exponential settling and a step at each
+    /// boundary. Biases begin anew in every recording.
     fn of_one_recording(&self) -> Vec<(usize, Way<'_>)> {
         let count = self.state.fit.data.sources.len();
         let recordings = if count > 1 { 0..count } else { 0..0 };

@@ -1,4 +1,4 @@
-//! Which stretches of a recording lie on the upper of two levels.
+//! Assignment of the stretches of a recording to two levels of a bias.
 //!
 //! For `s` in `{0, 1}` over the stretches the likelihood ratio of a bias `a s` is `(sᵀ b)²/(sᵀ A s)`, `A = BᵀB` and `b = Bᵀz`. Among
 //! the `C(n − 1, k)` ways to put `k` jumps between `n` stretches the best is looked for step by step, and all of them are paid for.
@@ -35,7 +35,7 @@ fn cost(stretches: usize, jumps: usize) -> f64 {
 pub(super) struct TwoLevels {
     /// `s`.
     pub above: Vec<bool>,
-    /// How often it jumps.
+    /// Number of jumps.
     pub count: usize,
     /// The likelihood ratio.
     pub ratio: f64,
@@ -96,7 +96,7 @@ struct Sums {
     by_right: Vec<f64>,
     by_pull: Vec<f64>,
     twice: DMatrix<f64>,
-    /// What `sᵀA s` is at least where two levels differ from one.
+    /// Least value of `sᵀA s` at which two levels differ from one.
     faint: f64,
 }
 
@@ -174,7 +174,7 @@ fn likeliest_flip(
     best
 }
 
-/// Whether `s` jumps before a stretch.
+/// Returns true if `s` jumps before stretch `k`.
 fn jumps_at(above: &[bool], k: usize) -> bool {
     k > 0 && k < above.len() && above[k - 1] != above[k]
 }

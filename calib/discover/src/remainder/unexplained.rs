@@ -1,4 +1,4 @@
-//! What is left when everything of the catalogue has had its chance.
+//! Finding about the disagreement that no effect of the catalogue explains.
 
 use estimate::methods::joint::{BiasNoise, Chunk, Disturbance, Mean, SensorNoise, orthonormal};
 use findings::{Finding, Kind};
@@ -90,7 +90,7 @@ pub fn unexplained(search: &mut Search, alpha: f64) -> (Option<Unexplained>, Opt
     (rest_of(&search.last, alpha), None)
 }
 
-/// Whether a disturbance is one of a static interval as a whole.
+/// Returns true if the disturbance concerns a static interval as a whole.
 fn is_of_a_rest(kind: Disturbance) -> bool {
     matches!(
         kind,
@@ -98,7 +98,7 @@ fn is_of_a_rest(kind: Disturbance) -> bool {
     )
 }
 
-/// Whether an effect that is named is the very thing that the shape describes.
+/// Returns true if a named effect already describes the shape.
 fn is_covered((shape, sensor): (Shape, Sensor), names: &[Name]) -> bool {
     let quantity = match shape {
         Shape::Heading => Quantity::Attitude,
@@ -164,7 +164,7 @@ pub fn rest_beside(state: &State, described: &Described, alpha: f64) -> Option<U
     })
 }
 
-/// Whether a bias wanders beside a shape.
+/// Returns true if a bias wanders significantly, at level `alpha`, with the shape in the model.
 fn wanders_beside(state: &State, shape: &Shaped, alpha: f64) -> bool {
     let mut levels = state.levels().to_vec();
     let columns = orthonormal(&state.projected.columns(shape.columns.as_ref()));

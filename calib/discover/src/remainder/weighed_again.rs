@@ -11,7 +11,7 @@ use crate::score::{log_tail, score};
 use crate::search::Search;
 use crate::state::State;
 
-/// What the model holds, by the family that it was taken from.
+/// One term of the model, with the columns of the family that it was taken from.
 struct Item {
     claim: Claim,
     known: Option<Known>,

@@ -1,4 +1,4 @@
-//! Whether a device crept or its rate was off, or was pushed or a turn is bad: what a fit cannot tell apart is said together.
+//! Disturbances that a fit cannot tell apart, such as creep and a rate excursion, or a push and an outlying turn.
 
 use estimate::methods::joint::{Disturbance, Known};
 use recording::Error;
@@ -10,9 +10,11 @@ use crate::family::Claim;
 use crate::state::State;
 
 impl Finder<'_> {
-    /// What the disturbances that are held cannot be told from: of those with a name by its ties, of rests that are beyond
-    /// doubt by one more fit without each. A creep about the vertical does to the readings of a rest what a rate does that
-    /// is off, and a push across gravity what a turn does that lost samples.
+    /// Lists the alternatives to the disturbances in the model: from the ties of a named one, and by one more fit without
+    /// it for a `certain` one of a static interval.
+    ///
+    /// A creep about the vertical has the same effect on the readings of a static interval as a rate excursion, and a push
+    /// across gravity the same as a turn that lost samples.
     pub(super) fn either(
         &self,
         base: &State,

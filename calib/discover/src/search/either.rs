@@ -7,7 +7,7 @@ use crate::family::Claim;
 /// A disturbance with what else it may be.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Either {
-    /// What the model holds.
+    /// Disturbance in the model.
     pub known: Known,
     /// Names of what explains the data about as well.
     pub or: Vec<&'static str>,

@@ -17,7 +17,7 @@ const SPARED: usize = 2;
 /// By how much larger the variance of a turn may be than the one share for all of them says: knocks that miss twice as much.
 pub(crate) const KNOCKED: f64 = 4.0;
 
-/// What every turn on its own could explain (`q × 2` each), of a model whose turns knocks have spoiled.
+/// Columns of every turn on its own (`q × 2` each), for a model whose turns are spoiled by knocks.
 pub(crate) struct Turns(Vec<Mat<f64>>);
 
 impl Turns {

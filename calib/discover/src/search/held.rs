@@ -25,13 +25,13 @@ impl Held {
         }
     }
 
-    /// Whether this is a known disturbance.
+    /// Returns true if this is the given disturbance.
     pub fn is(&self, known: &Known) -> bool {
         matches!(self.claim, Claim::Disturbed(kind) if kind == known.kind)
             && self.hypothesis.place == Some(known.place)
     }
 
-    /// Where a ranking has it: of a local claim only if its best place is this one.
+    /// Finds this claim in a ranking; a local claim only if its best place is this one.
     pub fn found<'r>(&self, families: &[Family], ranked: &'r [Ranked]) -> Option<&'r Ranked> {
         ranked.iter().find(|r| {
             let family = &families[r.family];

@@ -48,7 +48,8 @@ const MOST_LINEARISED: usize = 30_000_000;
 /// Fewest fits of a search, however long one takes.
 const FEWEST_FITS: usize = 6;
 
-/// How long a joint fit takes, in units of one that has a single static interval. Recordings share few parameters and no noise.
+/// Returns the cost of a joint fit, in units of one with a single static interval. Recordings share few parameters and no
+/// noise.
 fn cost_of_fit(data: &Data) -> f64 {
     let of = |recording: usize| {
         let own = data.rests.iter().filter(|r| r.recording == recording);
@@ -60,30 +61,30 @@ fn cost_of_fit(data: &Data) -> f64 {
 /// Something named.
 #[derive(Clone, Debug)]
 pub struct Name {
-    /// What.
+    /// The claim.
     pub claim: Claim,
     /// In which way.
     pub hypothesis: Hypothesis,
     /// The evidence for it, everything else that is named being in the model.
     pub ranked: Ranked,
-    /// What these recordings cannot tell from it.
+    /// Other claims that these recordings cannot tell from it.
     pub ties: Vec<Tie>,
     /// The model with everything else that is named.
     pub without: State,
-    /// What the estimate predicts (`m × 1`), white-whitened.
+    /// Contribution of the estimate to the rows (`m × 1`), white-whitened.
     pub predicted: Mat<f64>,
 }
 
 /// A claim that explains the data about as well as the named one.
 #[derive(Clone, Debug)]
 pub struct Tie {
-    /// What.
+    /// The claim.
     pub claim: Claim,
-    /// How much less evidence it has.
+    /// Evidence that it lacks against the named one.
     pub behind: f64,
     /// The share of what the named one explains that it explains too, `ρ²`.
     pub shared: f64,
-    /// What tells them apart, where it is an effect too.
+    /// Separation of the two, where both are effects.
     pub rivalry: Option<Rivalry>,
 }
 
@@ -94,7 +95,7 @@ pub struct Search {
     pub base: State,
     /// The model with everything named.
     pub last: State,
-    /// What was named, most evident first, but for disturbances that are beyond doubt by their own parameters.
+    /// Claims that were named, most evident first, without the disturbances that are significant by their own parameters.
     pub names: Vec<Name>,
     /// Disturbances that these recordings cannot tell from something else.
     pub either: Vec<Either>,
@@ -105,7 +106,7 @@ pub struct Search {
     pub first_ranking: Vec<(Claim, Ranked)>,
     /// Effects that the recordings would not show, had the device them.
     pub not_observable: Vec<String>,
-    /// That the search ended before its end, as it would have taken too long, in words.
+    /// Finding that the search stopped early, as it would have taken too long.
     pub spent: Option<Finding>,
     /// Models that were fitted on the way.
     fitted: Vec<State>,
@@ -203,16 +204,16 @@ struct Finder<'a> {
     most_fits: usize,
     /// Fits so far.
     fits: Cell<usize>,
-    /// What they took.
+    /// Work of these fits.
     linearised: Cell<usize>,
     /// Their models: a review comes back to some of them.
     fitted: RefCell<Vec<State>>,
-    /// What was ranked beside which model.
+    /// Rankings, each with the model that it was made beside.
     rankings: RefCell<Vec<(Extension, Rc<Ranking>)>>,
 }
 
 impl Finder<'_> {
-    /// Whether so many more fits are too many.
+    /// Returns true if this many `more` fits would exceed the budget.
     fn is_spent(&self, more: usize) -> bool {
         self.fits.get() + more > self.most_fits || self.linearised.get() > MOST_LINEARISED
     }

@@ -58,7 +58,7 @@ pub(super) fn outlying_turns(state: &State) -> Vec<Held> {
         .collect()
 }
 
-/// What turns miss when all rows but those taken out predict them: `P = N Nᵀ` and `y = P r` of their rows.
+/// Prediction errors of turns from all rows but those taken out: `P = N Nᵀ` and `y = P r` of their rows.
 struct Turns {
     precision: DMatrix<f64>,
     y: DVector<f64>,

@@ -15,7 +15,7 @@ pub(super) const PAIRED: usize = 10;
 /// A rotation whose length differs from the earth's by more than so many standard errors is not it.
 const EARTH_LENGTH: f64 = 3.0;
 
-/// What the first step beside models that were fitted without a rotation may leave of its length.
+/// Tolerance of a rotation's length after a linear step from models fitted without it, as a share of the earth's rate.
 const LINEAR: f64 = 0.1;
 
 /// A rotation whose vertical part is fewer standard errors than this is not known to be the earth's.
@@ -72,7 +72,7 @@ impl Ranking {
     }
 }
 
-/// Whether a claim is the earth's rotation.
+/// Result of comparing a rotation with the earth's.
 pub(super) enum Earth {
     /// It has the length and a vertical part, or is another claim.
     Yes,
@@ -88,7 +88,7 @@ pub(crate) const VERTICAL: usize = 2;
 /// A smaller variance, in the square of the earth's rate, is that of what is not seen.
 const UNSEEN: f64 = 1e-12;
 
-/// What is not seen comes last.
+/// Returns the sort key of a variance, which puts an unobservable part last.
 fn seen_first(variance: f64) -> f64 {
     if variance > UNSEEN {
         variance
@@ -97,7 +97,8 @@ fn seen_first(variance: f64) -> f64 {
     }
 }
 
-/// Whether what a claim explains has the length of the earth's rotation, in the stretch that knows its horizontal part best.
+/// Compares the length of an estimated rotation with that of the earth's, in the stretch that shows its horizontal part
+/// best.
 pub(super) fn as_the_earth(family: &Family, ranked: &Ranked) -> Earth {
     let earth = family.claim.effect();
     let Some(earth) = earth.filter(|effect| effect.nature() == Nature::EarthRotation) else {

@@ -31,13 +31,13 @@ fn as_a_room(family: &Family, named: &Ranked) -> Option<Tie> {
     })
 }
 
-/// What is left of the names after a second look.
+/// Names that remain after the review.
 pub(super) struct Reviewed {
     pub names: Vec<Name>,
     pub either: Vec<Either>,
     pub evidence: f64,
     pub last: State,
-    /// Whether the fits that it may make ended it.
+    /// True if the review stopped because its budget of fits was spent.
     pub is_spent: bool,
 }
 
@@ -181,7 +181,7 @@ impl Finder<'_> {
             .collect()
     }
 
-    /// Whether `one` is the first order of `top`.
+    /// Returns true if `one` is the first order of `top`.
     fn is_simpler(&self, families: &[Family], top: &Ranked, one: &Ranked) -> bool {
         match families[top.family].claim {
             Claim::Effect(effect) => with_companions(effect, self.catalogue)

@@ -121,7 +121,7 @@ impl Seen {
         }
     }
 
-    /// Of the columns of some of them.
+    /// Computes the score of the hypotheses at these places together.
     fn score(&self, places: &[usize]) -> Score {
         let own = places.iter().flat_map(|&place| self.columns[place].clone());
         let own: Vec<usize> = own.collect();

@@ -14,12 +14,12 @@ pub struct Aim {
     pub ties: Vec<Separated>,
 }
 
-/// What a tie comes to.
+/// Separation of a named effect from one that it is tied to.
 #[derive(Clone, Debug)]
 pub struct Separated {
     /// The named effect.
     pub named: String,
-    /// What it is tied to.
+    /// The effect that it is tied to.
     pub other: String,
     /// `λ (1 − ρ²)` by what was recorded.
     pub before: f64,
@@ -29,13 +29,13 @@ pub struct Separated {
     pub if_warmed: f64,
     /// With the design, rests of 20 s and the first of five minutes.
     pub if_longer: f64,
-    /// Whether one of them belongs to an instant.
+    /// True if one of them belongs to an instant.
     pub of_an_instant: bool,
-    /// Whether one of them settles after switching on: the recording has to begin then.
+    /// True if one of them settles after switching on: the recording has to begin then.
     pub settles: bool,
 }
 
-/// What would tell a tie apart that placements and turns do not.
+/// Remedy that would separate a tie where placements and turns do not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShownBy {
     /// Warming the device and letting it cool.
@@ -49,7 +49,7 @@ pub enum ShownBy {
 }
 
 impl Separated {
-    /// What would tell it apart, the easier before the harder.
+    /// Returns the remedy that would separate the two, the easier before the harder.
     pub fn shown_by(&self) -> ShownBy {
         match self {
             _ if self.of_an_instant => ShownBy::Instant,

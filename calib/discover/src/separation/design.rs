@@ -19,7 +19,7 @@ const SWING: f64 = 8.0;
 /// points of a smooth motion, not means: a third of the time, and what errors would do there is the same.
 const RATE: f64 = 50.0;
 
-/// What the device is like and what may be asked for.
+/// Properties of the device, and the constraints on a recording.
 #[derive(Clone, Debug)]
 pub struct Conditions {
     /// White noise densities, m/s²/√Hz and rad/s/√Hz.
@@ -30,7 +30,7 @@ pub struct Conditions {
     pub gravity: f64,
     /// Rests and pace.
     pub timing: Timing,
-    /// Whether the device is warmed while it records.
+    /// True if the device is warmed while it records.
     pub warmed: bool,
     /// The effects.
     pub catalogue: Vec<&'static dyn AnyEffect>,
@@ -39,18 +39,18 @@ pub struct Conditions {
 /// A recording to make.
 #[derive(Clone, Debug)]
 pub struct Design {
-    /// What points up, one after the other.
+    /// Directions that point up, one placement after the other.
     pub ups: Vec<Vector3<f64>>,
     /// From each to the next.
     pub turns: Vec<Turn>,
-    /// How long all takes.
+    /// Durations of the static intervals and pace of the turns.
     pub timing: Timing,
-    /// Whether the device is warmed half of the time, and then left to cool.
+    /// True if the device is warmed for half of the time and then left to cool.
     pub warmed: bool,
 }
 
 impl Design {
-    /// How long it takes, s.
+    /// Returns its duration, s.
     pub fn duration(&self) -> f64 {
         let turns = self.turns.iter();
         let turning: f64 = turns
@@ -60,7 +60,7 @@ impl Design {
         self.timing.first_rest + rests * self.timing.rest + turning
     }
 
-    /// As a motion that can be simulated.
+    /// Builds its motion for the simulator.
     pub fn motion(&self) -> Planned {
         let step = |turn| PlannedStep::of([turn], &self.timing.pace, self.timing.rest);
         Planned {
@@ -71,7 +71,7 @@ impl Design {
         }
     }
 
-    /// What the temperature does meanwhile.
+    /// Returns the temperature during the recording; `None` where the device is not warmed.
     pub fn temperature(&self) -> Option<Temperature> {
         self.warmed.then(|| Temperature {
             swing: 2.0 * SWING,
@@ -102,7 +102,7 @@ impl Design {
         }
     }
 
-    /// What it says of every rivalry; `None` where it is no session that can be calibrated.
+    /// Computes its information on every rivalry; `None` where the session cannot be calibrated.
     fn seen(&self, rivalries: &[Rivalry], conditions: &Conditions) -> Option<Vec<Information>> {
         let recordings = [self.spec(conditions).run().ok()?.recording];
         let request = Request {

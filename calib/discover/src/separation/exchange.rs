@@ -34,7 +34,7 @@ const TRIALS: usize = 8;
 /// Changes of one trial.
 const CHANGES: usize = 3;
 
-/// What a minute costs, in `ln` of separation.
+/// Cost of a minute, in units of `ln(1 + separation)`.
 const MINUTE: f64 = 0.02;
 
 /// Rests of the longer kinds, s: of every placement, and the first alone.
@@ -63,7 +63,7 @@ impl Judged {
         }
     }
 
-    /// What the least separated comes to.
+    /// Returns the least separation, at most [`SETTLED`].
     fn reached(&self) -> f64 {
         self.separations
             .iter()

@@ -1,4 +1,4 @@
-//! What a recording says of the parameters that recordings of a device have in common.
+//! Information of a recording on the parameters that all recordings of a device share.
 
 use estimate::methods::joint::{Basis, BiasNoise, Columns, Whitening};
 use faer::Mat;
@@ -22,7 +22,7 @@ pub struct Information {
 }
 
 impl Information {
-    /// Of a fitted session and columns (`m × k`, white-whitened) with their names, under the noise of the biases.
+    /// Computes it from a fitted session and named columns (`m × k`, white-whitened), under the noise of the biases.
     pub(super) fn of(state: &State, noise: BiasNoise, names: &[String], own: &Mat<f64>) -> Self {
         let fit = &state.fit;
         let all = fit.parameters.names();
@@ -47,7 +47,7 @@ impl Information {
         }
     }
 
-    /// Of both recordings.
+    /// Adds the information of another recording.
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {
         let mut sum = self.clone();
@@ -111,7 +111,7 @@ impl Information {
     }
 }
 
-/// Whether all recordings of a device have this parameter in common: scale factors and misalignments.
+/// Returns true if all recordings of a device share this parameter: a scale factor or a misalignment.
 pub(super) fn is_common(name: &str) -> bool {
     let sensors = [Sensor::Accelerometer, Sensor::Gyroscope];
     let matrices = sensors.map(|sensor| base_names(sensor).into_iter().take(9));

@@ -1,4 +1,4 @@
-//! What tells a named effect from one that the recordings cannot tell from it, and which recording would.
+//! Separation of a named effect from those that the recordings cannot tell from it, and the recording that would do it.
 //!
 //! ```text
 //! recorded: State ──► Information ─┐

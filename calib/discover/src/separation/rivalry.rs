@@ -19,7 +19,7 @@ pub struct Rival {
     pub name: String,
     /// Its coefficients and those of what comes with it: `accel_quadratic.x` ….
     pub coefficients: Vec<String>,
-    /// What they would be, SI units.
+    /// Estimates of these, SI units.
     pub values: Vec<f64>,
     /// The parameter that shapes it with its value: `accel_warmup.tau`, s.
     pub shape: Option<(String, f64)>,
@@ -32,7 +32,7 @@ pub struct Rivalry {
     pub named: Rival,
     /// The other.
     pub other: Rival,
-    /// What was recorded of both.
+    /// Information of the recordings on both.
     pub recorded: Information,
     /// `λ (1 − ρ²)`, how far they are apart: 10.8 is right in 95 of 100 recordings, 21 also 20 to 1.
     pub separation: f64,
@@ -67,7 +67,7 @@ impl Rival {
         })
     }
 
-    /// Whether it settles after switching on.
+    /// Returns true if it settles after switching on.
     pub fn settles(&self) -> bool {
         let shaped = |effect: &dyn AnyEffect| {
             let mut roles = effect.params().iter().map(sensor::Param::role_by_name);
@@ -78,7 +78,7 @@ impl Rival {
                 .is_some_and(|e| shaped(e) && e.needs().contains(&Quantity::Time))
     }
 
-    /// Whether it belongs to an instant of the recording that it was seen in.
+    /// Returns true if it belongs to an instant of the recording that it was seen in.
     pub fn is_of_an_instant(&self) -> bool {
         effect_named(&self.name).is_some_and(|effect| effect.instant().is_some())
     }
@@ -90,7 +90,7 @@ impl Rival {
             .or(shape.map(|(_, value)| *value))
     }
 
-    /// Whether the catalogue has all its parts.
+    /// Returns true if the catalogue has all its effects.
     pub fn is_known(&self, catalogue: &[&'static dyn AnyEffect]) -> bool {
         let there = |name: &String| {
             let (effect, _) = name.split_once('.')?;
@@ -133,7 +133,7 @@ fn full(effect: &dyn AnyEffect, k: usize) -> String {
 }
 
 impl Rivalry {
-    /// Of two claims about the same state; `None` where one is no effect.
+    /// Builds it from two claims about the same state; `None` where one is no effect.
     pub(crate) fn of(
         state: &State,
         families: &[Family],
@@ -152,7 +152,7 @@ impl Rivalry {
         Some(rivalry)
     }
 
-    /// What a session says of both.
+    /// Computes the information of a session on both.
     pub(super) fn seen_by(
         &self,
         state: &State,

@@ -1,4 +1,4 @@
-//! Whether the sizes of an effect in several units could be one.
+//! Test for equal sizes of an effect in several units.
 
 use estimate::calibration::EffectParameter;
 use nalgebra::{DMatrix, DVector};

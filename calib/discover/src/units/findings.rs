@@ -1,4 +1,4 @@
-//! What was found of several units of one type.
+//! Findings about several units of one type.
 
 use estimate::calibration::EffectParameter;
 use serde::Serialize;
@@ -10,7 +10,7 @@ use crate::gap::channel::Channel;
 /// The schema of the document.
 pub const UNITS_SCHEMA: &str = "stillpoint.unit_findings/1";
 
-/// What units of one type lack.
+/// Effects that the models of several units of one type lack.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct UnitFindings {
     /// [`UNITS_SCHEMA`].
@@ -30,9 +30,9 @@ pub struct SharedEffect {
     pub name: String,
     /// Chance of so much in all units together, by any effect of the catalogue.
     pub adjusted_p_value: f64,
-    /// What all the units together cannot tell from it.
+    /// Names of effects that all the units together cannot tell from it.
     pub indistinguishable_from: Vec<String>,
-    /// Whether its sizes agree; `None` where they cannot be compared, as of a direction of the room.
+    /// Agreement of its sizes; `None` where they cannot be compared, as for a direction of the room.
     pub agreement: Option<Agreement>,
     /// Its size in every unit.
     pub sizes: Vec<UnitSize>,
@@ -43,7 +43,7 @@ pub struct SharedEffect {
 pub struct OwnEffect {
     /// Its name in the catalogue.
     pub name: String,
-    /// Whether another unit would show it, had it as much of it, and shows another size.
+    /// True if another unit would show an effect of this size, and shows a different size.
     pub others_would_show_it: bool,
     /// Its size.
     pub size: UnitSize,
@@ -66,7 +66,7 @@ pub struct UnitSize {
     pub gap_after: f64,
 }
 
-/// Whether the sizes of all units could be one: `Q = Σ (xᵢ − x̄)ᵀ Cᵢ⁻¹ (xᵢ − x̄)`, `x̄` their weighted mean.
+/// Test for equal sizes in all units: `Q = Σ (xᵢ − x̄)ᵀ Cᵢ⁻¹ (xᵢ − x̄)`, `x̄` their weighted mean.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Agreement {
     /// `Q`.
@@ -79,7 +79,7 @@ pub struct Agreement {
     pub mean: Vec<EffectParameter>,
 }
 
-/// What a unit says alone.
+/// Findings about one unit by itself.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct UnitAlone {
     /// Its recording.
@@ -92,12 +92,12 @@ pub struct UnitAlone {
     pub integrity: Vec<String>,
     /// The same with intervals, times and sizes.
     pub faults: Vec<Integrity>,
-    /// What it leaves unexplained.
+    /// Disagreement that remains unexplained.
     pub unexplained: Option<String>,
     /// Why its evidence is not counted for the type, where it is not.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub left_out: Option<String>,
-    /// What is to be known of its calibration.
+    /// Warnings of its calibration.
     pub warnings: Vec<String>,
     /// Why its calibration is not to be used as it is.
     pub failed_gates: Vec<String>,

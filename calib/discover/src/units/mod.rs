@@ -39,7 +39,7 @@ const MOST_EFFECTS: usize = 8;
 #[derive(Clone)]
 struct Held {
     effect: &'static dyn AnyEffect,
-    /// Of every unit: whether its model has the effect.
+    /// One flag per unit: true if its model has the effect.
     units: Vec<bool>,
     is_shared: bool,
 }
@@ -222,7 +222,7 @@ impl Together<'_> {
         })
     }
 
-    /// How large an effect is in every unit, with the gap before and after.
+    /// Computes the size of an effect in every unit, with the gap before and after.
     fn sizes(
         &self,
         units: &[Unit<'_>],

@@ -25,23 +25,23 @@ const BESIDE_A_WALK: f64 = 0.5;
 /// Sizes of two units that differ by less of a chance are not the same.
 const DIFFERENT: f64 = 1e-3;
 
-/// What one unit says of an effect.
+/// Evidence of one unit for an effect.
 #[derive(Clone, Debug)]
 pub(super) struct Says {
     /// `ln p` in this unit, the places of a shape paid for.
     pub log_p: f64,
     /// The evidence in this unit alone.
     pub evidence: f64,
-    /// What shapes the effect here.
+    /// Parameter that shapes the effect here, by its place, and its value.
     pub shape: Option<(usize, f64)>,
     ranked: Ranked,
 }
 
-/// What all units say of an effect.
+/// Evidence of all units for an effect.
 #[derive(Clone, Debug)]
 pub(super) struct Pooled {
     pub effect: &'static dyn AnyEffect,
-    /// Of every unit; `None` where it cannot show the effect.
+    /// Evidence of each unit; `None` where it cannot show the effect.
     pub units: Vec<Option<Says>>,
     /// `−ln p − ln 2m` of all together.
     pub evidence: f64,
@@ -130,7 +130,7 @@ impl Pooled {
         said.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(k, _)| k)
     }
 
-    /// Whether the others bear the most telling unit out: chance would show as much in them in fewer than `alpha`.
+    /// Returns true if the units other than the most significant one are significant together, at level `alpha`.
     pub fn is_shared(&self, alpha: f64) -> bool {
         let Some(strongest) = self.strongest() else {
             return false;
@@ -143,7 +143,7 @@ impl Pooled {
         !others.is_empty() && fisher(others.into_iter()) < alpha.ln()
     }
 
-    /// What all of them cannot tell from it.
+    /// Names the effects that all of the units together cannot tell from it.
     pub fn ties(&self, all: &[Self]) -> Vec<String> {
         let near = |other: &&Self| {
             other.effect.name() != self.effect.name() && other.evidence > self.evidence - APART
@@ -169,8 +169,9 @@ impl Pooled {
         Some(channel_of(&parts))
     }
 
-    /// Whether any other unit would show what unit `k` has, and does not; `None` where nothing is known of it. Where knocks have
-    /// spoiled turns nobody can tell.
+    /// Returns true if any other unit would show the effect as unit `k` has it, but does not.
+    ///
+    /// `None` where unit `k` has no estimate. Units whose turns are spoiled by knocks do not count.
     pub fn shown_by_others(
         &self,
         k: usize,
@@ -203,7 +204,7 @@ impl Pooled {
 }
 
 impl Says {
-    /// Whether another unit's size is another one, beyond the errors of both.
+    /// Returns true if the estimates of two units differ beyond the errors of both.
     fn differs_from(&self, other: &Ranked) -> bool {
         let (one, two) = (&self.ranked.score, &other.score);
         if one.change.len() != two.change.len() {
@@ -217,7 +218,7 @@ impl Says {
         log_tail(chi2, apart.len() as f64) < DIFFERENT.ln()
     }
 
-    /// What its estimate adds to the rows, white-whitened.
+    /// Computes the contribution of its estimate to the rows, white-whitened.
     fn predicted(&self, unit: &Unit<'_>, effect: &'static dyn AnyEffect) -> Option<Vec<f64>> {
         let family = effect_family(&unit.state, effect, &[]);
         let own = family.columns_of(self.ranked.hypothesis.min(family.hypotheses.len() - 1));

@@ -22,8 +22,7 @@ pub(super) struct Unit<'a> {
     session: Session<'a>,
     alone: UnitAlone,
     pub state: State,
-    /// How far beyond its noise the readings of this unit are, for reasons that nobody has found: likelihood ratios are too
-    /// large by its square.
+    /// Ratio of this unit's unexplained misfit to its noise, at least 1: likelihood ratios are too large by its square.
     pub excess: f64,
 }
 
@@ -54,12 +53,12 @@ impl<'a> Unit<'a> {
         })
     }
 
-    /// Whether what it shows counts for the type.
+    /// Returns true if its evidence counts for the type.
     pub fn is_counted(&self) -> bool {
         self.alone.left_out.is_none()
     }
 
-    /// What it says alone.
+    /// Returns the findings about this unit by itself.
     pub fn alone(&self) -> UnitAlone {
         self.alone.clone()
     }
@@ -118,7 +117,7 @@ impl<'a> Unit<'a> {
         Ok(parameters_of(effect.name(), &calibration))
     }
 
-    /// What each channel misses.
+    /// Computes the misfit of each channel.
     pub fn misfits(&self, noise: BiasNoise) -> [Misfit; 3] {
         Sequence::of(&self.state, noise).misfits(&self.state)
     }

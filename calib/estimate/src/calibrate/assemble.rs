@@ -18,7 +18,7 @@ use crate::calibration::{
 use crate::methods::joint::Channel;
 use crate::methods::{AccelerometerFit, Choice, Fitted, GyroscopeFit};
 
-/// What the stages left.
+/// Results of the stages of a calibration.
 pub(super) struct Parts<'a> {
     pub recordings: &'a [&'a Recording],
     pub turning: &'a [(&'a Recording, &'a Segmentation)],

@@ -1,4 +1,4 @@
-//! What the clocks of the recordings leave in doubt, and recordings on an even clock.
+//! Doubts about the clocks of the recordings, and recordings on an even clock.
 
 use findings::{Finding, Findings, Kind};
 use recording::{

@@ -52,7 +52,7 @@ fn whole(recording: &Recording, request: &Request, k: Option<usize>) -> Result<C
     methods::cut(recording, &detector, choose, gravity).map_err(named)
 }
 
-/// Whether an effect asked for shows only where the device vibrates: rests that vibrate are kept then.
+/// Returns true if a requested effect shows only under vibration: static intervals that vibrate are kept then.
 fn needs_vibration(request: &Request) -> bool {
     let mut needs = request.effects.iter().flat_map(|effect| effect.needs());
     needs.any(|need| need == Quantity::Vibration)

@@ -1,4 +1,4 @@
-//! What the standard errors take for granted: that the sensors have no effects that the model leaves out.
+//! Effects that a model leaves out; the standard errors assume that the sensors have none of them.
 
 use faer::Mat;
 use nalgebra::Vector3;
@@ -121,7 +121,7 @@ fn slopes_of_norms(fit: &AccelerometerFit, norms: &StaticNorms) -> Option<Mat<f6
     Some(slopes)
 }
 
-/// What unit coefficients of an effect do to the norms, over their standard deviations (`n × q`).
+/// Computes the change of the norms by unit coefficients of an effect, over their standard deviations (`n × q`).
 fn columns_of_norms(norms: &StaticNorms, effect: &dyn AnyEffect) -> Mat<f64> {
     let count = effect.params().len();
     let mut columns = Mat::zeros(norms.each().count(), count);

@@ -243,7 +243,7 @@ fn in_the_hand(
     }
 }
 
-/// What a calibration is made from.
+/// Inputs of a calibration.
 struct Parts<'a> {
     recordings: &'a [&'a Recording],
     gyro_recordings: &'a [&'a Recording],

@@ -1,4 +1,4 @@
-//! What the noise within the rests allows the residuals to be.
+//! Noise of the residuals that the noise within the static intervals predicts.
 
 use nalgebra::Vector3;
 use recording::intervals::{Moments, Segmentation};
@@ -7,10 +7,11 @@ use sensor::Base;
 
 use crate::methods::joint::SensorNoise;
 
-/// What is left out at either end of a rest where the colour of the noise is measured, s: motion.
+/// Time left out at either end of a static interval, where it may still move, for the long-run noise, s.
 const ENDS: f64 = 0.5;
 
-/// How much more the mean of a rest scatters than white noise of the same samples would.
+/// Returns the ratio of the scatter of a static interval's mean to that by white noise of the same samples; 1 where it
+/// cannot be measured.
 pub(super) fn long_run(stream: Option<&Stream>, segmentation: &Segmentation) -> f64 {
     let Some(stream) = stream else { return 1.0 };
     let rests: Vec<_> = segmentation

@@ -9,7 +9,7 @@ use crate::methods::{AccelerometerFit, Choice, GyroscopeFit};
 pub struct Outcome {
     /// The result.
     pub calibration: Calibration,
-    /// How each recording was cut.
+    /// Segmentation of each recording.
     pub choices: Vec<Choice>,
     /// The fit of the accelerometer.
     pub accelerometer: Option<AccelerometerFit>,

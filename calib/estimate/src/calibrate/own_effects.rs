@@ -53,7 +53,7 @@ fn suspected(effects: &[&'static dyn AnyEffect], error: Error) -> Error {
     }
 }
 
-/// What went wrong with effects that a search left out for it.
+/// Lists the faults of effects that a search left out because of them.
 pub fn left_out(effects: &[&'static dyn AnyEffect]) -> impl Iterator<Item = Finding> {
     effects.iter().filter_map(|effect| {
         let fault = fault_of(*effect)?;

@@ -1,4 +1,4 @@
-//! What to calibrate, and how.
+//! Request of a calibration.
 
 use std::borrow::Borrow;
 
@@ -26,7 +26,7 @@ pub enum Frame {
     Symmetric,
 }
 
-/// Where the bias of a turn is taken from.
+/// Source of the bias of a turn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum GyroBias {
     /// The mean of the two rests beside the turn, which follows a drifting bias.
@@ -36,10 +36,10 @@ pub enum GyroBias {
     Initial,
 }
 
-/// How to calibrate.
+/// Method of calibration.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {
-    /// What [`Request::usual_method`] says.
+    /// The method that [`Request::usual_method`] returns.
     Auto,
     /// Accelerometer first, then the gyroscope by propagated gravity, as published.
     #[default]
@@ -51,24 +51,24 @@ pub enum Method {
 /// An instant of a recording.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Instant {
-    /// Which recording, from 1.
+    /// Number of the recording, from 1.
     pub recording: usize,
     /// Its stamp, s.
     pub t: f64,
 }
 
-/// What to calibrate and how.
+/// Request of a calibration: method, settings and effects.
 #[derive(Clone, Debug)]
 pub struct Request {
-    /// How to calibrate.
+    /// Method of calibration.
     pub method: Method,
     /// Local gravity, m/s².
     pub gravity: f64,
-    /// Where that comes from: what it leaves unknown is in the errors of the scale factors.
+    /// Source of that value; its uncertainty is part of the errors of the scale factors.
     pub gravity_source: GravitySource,
     /// The detector of motion.
     pub detector: Detector,
-    /// Whether the detector's multiplier is chosen by the fit.
+    /// True if the detector's multiplier is chosen by the fit.
     pub choose_multiplier: bool,
     /// Static intervals given by hand, one list per recording; empty to detect them.
     pub sections: Vec<Vec<Span>>,
@@ -76,9 +76,9 @@ pub struct Request {
     pub left_out: Vec<Instant>,
     /// Frame of the result.
     pub frame: Frame,
-    /// How the rate is integrated.
+    /// Integration of the rate over a turn.
     pub integrator: Integrator,
-    /// Where the bias of a turn is taken from.
+    /// Source of the bias of a turn.
     pub gyro_bias: GyroBias,
     /// Step between gyroscope samples to assume instead of the stamps, s.
     pub nominal_step: Option<f64>,
@@ -89,7 +89,7 @@ pub struct Request {
     pub latitude: Option<f64>,
     /// Take the recordings to be of one device even where they disagree.
     pub force_device: bool,
-    /// Whether the accelerometer alone is asked for.
+    /// True if only the accelerometer is requested.
     pub accelerometer_alone: bool,
     /// By which clock the turns are integrated. What is left to the data are the stamps in the stepwise method, as
     /// published.

@@ -1,4 +1,4 @@
-//! Whether several recordings can come from one device.
+//! Test that several recordings come from one device.
 
 use findings::{Finding, Kind};
 use recording::{Error, Recording};
@@ -19,7 +19,7 @@ const SAME: f64 = 1e-3;
 /// A gyroscope that differs by more is another: temperatures of a room and clocks of one maker do not make so much.
 const ANOTHER_GYROSCOPE: f64 = 3e-3;
 
-/// What a kelvin may make of a scale factor or misalignment: several times what data sheets state.
+/// Largest change of a scale factor or misalignment per kelvin: several times what data sheets state.
 const PER_KELVIN: f64 = 5e-4;
 
 /// Refuses recordings whose scale factors or misalignments of the accelerometer differ by more than chance, misfit and their
@@ -146,7 +146,7 @@ impl Temperatures {
         Self(one.zip(other).map(<[f64; 2]>::from))
     }
 
-    /// What they may make of a scale factor or misalignment.
+    /// Returns the largest change of a scale factor or misalignment between these temperatures.
     fn allowed(&self) -> f64 {
         self.0
             .map_or(0.0, |[one, other]| PER_KELVIN * (one - other).abs())
@@ -167,7 +167,7 @@ fn spare(fit: &AccelerometerFit) -> f64 {
 
 /// A parameter in which two fits differ.
 struct Difference {
-    /// As a share of the scale.
+    /// Difference as a share of the scale.
     size: f64,
     parameter: String,
     /// In both.

@@ -1,4 +1,4 @@
-//! What the stepwise fit leaves of the norm of specific force, against the noise within the static intervals.
+//! Residual of the stepwise fit to the norm of specific force, compared with the noise within the static intervals.
 
 use effects::covariates::last_changes;
 use nalgebra::{DMatrix, DVector, Vector3};
@@ -46,7 +46,7 @@ pub(super) struct StaticNorm<'a> {
 }
 
 impl StaticNorms {
-    /// Of all intervals; `None` where the residuals are not those of the intervals.
+    /// Builds it from all static intervals; `None` where the residuals are not those of the intervals.
     pub fn of(
         fit: &AccelerometerFit,
         recordings: &[&Recording],
@@ -105,7 +105,7 @@ impl StaticNorms {
         })
     }
 
-    /// What of them depends on the orientation as no noise and no walk of a bias does.
+    /// Finds the dependence of the residuals on the orientation that neither noise nor a random walk of a bias explains.
     pub fn pattern(&self) -> Option<Shown> {
         let n = self.residuals.len();
         let places = self.recordings.last()? + 1;

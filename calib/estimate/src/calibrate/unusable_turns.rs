@@ -21,7 +21,7 @@ pub(super) struct TurnCount {
 }
 
 impl TurnCount {
-    /// Of all turns, with the fault of each that has one.
+    /// Counts the turns by their faults; `all` is the number of turns, with and without a fault.
     pub fn of<'a>(all: usize, faults: impl Iterator<Item = &'a TurnFault>) -> Self {
         let mut count = Self {
             all,
@@ -38,7 +38,7 @@ impl TurnCount {
         count
     }
 
-    /// Of recordings that are cut.
+    /// Counts the turns of segmented recordings.
     pub fn of_cut<'a>(cut: impl Iterator<Item = &'a Segmentation> + Clone) -> Self {
         let turns = cut.flat_map(|segmentation| &segmentation.turns);
         Self::of(
@@ -100,8 +100,8 @@ impl TurnCount {
         })
     }
 
-    /// What stands in the place of the gyroscope; `refused` is why the turns that can be used are not enough, `known` the
-    /// last recording, whose rests say what its bias is.
+    /// Builds the mark of a gyroscope that is not calibrated; `refused` is why the usable turns are not enough, `known` the
+    /// last recording, whose static intervals give the bias.
     pub fn mark(
         &self,
         reason: NotCalibratedReason,

@@ -149,7 +149,7 @@ fn belongs_to(calibration: &Calibration, recording: &Recording) -> Result<Option
     }
 }
 
-/// Whether an effect looks at what only static intervals tell.
+/// Returns true if an effect depends on a quantity that only static intervals determine.
 fn looks_at_intervals(models: &Models) -> bool {
     let mut needs = models.effects().flat_map(|effect| effect.needs());
     needs.any(Quantity::is_told_by_intervals)

@@ -19,7 +19,7 @@ pub struct RecordingClock {
     pub chosen_by: String,
     /// The share of the scatter that belongs to the samples: 0 of an even clock, 1 of the stamps.
     pub share: f64,
-    /// That share as it was fitted.
+    /// Fitted value of that share.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub share_fitted: Option<f64>,
     /// Its standard error.
@@ -35,19 +35,19 @@ pub struct RecordingClock {
     pub gaps: usize,
     /// Steps without a sample.
     pub lost: u64,
-    /// What is missing in the angles between samples, where something is.
+    /// Angle that is missing between samples, where any is.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub between_samples: Option<BetweenSamples>,
 }
 
-/// What the sum of samples times steps misses of an angle.
+/// Error of an angle that is summed from samples times steps.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BetweenSamples {
     /// The share of each jump of the rate that is missing.
     pub share: f64,
-    /// Where its log-likelihood is half a unit lower.
+    /// Bounds of the share at which its log-likelihood is half a unit lower.
     pub share_between: [f64; 2],
-    /// What it makes of a turn, root mean square over the turns, °.
+    /// Angle missing per turn, root mean square over the turns, °.
     pub degrees: f64,
 }
 

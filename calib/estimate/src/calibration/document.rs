@@ -70,7 +70,7 @@ impl<'de> Deserialize<'de> for Calibration {
 }
 
 impl Calibration {
-    /// Of a document that may have sensors that are not calibrated.
+    /// Reads it from a document that may mark sensors as not calibrated.
     pub(super) fn from_value(mut value: Value) -> Result<Self, serde_json::Error> {
         let not_calibrated = marks(&value)?;
         for mark in &not_calibrated {
@@ -122,7 +122,7 @@ impl Calibration {
         self.not_calibrated.iter().find(|own| own.sensor == sensor)
     }
 
-    /// What to say of the sensors of which only the bias is known.
+    /// Lists a finding for each sensor of which only the bias is calibrated.
     pub fn bias_alone(&self) -> Vec<Finding> {
         let inertial = [Sensor::Accelerometer, Sensor::Gyroscope].into_iter();
         let bare = inertial.filter(|sensor| self.triad(*sensor).is_some_and(Triad::is_bias_only));
@@ -143,7 +143,7 @@ pub(super) fn marks(value: &Value) -> Result<Vec<NotCalibrated>, serde_json::Err
 }
 
 impl Triad {
-    /// Whether the bias was estimated and `T` is the identity because nothing showed it.
+    /// Returns true if only the bias was estimated and `T` is the identity, as nothing determined it.
     pub fn is_bias_only(&self) -> bool {
         let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let fixed = self.t_std.iter().flatten().all(Option::is_none);

@@ -1,4 +1,4 @@
-//! Whether a recording looks like one of the device and the units that a calibration is for.
+//! Check that a recording is of the device and in the units that a calibration is for.
 
 use findings::{Finding, Kind, Level, OptionName, Remedy};
 use nalgebra::Vector3;
@@ -27,7 +27,7 @@ const ENOUGH_TURNS: usize = 3;
 /// Longer turns add up too much of a bias to judge by, s.
 const LONGEST_TURN: f64 = 20.0;
 
-/// What is left is doubted from so many times what the calibration left of its own recordings.
+/// Ratio of the residual to that of the calibration's own recordings above which it is doubted.
 const WORSE: f64 = 5.0;
 
 /// No doubt below these, ° and m/s²: what other hands, places and temperatures make.

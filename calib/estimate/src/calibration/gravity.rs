@@ -1,4 +1,4 @@
-//! What an uncertain gravity makes of the scale factors.
+//! Uncertainty of the scale factors by that of gravity.
 
 use findings::{Finding, Kind, significant};
 use sensor::{PLACES, Sensor, base_names};
@@ -38,7 +38,7 @@ impl Calibration {
     }
 }
 
-/// What was assumed of gravity; nothing where it is known.
+/// Builds the finding about an assumed gravity or altitude; `None` where both are known.
 fn assumed(source: GravitySource, gravity: f64) -> Option<Finding> {
     let kind = match source {
         GravitySource::Given

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 pub struct MagneticField {
     /// `uT`, or `reading` where the file does not state the unit of the magnetometer.
     pub unit: String,
-    /// Whether the strength was given. Without, the scale of the magnetometer is free: its `T` has determinant 1, and the
+    /// True if the strength was given. Otherwise the scale of the magnetometer is free: its `T` has determinant 1, and the
     /// strength is that of the field in units of this sensor.
     pub strength_given: bool,
     /// Standard deviation per axis by which the field differs from one static interval to the next, beyond the noise.

@@ -1,4 +1,4 @@
-//! What the data leave of a calibration, before any error is inflated.
+//! Residuals of a calibration on its own recordings, before any error is inflated.
 
 use findings::{Finding, Kind, names};
 use sensor::Sensor;
@@ -28,7 +28,7 @@ pub struct Remainder {
     pub channel: Channel,
     /// Root mean square of what is left, in `unit`.
     pub rms: f64,
-    /// What the measured noise makes of it, walks of the biases among it, in `unit`.
+    /// Root mean square predicted from the measured noise, random walks of the biases included, in `unit`.
     pub noise: f64,
     /// `m/s^2`, `rad/s` or `rad`.
     pub unit: String,
@@ -47,7 +47,7 @@ pub struct Remainder {
 }
 
 impl Remainder {
-    /// Of a kind of rows that leaves `rms` and `χ²` per degree of freedom.
+    /// Builds it from the `rms` of a kind of rows and its reduced chi-square with `dof` degrees of freedom.
     pub fn new(channel: Channel, rms: f64, reduced_chi2: f64, dof: f64) -> Self {
         Self {
             channel,
@@ -75,7 +75,7 @@ impl Remainder {
         }
     }
 
-    /// Of a joint fit's channel.
+    /// Builds it from a channel of the joint fit.
     pub fn of(misfit: &ChannelMisfit) -> Self {
         Self {
             channel: misfit.channel,
@@ -146,7 +146,7 @@ impl Remainder {
     }
 }
 
-/// What a dependence on the orientation is most like.
+/// Returns the name of the error that shows such a dependence on the orientation.
 fn like(pattern: Pattern) -> &'static str {
     match pattern {
         Pattern::Quadratic => names::QUADRATIC,

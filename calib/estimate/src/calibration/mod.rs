@@ -62,7 +62,7 @@ pub struct Calibration {
     pub created_by: String,
     /// Local gravity used, m/s².
     pub gravity: f64,
-    /// Where that comes from.
+    /// Source of that value.
     #[serde(default)]
     pub gravity_source: GravitySource,
     /// `stepwise`, `six-position` or `joint`.
@@ -86,7 +86,7 @@ pub struct Calibration {
     pub parameters: Vec<String>,
     /// Covariance of `parameters`.
     pub covariance: Vec<Vec<f64>>,
-    /// What the data leave, before any error is enlarged.
+    /// Residuals of the data by channel, before any error is inflated.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub misfit: Vec<Remainder>,
     /// Effects that the model leaves out, and how much less certain each would make a parameter.
@@ -105,7 +105,7 @@ pub struct Calibration {
     /// Limits that were judged, with their values.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub limits: Vec<LimitLine>,
-    /// What a prior of the device's type gave.
+    /// Contribution of a prior of the device's type.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub prior: Option<PriorUse>,
     /// By which clock the turns of each recording were integrated.
@@ -313,13 +313,13 @@ impl Calibration {
         }
     }
 
-    /// Whether it was made from this recording among others; `None` where the file does not say from what.
+    /// Returns true if this recording is one that it was made from; `None` where the file does not list its recordings.
     pub fn was_made_from(&self, recording: &Recording) -> Option<bool> {
         let is_stated = !self.provenance.inputs.is_empty();
         is_stated.then(|| self.input_of(recording).is_some())
     }
 
-    /// What it says of this recording, where it was made from it.
+    /// Returns its entry on this recording, where it was made from it.
     fn input_of(&self, recording: &Recording) -> Option<&Input> {
         let samples = fingerprint(recording);
         let mut inputs = self.provenance.inputs.iter();

@@ -5,7 +5,7 @@ use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-/// What stands where a calibrated sensor has its model.
+/// Value of `status` in place of the model of a sensor that is not calibrated.
 const STATUS: &str = "not_calibrated";
 
 /// Why a sensor is not calibrated.

@@ -49,7 +49,7 @@ impl Calibration {
         alone
     }
 
-    /// What to say to a recording that the calibration is not made from, where its recordings have different biases.
+    /// Warns about a recording that is none of the calibration's own, where the biases differ between these.
     pub fn doubts_biases_of(&self, recording: &Recording) -> Option<Finding> {
         let differ = |sensor: Sensor| {
             let triad = self.triad(sensor)?;

@@ -1,4 +1,4 @@
-//! What a calibration leaves of the magnetic field: its norm and its angle to the vertical should be the same everywhere.
+//! Misfit of the corrected magnetic field: its norm and its angle to the vertical should be the same everywhere.
 
 use nalgebra::Vector3;
 use recording::Recording;
@@ -37,7 +37,7 @@ pub fn fields(corrected: &Recording, rests: &Segmentation) -> Vec<[f64; 2]> {
 }
 
 impl FieldMisfit {
-    /// Of norms and angles; `None` of fewer than two.
+    /// Computes it from norms and angles (degrees); `None` of fewer than two.
     pub fn of(fields: &[[f64; 2]]) -> Option<Self> {
         if fields.len() < 2 {
             return None;

@@ -1,4 +1,4 @@
-//! What a calibration is worth on a recording that it has not seen.
+//! Evaluation of a calibration on a recording that it was not made from.
 
 mod field;
 
@@ -29,14 +29,14 @@ pub struct Evaluation {
     /// Mean of the corrected rate over the rests, rad/s: what the calibration's bias is off by. The angles above are
     /// measured with it taken off.
     pub static_rate: Option<[f64; 3]>,
-    /// How far a rest's mean rate is from that mean, root mean square over rests of the norm, rad/s.
+    /// Distance of a static interval's mean rate from that mean, root mean square over the intervals of its norm, rad/s.
     pub static_rate_scatter: Option<f64>,
     /// The magnetic field over the rests; `None` without a magnetometer.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub magnetic_field: Option<FieldMisfit>,
 }
 
-/// What a calibration leaves in one rest or one turn.
+/// Residual of a calibration in one static interval or one turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Misfit {
     /// Its place in [`Segmentation::statics`], or that of the rest before the turn.
@@ -50,9 +50,9 @@ pub struct Misfit {
 /// The misfit of every rest and of every sound turn.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Misfits {
-    /// Of gravity's norm, m/s².
+    /// Residuals of gravity's norm in the static intervals, m/s².
     pub rests: Vec<Misfit>,
-    /// Of its direction, degrees.
+    /// Residuals of its direction after the turns, degrees.
     pub turns: Vec<Misfit>,
     /// Mean corrected rate in each rest, rad/s.
     pub rates: Vec<Vector3<f64>>,

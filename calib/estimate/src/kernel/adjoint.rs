@@ -1,4 +1,4 @@
-//! What a small rotation in each step of a turn does to the gravity after it.
+//! Derivatives of the gravity after a turn by a small rotation in each of its steps.
 
 use nalgebra::Vector3;
 use pulp::{Arch, Simd, WithSimd};
@@ -19,8 +19,8 @@ pub(super) struct Adjoints {
 }
 
 impl Adjoints {
-    /// What the two gradients gain per rad/s of the rate at a sample, which has a half of the step
-    /// before it and of the one after it.
+    /// Returns the derivatives of the two gradients by the rate at a sample, per rad/s, which has a half of the step before
+    /// it and of the one after it.
     pub fn of_sample(&self, t: &[f64], sample: usize) -> [Vector3<f64>; 2] {
         let mut sum = [Vector3::zeros(); 2];
         let before = sample.checked_sub(1);

@@ -27,7 +27,7 @@ pub(super) struct Features {
 }
 
 impl Features {
-    /// Of a model all of whose effects are linear; `None` where one is not.
+    /// Computes them for a model all of whose effects are linear; `None` where one is not.
     pub fn of(model: &Model, turns: &[TurnData]) -> Option<Self> {
         if !model.effects().iter().all(|effect| effect.is_linear()) {
             return None;

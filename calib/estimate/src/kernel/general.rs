@@ -69,7 +69,7 @@ impl<'a> General<'a> {
     }
 }
 
-/// What is known of a sample besides the reading.
+/// Returns the kinematics of a sample besides the reading.
 fn known(turn: &TurnData, sample: usize) -> Kinematics<f64> {
     turn.rest.get(sample).copied().unwrap_or_else(unneeded)
 }

@@ -12,7 +12,7 @@ pub(super) const PLAIN_FIELDS: usize = 4;
 /// Up to [`WIDTH`] turns of similar length.
 #[derive(Clone, Debug)]
 pub(super) struct Group {
-    /// Which turns, by their place among all.
+    /// Indices of the turns among all.
     pub turns: Vec<usize>,
     /// Numbers per step and turn: [`PLAIN_FIELDS`] and one for each feature.
     pub fields: usize,

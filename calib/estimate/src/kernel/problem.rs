@@ -14,7 +14,7 @@ use super::series::Degree;
 use super::slopes::Slopes;
 use crate::residuals::{Integrator, PropagatedGravity};
 
-/// How the turns are integrated and differentiated.
+/// Method by which the turns are integrated and differentiated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tier {
     /// `ω = T (x − b) − F p`: the base model and effects that are linear in their parameters and do
@@ -35,7 +35,7 @@ pub struct TurnProblem<'a> {
     ready: Ready<'a>,
 }
 
-/// What each tier keeps between evaluations.
+/// Data that each tier keeps between evaluations.
 #[derive(Debug)]
 enum Ready<'a> {
     Affine {

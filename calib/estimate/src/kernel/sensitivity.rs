@@ -37,7 +37,7 @@ struct Active<'a> {
     lanes: Vec<Lane>,
 }
 
-/// What a derivative is taken by.
+/// Variable of a derivative.
 #[derive(Clone, Copy, Debug)]
 enum Lane {
     Signal(usize),

@@ -17,7 +17,7 @@ use super::lanes::{minus, plus};
 /// first term left out of `C` is `θ²ᴺ / (2N + 2)!`.
 const TERMS: [(usize, f64); 3] = [(5, 0.03), (7, 0.25), (12, 4.0)];
 
-/// How many terms a recording's steps need.
+/// Number of terms that the longest step of a recording needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Degree {
     /// Steps up to 0.17 rad: hand motion at 100 Hz.

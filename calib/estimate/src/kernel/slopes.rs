@@ -7,7 +7,7 @@ use super::affine::{Affine, FRAME_FIELDS};
 use super::lanes::WIDTH;
 use crate::residuals::TurnData;
 
-/// What a turn does to two vectors that are perpendicular to the gravity before it.
+/// Rotation of two vectors perpendicular to gravity by a turn, and its derivatives by the parameters.
 #[derive(Clone, Debug)]
 pub(super) struct Slopes {
     /// The two vectors after the turn, `a₁` and `a₂`.
@@ -18,7 +18,7 @@ pub(super) struct Slopes {
 }
 
 impl Slopes {
-    /// Of turn `lane` of a group, from the sums of [`super::affine::differentiate`].
+    /// Builds those of turn `lane` of a group from the sums of [`super::affine::differentiate`].
     pub fn from_sums(sums: &[f64], lane: usize, affine: &Affine<'_>, free: &[usize]) -> Self {
         let (first, second) = sums.split_at(sums.len() / 2);
         let each = [first, second].map(|sums| {

@@ -1,4 +1,4 @@
-//! What no one would accept, whatever the sensor.
+//! Built-in limits of the residuals that hold for any sensor.
 //!
 //! In units, not in multiples of the noise: a phone's accelerometer reads with 0.04 mm/s² in an interval's mean and is left
 //! with 3 mm/s² by hysteresis and table edges, a reduced chi² of 1,600 in a calibration that serves its user. Of eleven

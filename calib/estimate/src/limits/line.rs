@@ -16,9 +16,9 @@ pub struct LimitLine {
     pub value: Option<f64>,
     /// Unit of both; empty where there is none.
     pub unit: String,
-    /// Whether the value is within the limit; one that is not there is not.
+    /// True if the value is within the limit; false where there is no value.
     pub pass: bool,
-    /// Whether the limit holds without a file.
+    /// True if the limit is built in and needs no file.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub built_in: bool,
 }

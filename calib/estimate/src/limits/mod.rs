@@ -1,4 +1,4 @@
-//! What a calibration must reach: a line per limit with its value, pass or fail.
+//! Limits of a calibration: a line per limit with its value, pass or fail.
 //!
 //! ```text
 //! Limits (a TOML file, or built in) ──► judge(calibration) ──► Vec<LimitLine> ──► cal.json `limits`
@@ -53,9 +53,9 @@ pub use quantity::parameter;
 pub struct Limits {
     /// Sensors that must be calibrated.
     pub required: Vec<RequiredSensor>,
-    /// Of the accelerometer.
+    /// Limits of the accelerometer.
     pub accelerometer: ForceLimits,
-    /// Of the gyroscope.
+    /// Limits of the gyroscope.
     pub gyroscope: RateLimits,
     /// Largest magnitude of any parameter of an effect, in its unit.
     pub effects: BTreeMap<String, f64>,

@@ -1,4 +1,4 @@
-//! Whether a device is of the type.
+//! Test that a device belongs to its type.
 
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, Normal};
@@ -22,7 +22,7 @@ pub struct Belonging {
 }
 
 impl Belonging {
-    /// Whether it is of the type.
+    /// Returns true if the device belongs to the type.
     pub fn belongs(&self) -> bool {
         self.p_value >= FALSE_FLAGS
     }

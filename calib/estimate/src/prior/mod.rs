@@ -1,4 +1,4 @@
-//! What the devices of a type have in common, and a calibration that uses it.
+//! Prior distribution of the parameters of a device type, and its use in a calibration.
 //!
 //! A device's parameters are drawn from its type, `θ ~ N(μ, Σ)`; a session sees them with its own error, `y = θ + e`,
 //! `e ~ N(0, C)`. The session's information and that of the type add up:
@@ -53,12 +53,12 @@ pub struct Prior {
     pub mean_covariance: Vec<Vec<f64>>,
 }
 
-/// What the prior gave to a calibration.
+/// Contribution of the prior to a calibration.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PriorUse {
     /// Devices that the prior was estimated from.
     pub devices: usize,
-    /// Whether the device belongs to the type; if not the prior was not used.
+    /// True if the device belongs to the type; if not the prior was not used.
     pub belongs: bool,
     /// Chance of a device of the type being so far from its mean.
     pub p_value: f64,
@@ -68,7 +68,7 @@ pub struct PriorUse {
     pub parameters: Vec<PriorShare>,
 }
 
-/// What prior and session gave for one parameter.
+/// Estimates of one parameter by prior and session.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PriorShare {
     /// Name.
@@ -77,7 +77,7 @@ pub struct PriorShare {
     pub prior: f64,
     /// Spread of the type.
     pub prior_std: f64,
-    /// What the session alone found.
+    /// Estimate of the session alone.
     pub data: f64,
     /// Its standard error.
     pub data_std: f64,

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use sensor::attitude::Attitude;
 use solver::{Scalar, lit};
 
-/// How the rate is integrated over a turn.
+/// Integration method of the rate over a turn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Integrator {
     /// The exponential map of the mean of two neighbouring samples over their own time step.

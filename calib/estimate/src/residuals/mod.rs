@@ -1,4 +1,4 @@
-//! What the fits minimise, each residual written once over any scalar.
+//! Residuals that the fits minimise, each written once for any scalar.
 
 mod gravity_norm;
 mod integrator;

@@ -16,7 +16,7 @@ pub struct OwnBias<R> {
     pub parts: Vec<R>,
     /// Number of parameters of the model.
     pub shared: usize,
-    /// Whether each recording has a bias of its own.
+    /// True if each recording has a bias of its own.
     pub own_bias: bool,
 }
 
@@ -46,8 +46,8 @@ impl<R> OwnBias<R> {
         local
     }
 
-    /// Which of the model's parameters are free in recording `k` when those of the whole are `free`,
-    /// and the place of each in `free`.
+    /// Returns the model's parameters that are free in recording `k`, where those of the whole are `free`, and the place of
+    /// each in `free`.
     pub fn local_columns(&self, k: usize, free: &[usize]) -> (Vec<usize>, Vec<usize>) {
         let own = self.own_bias && k + 1 < self.parts.len();
         let from = self.shared + 3 * k;

@@ -61,7 +61,7 @@ pub struct PropagatedGravity<'a> {
     pub model: &'a Model,
     /// The turns.
     pub turns: &'a [TurnData],
-    /// How the rate is integrated.
+    /// Integration method of the rate.
     pub integrator: Integrator,
     /// Standard deviation of a row, rad.
     pub sigma: f64,

@@ -14,7 +14,7 @@ pub(super) struct Path {
     /// In the static intervals.
     pub rests: Vec<Attitude<f64>>,
     spans: Vec<Span>,
-    /// Of the turns that could be followed: the interval before, the stamps and the attitudes at them.
+    /// Turns that could be integrated: the interval before each, the stamps (s) and the attitudes at them.
     turns: Vec<(usize, Vec<f64>, Vec<Attitude<f64>>)>,
 }
 

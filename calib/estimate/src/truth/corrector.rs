@@ -33,7 +33,7 @@ pub struct Corrector {
 }
 
 impl Corrector {
-    /// Of a calibration.
+    /// Builds it from a calibration.
     ///
     /// # Errors
     /// [`Error::NotEnough`] for an effect that looks at more than one instant; it names effect and quantity.
@@ -76,7 +76,7 @@ impl Corrector {
     }
 }
 
-/// Whether one instant tells it.
+/// Returns true if a single instant determines the quantity.
 fn is_of_an_instant(quantity: Quantity) -> bool {
     matches!(
         quantity,

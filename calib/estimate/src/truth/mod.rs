@@ -1,4 +1,4 @@
-//! What is known of every instant of a recording: the one place that makes [`Kinematics`] outside the simulator.
+//! Kinematics at every instant of a recording: the one place that makes [`Kinematics`] outside the simulator.
 //!
 //! ```text
 //! recording ─┐                 ┌─ at(t)          one instant: what `apply` corrects with
@@ -40,7 +40,7 @@ use thermal::Thermal;
 /// Corrections of one instant until both sensors agree: each sees the other's signal, and their effects are small.
 const ROUNDS: usize = 2;
 
-/// What is known of the instants of one recording.
+/// Kinematics of one recording, by its models and static intervals.
 #[derive(Clone, Debug)]
 pub struct Truth<'a> {
     recording: &'a Recording,
@@ -61,8 +61,8 @@ struct Seen {
 }
 
 impl<'a> Truth<'a> {
-    /// What is known of `recording` by its `intervals` and the models so far: effects that are to be estimated stand in
-    /// them at first values.
+    /// Builds it from `recording`, its `intervals` and the models so far; effects that are to be estimated have first
+    /// values in them.
     ///
     /// # Errors
     /// [`Error::NotEnough`] where an effect of the models needs what cannot be known; it names both.

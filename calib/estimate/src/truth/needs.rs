@@ -1,4 +1,4 @@
-//! Whether what an effect needs can be known.
+//! Check that the quantities an effect needs can be determined.
 
 use findings::{Finding, Kind};
 use recording::intervals::Segmentation;

@@ -1,4 +1,4 @@
-//! What is known of static intervals: their history and their vibration.
+//! Kinematics of static intervals: their history and their vibration.
 
 use effects::covariates::{last_changes, vibrations};
 use nalgebra::Vector3;
@@ -83,7 +83,8 @@ fn give_forces(rests: &mut [KnownRest], statics: &[StaticInterval], sensing: &Se
     }
 }
 
-/// What turned before every interval: the rotation vector of the turn that ended with it, or of the last one before.
+/// Sets the last turn of every interval: the rotation vector (rad) of the turn that ended with it, or of the last one
+/// before.
 ///
 /// The sum of the readings less what the gyroscope reads in the interval before: its own bias is gone, and a model of it is
 /// not needed.

@@ -13,7 +13,7 @@ pub struct Sensing {
     pub model: Model,
     /// Its parameters, for readings near SI units.
     pub parameters: Vec<f64>,
-    /// What brings readings near SI units; [`RawUnit::SI`] where the parameters do.
+    /// Scale and zero that bring readings near SI units; [`RawUnit::SI`] where the parameters do.
     pub unit: RawUnit,
 }
 
@@ -62,11 +62,11 @@ impl Sensing {
 /// The models so far; without one where nothing is known of a sensor.
 #[derive(Clone, Debug, Default)]
 pub struct Models {
-    /// Of the accelerometer.
+    /// Model of the accelerometer.
     pub accelerometer: Option<Sensing>,
-    /// Of the gyroscope.
+    /// Model of the gyroscope.
     pub gyroscope: Option<Sensing>,
-    /// Of the magnetometer.
+    /// Model of the magnetometer.
     pub magnetometer: Option<Sensing>,
 }
 

@@ -1,4 +1,4 @@
-//! What is known of an instant that nobody recorded.
+//! Kinematics of an instant that was not recorded.
 
 use nalgebra::Vector3;
 use sensor::Kinematics;

@@ -1,4 +1,4 @@
-//! How the temperature moves: its derivative, and whether it rises or falls.
+//! Course of the temperature: its derivative, and whether it rises or falls.
 
 use recording::Temperature;
 use recording::averages::median;
@@ -11,12 +11,14 @@ const BIN: f64 = 1.0;
 /// Between the knots of the curve whose derivative is taken, s; longer where readings are rarer.
 const KNOTS: f64 = 4.0;
 
-/// Where more than this share of the bins repeats the one before, the thermometer is coarse, or its readings are held.
+/// Share of bins equal to the one before above which the thermometer is coarse, or its readings are held.
 const REPEATED: f64 = 0.5;
 
-/// What the first and the last bin of a coarse thermometer weigh beside its steps. The temperature may be half a step from
-/// them, and is near half way where the reading steps: in simulated swings and warm-ups of 3 to 8 K, read to 0.25 and 0.5 K, a
-/// tenth had the smallest error (1.9 to 6.6 % of the derivative, 2.0 to 13.8 % with 1, 1.9 to 4.2 % with a hundredth).
+/// Weight of the first and the last bin of a coarse thermometer, relative to its steps.
+///
+/// The temperature may be half a step from these bins, but is near half way where the reading steps. In simulated swings
+/// and warm-ups of 3 to 8 K, read to 0.25 and 0.5 K, the error of the derivative was 1.9 to 6.6 % with a tenth, 2.0 to 13.8
+/// % with 1 and 1.9 to 4.2 % with a hundredth.
 const END_WEIGHT: f64 = 0.1;
 
 /// Bins on either side of a turning point of the readings, within which the derivative has its zero.
@@ -109,8 +111,10 @@ fn is_repeated(celsius: &[f64]) -> bool {
     (celsius[1] - celsius[0]).abs() <= 1e-9 * (1.0 + celsius[0].abs())
 }
 
-/// Where a coarse thermometer steps: half way between two values in the middle between two readings, those of a second
-/// together; and its ends. Between its steps it says only that the temperature is nearer to this value than to the next.
+/// Lists the steps of a coarse thermometer, those within a second together, and its ends.
+///
+/// A step is half way between two values, in the middle between two readings. Between its steps a coarse thermometer shows
+/// only that the temperature is nearer to this value than to the next.
 fn steps(temperature: &Temperature) -> Vec<Reading> {
     let (t, celsius) = (&temperature.t, &temperature.celsius);
     let pairs = t.windows(2).zip(celsius.windows(2));
@@ -169,7 +173,7 @@ fn ways(t: &[f64], celsius: &[f64]) -> Vec<(f64, f64)> {
     ways
 }
 
-/// Where the derivative changes its sign, nearest to the turning point that the noisy readings show.
+/// Finds the time at which the derivative changes its sign, nearest to the turning point `about` of the noisy readings, s.
 fn crossing(t: &[f64], curve: &SmoothCurve, about: f64) -> f64 {
     let near = t.partition_point(|&s| s < about);
     let range = near.saturating_sub(REACH)..(near + REACH + 1).min(t.len());

@@ -9,7 +9,7 @@ use sensor::Sensor;
 /// Turning between two samples from which on a turn is looked at, rad.
 const FAST: f64 = 0.3;
 
-/// What two samples do not tell of the order of rotations is worth a word, rad.
+/// Least unknown rotation by coning between two samples that is reported, rad.
 const WORTH: f64 = 2e-3;
 
 /// Says where the device turns so far between two samples that the order of the rotations is not known; `t` carries the

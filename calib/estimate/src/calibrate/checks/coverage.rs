@@ -1,4 +1,4 @@
-//! Which orientations were recorded.
+//! Checks of the recorded orientations.
 
 use findings::{Finding, Kind};
 use nalgebra::{Matrix3, Vector3};

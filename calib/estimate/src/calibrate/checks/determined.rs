@@ -1,4 +1,4 @@
-//! Whether the data determine the parameters, in words a person can act on.
+//! Checks that the data determine the parameters, with findings that tell a user what to record.
 
 use findings::{Finding, Findings, Kind, Remedy};
 use nalgebra::Vector3;
@@ -46,7 +46,7 @@ pub(in crate::calibrate) struct RateEvidence<'a> {
 }
 
 impl<'a> ForceEvidence<'a> {
-    /// Of the stepwise fit.
+    /// Builds it from the stepwise fit.
     pub(in crate::calibrate) fn of(
         fit: &'a AccelerometerFit,
         request: &AccelerometerRequest,
@@ -63,7 +63,7 @@ impl<'a> ForceEvidence<'a> {
 }
 
 impl<'a> RateEvidence<'a> {
-    /// Of the stepwise fit.
+    /// Builds it from the stepwise fit.
     pub(in crate::calibrate) fn of(fit: &'a GyroscopeFit) -> Self {
         Self {
             fitted: &fit.fitted,
@@ -138,7 +138,7 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
     Ok(())
 }
 
-/// How a fit ended that came to no end.
+/// Builds the finding about a fit that did not converge.
 fn stopped(sensor: Sensor, ending: &Ending) -> Finding {
     Finding::of(Kind::FitStopped)
         .of_sensor(sensor)

@@ -1,4 +1,4 @@
-//! What a calibration is refused for, fails its gate for, or warns of.
+//! Checks of a calibration: refusals, failed gates and warnings.
 
 mod coning;
 mod coverage;
@@ -41,7 +41,7 @@ const ENOUGH_RATE: f64 = 1000.0;
 /// Quiet stretches that are shown where none is quiet enough.
 const QUIETEST: usize = 3;
 
-/// What a user should know of how a recording was cut.
+/// Lists the findings about the segmentation of a recording.
 pub(super) fn of_the_detector(recording: &Recording, choice: &Choice) -> Vec<Finding> {
     let found = symptoms(recording, &choice.segmentation);
     let found = found.iter().map(|found| found.in_recording(recording));

@@ -1,4 +1,4 @@
-//! Whether the norm of specific force tells the parameters of an accelerometer's effects.
+//! Check that the norm of specific force determines the parameters of an accelerometer's effects.
 
 use findings::{Finding, Kind};
 use nalgebra::{DMatrix, Vector3};
@@ -60,8 +60,8 @@ pub(in crate::calibrate) fn the_norm_tells_them(
     Err(Error::not_enough(found))
 }
 
-/// What a unit of each parameter adds to the force in each placement: nine of the base, then those of the effects with
-/// their names, m/s².
+/// Computes the change of the force in each placement per unit of each parameter, m/s²: nine of the base, then those of the
+/// effects with their names.
 fn columns(
     model: &Model,
     placed: &[(Vector3<f64>, Kinematics<f64>)],
@@ -89,7 +89,7 @@ fn columns(
     columns
 }
 
-/// Which columns belong to a combination that is nothing; one that is zero by itself does not count.
+/// Marks the columns that belong to a combination in the null space; a column that is zero by itself is not marked.
 fn blind(columns: Vec<Vec<f64>>) -> Vec<bool> {
     let length = |column: &[f64]| column.iter().map(|v| v * v).sum::<f64>().sqrt();
     let lengths: Vec<f64> = columns.iter().map(|column| length(column)).collect();

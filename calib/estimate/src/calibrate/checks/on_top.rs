@@ -26,7 +26,7 @@ pub(in crate::calibrate) fn corrected_before(
     })
 }
 
-/// Whether the gyroscope reads nothing at rest, as no sensor does by itself.
+/// Returns true if the gyroscope reads zero in the static intervals, as no uncorrected sensor does.
 pub(in crate::calibrate) fn reads_zero_at_rest(
     recording: &Recording,
     segmentation: &Segmentation,
@@ -56,8 +56,8 @@ pub(in crate::calibrate) fn reads_zero_at_rest(
     (0..3).all(is_zero)
 }
 
-/// Whether the mean over all intervals is zero to within its standard error by their scatter: beside a hand's tremor any bias is
-/// within the noise of one interval.
+/// Returns true if the mean over all intervals is zero to within its standard error by their scatter: with the tremor of a
+/// hand any bias is within the noise of one interval.
 fn is_zero_together(means: impl ExactSizeIterator<Item = f64> + Clone) -> bool {
     let n = means.len() as f64;
     let mean = means.clone().sum::<f64>() / n;

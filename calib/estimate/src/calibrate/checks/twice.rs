@@ -11,7 +11,7 @@ const IN_A_ROW: usize = 4;
 /// recordings with the very same placements one pair of twenty would, and four in a row by chance in one of 10⁵.
 const SAME_NOISE: f64 = 0.1;
 
-/// How far the lengths may differ, as a share, by rounding and by where the detector sees the ends.
+/// Largest relative difference in length of equal static intervals, by rounding and by where the detector sees their ends.
 const SAME_LENGTH: f64 = 0.1;
 
 /// The recordings without copies, and what to say of these.

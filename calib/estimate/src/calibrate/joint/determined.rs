@@ -1,4 +1,4 @@
-//! Whether the data determine what a joint fit estimates.
+//! Checks that the data determine the parameters of a joint fit.
 
 use findings::Findings;
 use nalgebra::Vector3;

@@ -1,4 +1,4 @@
-//! What a joint fit leaves in doubt, in words.
+//! Doubts about a joint fit, as findings.
 
 use crate::methods::joint::{Disturbance, Flagged, JointFit, Missing, Reason, Seen};
 use findings::{Finding, Findings, Kind};

@@ -1,4 +1,4 @@
-//! Whether the recordings refute the latitude.
+//! Test of the given latitude against the recordings.
 
 use findings::{Finding, Kind};
 use gyroscope::EARTH_RATE;
@@ -13,15 +13,15 @@ const REFUTED: f64 = 4.0;
 #[derive(Clone, Copy, Debug)]
 pub struct LatitudeDoubt {
     latitude: f64,
-    /// What the latitude gives, rad/s.
+    /// Vertical part by the latitude, rad/s.
     given: f64,
-    /// What the recordings show with its standard error, rad/s.
+    /// Vertical part by the recordings with its standard error, rad/s.
     seen: f64,
     std: f64,
 }
 
 impl LatitudeDoubt {
-    /// Where the data refute the vertical part of the earth's rotation that the latitude gives.
+    /// Tests the vertical part of the earth's rotation at this latitude; `None` where the data do not refute it.
     pub fn of(fit: &JointFit, latitude: f64) -> Option<Self> {
         Self::by(fit.pull_of_held(&vertical_rate())?, latitude)
     }
@@ -37,7 +37,7 @@ impl LatitudeDoubt {
         })
     }
 
-    /// Whether some latitude on the earth makes what the recordings show.
+    /// Returns true if some latitude on the earth is consistent with the recordings.
     pub fn is_of_the_earth(&self) -> bool {
         self.seen.abs() < EARTH_RATE + REFUTED * self.std
     }

@@ -22,7 +22,7 @@ use crate::gravity::GravitySource;
 use crate::methods::joint::{Channel, JointFit};
 use crate::methods::{Choice, Fitted};
 
-/// What a calibration has to say beside the fit.
+/// Settings and circumstances that a calibration states beside the fit.
 #[derive(Clone, Copy, Debug)]
 pub struct Account {
     /// Local gravity, m/s².
@@ -31,15 +31,15 @@ pub struct Account {
     pub gravity_source: GravitySource,
     /// Latitude, °, where it is known.
     pub latitude: Option<f64>,
-    /// Whether the earth's rotation, where a model has it, is no error of the sensor: corrected rates keep it then.
+    /// True if the earth's rotation in a model is not an error of the sensor: corrected rates keep it then.
     pub keeps_the_earth: bool,
     /// Frame of the result.
     pub frame: Frame,
-    /// Whether the caller names what the models lack: no warning points to that search then.
+    /// True if the caller searches for missing effects itself: no warning suggests that search then.
     pub names_what_is_missing: bool,
 }
 
-/// What stands in the place of a gyroscope that no turn shows.
+/// Builds the mark of a gyroscope that is not calibrated, as there is no usable turn.
 fn without_a_turn(
     fit: &JointFit,
     rate: &Fitted,

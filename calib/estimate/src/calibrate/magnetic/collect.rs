@@ -49,7 +49,7 @@ pub fn collect<'a>(
     collected
 }
 
-/// How much more the turns scatter than their noise, squared.
+/// Returns the reduced chi-square of the turns' directions, at least 1.
 fn direction_misfit(calibration: &Calibration) -> f64 {
     let own = calibration.misfit.iter();
     let direction = own.filter(|r| r.channel == Channel::Direction);

@@ -1,4 +1,4 @@
-//! What the calibration of accelerometer and gyroscope leaves open.
+//! Remaining errors of the calibration of accelerometer and gyroscope.
 
 use nalgebra::{DMatrix, Matrix3, SymmetricEigen, Vector3};
 use sensor::{BASE_PARAMETERS, PLACES, Sensor, base_names};
@@ -17,7 +17,7 @@ pub struct Inertial {
 }
 
 impl Inertial {
-    /// Of a calibration with its covariance.
+    /// Builds it from a calibration with its covariance.
     pub fn of(calibration: &Calibration) -> Self {
         let n = calibration.parameters.len();
         let c = &calibration.covariance;

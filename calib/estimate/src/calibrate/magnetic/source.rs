@@ -7,7 +7,7 @@ use super::inertial::Inertial;
 use crate::methods::magnetic::{HeadingChange, Placement};
 use crate::truth::{Models, Truth};
 
-/// What is measured, of all recordings.
+/// Measurements of all recordings.
 #[derive(Debug, Default)]
 pub struct Collected {
     pub placements: Vec<Placement>,
@@ -26,8 +26,8 @@ pub(super) struct Source<'a> {
     pub truth: Truth<'a>,
     pub models: Models,
     pub inertial: &'a Inertial,
-    /// How much more the turns scatter than their noise, squared.
+    /// Reduced chi-square of the turns' directions, at least 1.
     pub misfit: f64,
-    /// How much more means of the rate scatter than white noise of the same samples would.
+    /// Ratio of the scatter of the rate's means to that by white noise of the same samples.
     pub colour: f64,
 }

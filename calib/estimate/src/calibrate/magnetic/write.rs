@@ -17,7 +17,7 @@ const CONTRADICTION: f64 = 1e-3;
 /// A field that differs by more than this share of itself from place to place is worth a warning.
 const UNEVEN: f64 = 0.02;
 
-/// What to write.
+/// Magnetometer fit and the context to write it into a calibration.
 pub struct Written<'a> {
     pub fit: &'a MagneticFit,
     pub model: &'a Model,
@@ -28,7 +28,7 @@ pub struct Written<'a> {
     pub strength_given: bool,
     /// An effect that the readings go with and the model lacks, and the probability of so much by chance.
     pub missing: Option<(&'static dyn AnyEffect, f64)>,
-    /// Whether accelerometer and gyroscope are corrected by what the magnetometer says.
+    /// True if the magnetometer also corrects accelerometer and gyroscope.
     pub updates_others: bool,
 }
 

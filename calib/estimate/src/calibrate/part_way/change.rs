@@ -3,7 +3,7 @@
 use findings::Finding;
 use sensor::Sensor;
 
-/// What is otherwise from some time on.
+/// Kind of a change at some time of a recording.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::calibrate) enum Kind {
     /// The bias of an axis is larger by this, m/s² or the gyroscope's unit.
@@ -29,7 +29,7 @@ impl Kind {
     }
 }
 
-/// Where: behind the interval before it and in front of the one after it.
+/// Place of a change: after one static interval and before another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::calibrate) struct Place {
     /// The last static interval before, from 0, and its end, s.

@@ -34,7 +34,7 @@ const INDIFFERENT: f64 = 10.0;
 /// Steps of a fit.
 const STEPS: usize = 30;
 
-/// What may change.
+/// Change to try.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum What {
     Nothing,
@@ -121,7 +121,7 @@ struct Hypothesis {
 /// The accelerometer by its static intervals.
 #[derive(Clone, Debug)]
 pub(super) struct Force {
-    /// What changes, if something does.
+    /// The change, where there is one.
     pub change: Option<Change>,
     /// Directions of specific force, by static interval.
     pub directions: Vec<Option<Vector3<f64>>>,
@@ -174,8 +174,10 @@ pub(super) fn force(rests: &[Rest], gravity: f64) -> Option<Force> {
     })
 }
 
-/// What brings the readings near SI units. Zero stays where it is, so that a sign that changes is one, but where it is farther
-/// from the readings than gravity: counts around 32768, which no fit from there finds.
+/// Returns the unit that brings the readings near SI units.
+///
+/// It keeps zero where it is, so that a change of sign is one, unless zero is farther from the readings than gravity
+/// (counts around 32768), where no fit from there converges.
 fn unit_of(raw: &[Vector3<f64>], gravity: f64) -> Option<RawUnit> {
     let about_zero = RawUnit {
         scale: gravity / median(raw.iter().map(Vector3::norm))?,

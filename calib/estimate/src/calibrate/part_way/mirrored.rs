@@ -90,7 +90,7 @@ pub(super) fn change(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Option<Chan
     Some(Change { kind, place })
 }
 
-/// What all but one of the misses stay below: the turn at the change is a mixture.
+/// Returns the second largest of the misses; the largest may be that of the turn with the change in it.
 fn most(misses: &[f64]) -> f64 {
     let mut sorted = misses.to_vec();
     sorted.sort_by(f64::total_cmp);

@@ -1,4 +1,4 @@
-//! What changes part of the way through a recording: a bias, a scale factor, a sign, two columns, a clock, a turn.
+//! Changes part of the way through a recording: a bias, a scale factor, a sign, two columns, a clock, a turn.
 //!
 //! ```text
 //! static intervals ──► force (norm of gravity) ──► directions ──► turns (gravity carried by the gyroscope)
@@ -36,9 +36,9 @@ const LOST: f64 = 0.035;
 const MOST_TURNS: usize = 300;
 const MOST_SAMPLES: usize = 3_000_000;
 
-/// What changes part of the way through a recording, in words: a bias, a scale factor, a sign, two columns, a clock; and
-/// single turns and static intervals that miss gravity. `gyroscope` is the matrix that it was calibrated with and by how much it then
-/// misses gravity, rad; without it the turns are not looked at.
+/// Finds changes part of the way through a recording: a bias, a scale factor, a sign, two columns, a clock; and single
+/// turns and static intervals that miss gravity. `gyroscope` is the matrix that it was calibrated with and the angle by
+/// which it then misses gravity, rad; without it the turns are not looked at.
 ///
 /// # Examples
 /// ```

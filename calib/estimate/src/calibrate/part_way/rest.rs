@@ -9,8 +9,8 @@ pub(super) struct Rest {
     pub place: usize,
     /// From, to.
     pub span: Span,
-    /// Of the accelerometer.
+    /// Mean and covariance of the accelerometer's readings.
     pub force: Option<Moments>,
-    /// Of the gyroscope.
+    /// Mean and covariance of the gyroscope's readings.
     pub rate: Option<Moments>,
 }

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use recording::Stream;
 
-/// What a turn says of the gyroscope.
+/// Gravity carried through a turn: its error and the derivatives by the matrix of the gyroscope.
 #[derive(Clone, Debug)]
 pub(super) struct Carried {
     /// By how much gravity is missed, in the frame of the turn's begin: `C u₁ − u₀`.

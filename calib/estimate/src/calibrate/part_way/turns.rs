@@ -33,7 +33,7 @@ pub(super) struct Turning<'a> {
     pub place: Place,
 }
 
-/// What changes in the course of the turns; `start` is about what carries the readings to rad/s.
+/// Finds changes of the gyroscope over the turns; `start` is a first value of the matrix from the readings to rad/s.
 pub(super) fn changes(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Vec<Change> {
     if turns.len() < FEWEST {
         return Vec::new();
@@ -185,7 +185,7 @@ impl Sums {
     }
 }
 
-/// What may change: the readings become `(1 + Σ pᵢ Mᵢ)` times themselves.
+/// Change to try: the readings are multiplied by `1 + Σ pᵢ Mᵢ`.
 #[derive(Clone, Copy, Debug)]
 enum What {
     Scale(usize),
@@ -217,7 +217,7 @@ impl What {
         }
     }
 
-    /// What was done to the readings, where `p` undoes it.
+    /// Returns the change of the readings that `p` reverses.
     fn kind(self, p: &[f64]) -> Kind {
         let share = |p: f64| 1.0 / (1.0 + p) - 1.0;
         let sensor = Sensor::Gyroscope;

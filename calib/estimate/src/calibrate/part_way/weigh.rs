@@ -1,4 +1,4 @@
-//! Whether an explanation is better than chance makes it.
+//! Significance test of an explanation.
 
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
@@ -6,7 +6,7 @@ use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 /// Chance makes so good an explanation this rarely, over all that were tried.
 const CHANCE: f64 = 1e-4;
 
-/// What is left after it is at most this share of the sum of squares before it.
+/// Largest share of the sum of squares that an explanation may leave.
 const LEFT: f64 = 1.0 / 9.0;
 
 /// An explanation: what it leaves of a sum of squares, with how many parameters.
@@ -25,7 +25,8 @@ impl Explanation {
         n * self.left.max(floor).ln() + self.parameters as f64 * n.ln()
     }
 
-    /// Whether it is beyond chance, among `tried` of them, where the base leaves `base` with `freedom` degrees.
+    /// Returns true if it is significant among `tried` explanations, where the base leaves the sum of squares `base` with
+    /// `freedom` degrees.
     pub fn holds(&self, base: f64, freedom: usize, tried: usize) -> bool {
         let Some(spare) = freedom.checked_sub(self.parameters).filter(|&s| s >= 2) else {
             return false;

@@ -11,7 +11,7 @@ use crate::methods::{AccelerometerFit, GyroscopeData, RawUnit, gyroscope_guess};
 use crate::residuals::{StaticMean, TurnData};
 use crate::truth::{Models, Sensing, Truth};
 
-/// Where the data come from.
+/// Source of the data: a recording, its segmentation and the accelerometer's fit.
 pub(super) struct Source<'a> {
     pub recording: &'a Recording,
     pub segmentation: &'a Segmentation,
@@ -22,7 +22,7 @@ pub(super) struct Source<'a> {
 }
 
 impl<'a> Source<'a> {
-    /// What is known of the recording by the accelerometer and the gyroscope so far.
+    /// Builds the truth of the recording from the models of accelerometer and gyroscope so far.
     fn truth(&self, rate: Option<&Sensing>) -> Truth<'a> {
         let model = &self.accelerometer.model;
         let shared = model.parameter_count();

@@ -224,14 +224,14 @@ fn gyroscope(
     Ok(Some(fit))
 }
 
-/// Whether an effect looks at where the device came from: a change of force is told from none by the accelerometer's
-/// own fit.
+/// Returns true if the effect depends on the force before, or on vibration: the accelerometer's own fit decides whether a
+/// change of force counts.
 fn looks_back(effect: &dyn AnyEffect) -> bool {
     let looks = [Quantity::LastChange, Quantity::Vibration];
     effect.needs().iter().any(|need| looks.contains(need))
 }
 
-/// Whether what an effect looks at comes from the gyroscope's own fit.
+/// Returns true if the effect depends on quantities that the gyroscope's own fit provides.
 fn follows_the_fit(effect: &dyn AnyEffect) -> bool {
     let from_rates = [Quantity::AngularAcceleration, Quantity::Attitude];
     effect.needs().iter().any(|need| from_rates.contains(need))

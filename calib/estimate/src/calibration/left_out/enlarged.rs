@@ -8,14 +8,14 @@ use crate::calibration::Calibration;
 pub struct Enlarged<'a> {
     /// The effect and the parameter.
     pub by: &'a LeftOut,
-    /// As stated.
+    /// Stated standard error.
     pub std_error: f64,
     /// If the sensor has the effect.
     pub std_error_with: f64,
 }
 
 impl Enlarged<'_> {
-    /// How many times as large the error would be.
+    /// Returns the factor by which the effect would enlarge the error.
     pub fn ratio(&self) -> f64 {
         self.std_error_with / self.std_error
     }

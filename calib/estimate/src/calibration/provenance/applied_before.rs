@@ -1,4 +1,4 @@
-//! What a system had made of the readings that a calibration is of: it is on top of that.
+//! Corrections that a system had applied to the readings before the calibration, which is on top of them.
 
 use findings::{Finding, Kind};
 use recording::{AppliedBefore, Recording};
@@ -22,7 +22,7 @@ pub enum Readings<'a> {
     Mixed(&'a str),
 }
 
-/// What a system is called.
+/// Returns the name of a system for display.
 pub fn system_name(by: &str) -> &str {
     match by {
         "px4" => "PX4",
@@ -44,7 +44,7 @@ fn claim(applied: &[AppliedBefore], sensor: Sensor) -> Readings<'_> {
 }
 
 impl Calibration {
-    /// What its recordings state of a sensor's readings.
+    /// Returns the statement of its recordings about the correction of a sensor's readings.
     pub fn readings(&self, sensor: Sensor) -> Readings<'_> {
         let inputs = self.provenance.inputs.iter();
         let inputs = inputs.filter(|input| match sensor {
@@ -66,7 +66,7 @@ impl Calibration {
         }
     }
 
-    /// What to say where its own recordings, or it and a recording that it is used on, were corrected differently before.
+    /// Warns if the readings of `recording` were corrected before in another way than those of the calibration.
     pub fn doubts_corrections_of(&self, recording: &Recording) -> Option<Finding> {
         let other = &recording.description.applied_before;
         let differ = |sensor: &Sensor| {
@@ -102,7 +102,7 @@ impl Calibration {
         )
     }
 
-    /// What to say where its recordings were not all corrected alike before.
+    /// Warns if the readings of its own recordings were not all corrected in the same way before.
     pub fn mixed_corrections(&self) -> Option<Finding> {
         let mixed = Sensor::ALL
             .into_iter()

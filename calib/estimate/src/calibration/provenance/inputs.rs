@@ -1,4 +1,4 @@
-//! What a calibration was made from: recordings, options, conventions.
+//! Inputs of a calibration: recordings, options, conventions.
 
 use recording::intervals::{Moments, Segmentation, StaticInterval};
 use recording::{AppliedBefore, Recording, Stream};
@@ -12,7 +12,7 @@ use crate::residuals::Integrator;
 /// The sign convention of every calibration: `sign_convention` in the file.
 pub const SIGN_CONVENTION: &str = "specific force: +g on the axis that points up at rest; angular rate: right-handed about each axis";
 
-/// Where a calibration comes from; part of the file's top level.
+/// Provenance of a calibration; part of the file's top level.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Provenance {
@@ -23,7 +23,7 @@ pub struct Provenance {
     /// The recordings; empty in files of versions that did not write them.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub inputs: Vec<Input>,
-    /// How it was asked for.
+    /// Options of the calibration.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub options: Option<Options>,
     /// SHA-256 of what corrects a reading, as it was written ([`Calibration::seal`](crate::calibration::Calibration::seal)): another one shows an edit.
@@ -35,7 +35,7 @@ pub struct Provenance {
 }
 
 impl Provenance {
-    /// Of these recordings.
+    /// Builds it from the recordings and options, without hashes.
     pub fn of(inputs: Vec<Input>, options: Option<Options>) -> Self {
         Self {
             version: env!("CARGO_PKG_VERSION").into(),
@@ -68,7 +68,7 @@ pub struct Input {
     /// The thermometer.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub temperature: Option<TemperatureInput>,
-    /// What systems had made of the readings before they were recorded.
+    /// Corrections that systems had applied to the readings before they were recorded.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub applied_before: Vec<AppliedBefore>,
 }
@@ -99,7 +99,7 @@ pub struct TemperatureInput {
     pub mean: f64,
 }
 
-/// How a calibration was asked for.
+/// Options of a calibration.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Options {
     /// `stepwise`, `joint` or `six-position`.
@@ -116,7 +116,7 @@ pub struct Options {
     pub multipliers: Vec<f64>,
     /// Shortest static interval asked for, s.
     pub min_static: f64,
-    /// Whether static intervals were given by hand.
+    /// True if the static intervals were given by hand.
     pub sections: bool,
     /// Static intervals that were left out, each by an instant within it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -129,7 +129,7 @@ pub struct Options {
     /// Step between samples that was assumed instead of the stamps, s.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub nominal_step: Option<f64>,
-    /// Whether the recordings were taken to be of one device even where they disagree.
+    /// True if the recordings were taken to be of one device even where they disagree.
     pub force_device: bool,
 }
 
@@ -160,7 +160,7 @@ pub fn fingerprint(recording: &Recording) -> String {
 }
 
 impl Input {
-    /// Of a recording, with the static intervals that were found in it; `scales` are SI units per unit of its
+    /// Builds the entry of a recording with the static intervals found in it; `scales` are SI units per unit of its
     /// accelerometer and gyroscope.
     pub fn of(
         recording: &Recording,
@@ -224,7 +224,7 @@ pub(super) fn hexadecimal(bytes: &[u8]) -> String {
 }
 
 impl Options {
-    /// Of a request and the multipliers that were chosen.
+    /// Builds the record from a request and the chosen multipliers.
     pub fn of(request: &Request, multipliers: Vec<f64>) -> Self {
         let method = match request.method {
             Method::Auto => "auto",

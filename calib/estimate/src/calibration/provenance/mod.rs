@@ -1,4 +1,4 @@
-//! Where a calibration comes from, and whether it is as it was written.
+//! Provenance of a calibration, and detection of later edits.
 
 mod applied_before;
 mod inputs;

@@ -64,13 +64,13 @@ impl Calibration {
         }
     }
 
-    /// Whether gravity, a sensor or an effect is not as it was written; `None` where no hash was.
+    /// Returns true if gravity, a sensor or an effect was edited; `None` where the file has no hash.
     pub fn was_edited(&self) -> Option<bool> {
         self.provenance.numbers_sha256.as_ref()?;
         Some(self.edited() == Some(Edited::Numbers))
     }
 
-    /// Of gravity, both sensors and the effects.
+    /// Computes the hash of gravity, the sensors and the effects.
     fn numbers(&self) -> Option<String> {
         let all = (
             self.gravity,
@@ -85,7 +85,8 @@ impl Calibration {
         Some(hexadecimal(&Sha256::digest(text)))
     }
 
-    /// Of everything else. A new entry has to be put among those that decide or those that do not.
+    /// Computes the hash of everything else that decides what the calibration is used for. A new field has to be put among
+    /// those that decide or those that do not.
     fn basis(&self) -> Option<String> {
         let Self {
             gravity_source,

@@ -1,4 +1,4 @@
-//! Whether a calibration speaks of a recording's units.
+//! Check that a recording has the units that a calibration is for.
 
 mod reading_unit;
 

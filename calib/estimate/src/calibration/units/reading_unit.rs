@@ -17,12 +17,12 @@ const GAUSS: Range<f64> = 50.0..200.0;
 /// Units of one sensor's numbers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TriadUnits {
-    /// Of a raw reading, and so of `bias` and `bias_std`: `m/s^2`, `rad/s`, `uT`, `g`, `deg/s`, `gauss` or `count`.
+    /// Unit of a raw reading, and so of `bias` and `bias_std`: `m/s^2`, `rad/s`, `uT`, `g`, `deg/s`, `gauss` or `count`.
     pub reading: String,
-    /// Of `T` and `T_std`: `1` where the reading is in SI units, else such as `(m/s^2)/count`.
+    /// Unit of `T` and `T_std`: `1` where the reading is in SI units, else such as `(m/s^2)/count`.
     #[serde(rename = "T")]
     pub t: String,
-    /// Of the corrected signal: `m/s^2` or `rad/s`.
+    /// Unit of the corrected signal: `m/s^2`, `rad/s` or `uT`.
     pub corrected: String,
 }
 

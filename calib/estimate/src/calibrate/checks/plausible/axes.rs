@@ -41,7 +41,7 @@ impl SignedAxes {
         ORDERS.into_iter().flat_map(signs).collect()
     }
 
-    /// As a matrix, of the readings' axes (columns).
+    /// Returns it as a signed permutation matrix (`3 × 3`) whose columns are the axes of the readings.
     pub fn matrix(&self) -> Matrix3<f64> {
         let mut matrix = Matrix3::zeros();
         for row in 0..3 {

@@ -20,7 +20,7 @@ pub(super) struct Columns {
 }
 
 impl Columns {
-    /// Of the first recording: what it says holds for all of a call.
+    /// Builds it from the first recording, whose columns hold for all recordings of a call.
     pub fn of(recordings: &[&Recording], sensor: Sensor) -> Self {
         let roles = match sensor {
             Sensor::Accelerometer => ["ax", "ay", "az"],

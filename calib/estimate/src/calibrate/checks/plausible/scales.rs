@@ -19,7 +19,8 @@ pub(super) struct Scales {
 }
 
 impl Scales {
-    /// Of `corrected = T (raw − b)` with the standard errors of the diagonal; `None` where `T` has no inverse.
+    /// Builds them from `corrected = T (raw − b)` with the standard errors of the diagonal; `None` where `T` has no
+    /// inverse.
     pub fn of(t: &Matrix3<f64>, std: &[Option<f64>; 3]) -> Option<Self> {
         let s = inverse(t)?;
         let sizes = Vector3::from_fn(|axis, _| s.row(axis).norm());
