@@ -1,4 +1,4 @@
-//! What every format can do.
+//! The trait that every format implements.
 
 use std::fmt;
 use std::io::{Read, Seek};
@@ -10,7 +10,7 @@ pub trait Format: fmt::Debug + Sync {
     /// The name to ask for it.
     fn name(&self) -> &'static str;
 
-    /// What it is, in a line.
+    /// Description of the format in one line.
     fn about(&self) -> &'static str;
 
     /// True if a file that begins with `head` is of this format.
@@ -41,6 +41,6 @@ pub trait Format: fmt::Debug + Sync {
     }
 }
 
-/// What can be read and sought in.
+/// A reader with random access.
 pub trait ReadSeek: Read + Seek {}
 impl<T: Read + Seek> ReadSeek for T {}

@@ -1,4 +1,4 @@
-//! How much is read before a file is refused.
+//! Limits on what is read before a file is refused.
 
 use findings::{Finding, Kind, Remedy};
 

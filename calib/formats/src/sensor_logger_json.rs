@@ -69,7 +69,7 @@ impl Format for SensorLoggerJson {
 struct File {
     recorder: Recorder,
     counts: BTreeMap<String, u64>,
-    /// What was set, of the entry about the device.
+    /// Settings of the app, from the entry about the device.
     settings: BTreeMap<String, String>,
     refused: Option<Error>,
 }
@@ -195,7 +195,7 @@ impl<'de> Visitor<'de> for RowVisitor {
     }
 }
 
-/// What a sensor of the app measures.
+/// Returns the quantity that a sensor of the app measures.
 fn quantity(sensor: &str) -> Option<Quantity> {
     match sensor {
         "AccelerometerUncalibrated" | "TotalAcceleration" | "Accelerometer" | "Gravity" => {

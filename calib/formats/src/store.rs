@@ -1,4 +1,4 @@
-//! Where the bytes of a file are: on the disk or in memory.
+//! Access to the bytes of a file, on disk or in memory.
 
 use std::fs::File;
 use std::io::{Cursor, Read, Seek};
@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::Error;
 
-/// Where an archive's bytes are, or those of a file of tables.
+/// Storage of an archive or of a file of tables.
 #[derive(Clone, Debug)]
 pub(crate) enum Store {
     File(PathBuf),

@@ -1,19 +1,19 @@
-//! What a file holds: streams of samples, each on its clock, in SI units.
+//! Content of a file: streams of samples, each on its clock, in SI units.
 use findings::{Finding, Findings, Kind};
 
 use crate::error::counted;
 use crate::shown::shown;
 
-/// What three values are.
+/// Physical quantity of a stream's values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Quantity {
-    /// Of an accelerometer, m/s².
+    /// Specific force of an accelerometer, m/s².
     SpecificForce,
-    /// Of a gyroscope, rad/s.
+    /// Angular rate of a gyroscope, rad/s.
     AngularRate,
-    /// Of a magnetometer, in [`Stream::unit`].
+    /// Magnetic field of a magnetometer, in [`Stream::unit`].
     MagneticField,
-    /// Of a thermometer, °C, in the first value.
+    /// Temperature of a thermometer, °C; only the first value is used.
     Temperature,
 }
 
@@ -22,9 +22,9 @@ pub enum Quantity {
 pub struct Stream {
     /// The topic, message or variable that it is read from.
     pub source: String,
-    /// Which of several alike.
+    /// Number of the sensor among several of the same kind.
     pub instance: u32,
-    /// What it holds.
+    /// Quantity of the values.
     pub quantity: Quantity,
     /// Corrected by the device already: taken where nothing else is there.
     pub processed: bool,
@@ -69,7 +69,7 @@ impl Stream {
     }
 }
 
-/// What the system that recorded a stream made of its readings.
+/// Correction that the recording system applied to a stream's readings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Correction {
     /// The system: `px4`, `ardupilot`.
@@ -90,16 +90,16 @@ pub(crate) fn chunk_damaged(byte: u64) -> Finding {
     Finding::of(Kind::ChunkDamaged).count("byte", byte as usize)
 }
 
-/// What a file holds.
+/// Content of a file.
 #[derive(Clone, Debug, Default)]
 pub struct Content {
     /// Streams with samples.
     pub streams: Vec<Stream>,
     /// Everything there is, by name and kind, for the message where no stream is a sensor's.
     pub listed: Vec<String>,
-    /// What may be a sensor and is not read, by name: a reason to ask where a sensor is missing.
+    /// Names of unread sources that may be sensors; the user is asked about them if a sensor is missing.
     pub unclear: Vec<String>,
-    /// What was noticed.
+    /// Warnings from reading.
     pub warnings: Findings,
     /// Why reading ended before the file did.
     pub cut: Option<Finding>,
@@ -124,7 +124,7 @@ impl Content {
     }
 }
 
-/// Which streams are wanted.
+/// Selection of the streams to read.
 #[derive(Clone, Debug, Default)]
 pub struct Wanted {
     /// Topics, messages or variables; all where there are none.

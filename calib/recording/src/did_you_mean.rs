@@ -1,4 +1,4 @@
-//! What a misspelled name was to be.
+//! Suggestions for misspelled names.
 
 /// `; did you mean …?` with the candidate that `name` is most likely a misspelling of, or nothing.
 pub fn did_you_mean<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> String {

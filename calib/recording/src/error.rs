@@ -1,4 +1,4 @@
-//! What ends a reading or a calibration: a finding, and the class that gives the exit status.
+//! Errors that end a reading or a calibration: a finding, and the class that gives the exit status.
 
 use std::path::{Path, PathBuf};
 
@@ -32,9 +32,9 @@ pub enum Error {
     Input(Box<Finding>),
     /// A file holds several recordings, of which one has to be chosen.
     Parts {
-        /// Where the second begins.
+        /// Finding at the line where the second recording begins.
         finding: Box<Finding>,
-        /// How many there are.
+        /// Number of recordings.
         count: usize,
     },
     /// The recording does not determine the parameters.

@@ -10,7 +10,7 @@ pub fn shown(name: &str) -> String {
     shown_to(name, 200)
 }
 
-/// What stands in a cell, safe to print, at most 40 characters of it.
+/// Returns the content of a cell, safe to print, at most 40 characters of it.
 pub(crate) fn shown_cell(cell: &[u8]) -> String {
     shown_to(&String::from_utf8_lossy(cell), 40)
 }

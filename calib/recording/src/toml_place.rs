@@ -1,4 +1,4 @@
-//! Where in a TOML text something stands, for messages.
+//! Positions of keys in a TOML text, for messages.
 
 use std::ops::Range;
 
@@ -81,7 +81,7 @@ fn cut(text: &str, most: usize) -> String {
     }
 }
 
-/// Where the longest known part of the dotted `key` stands in `text`.
+/// Returns the byte position in `text` of the longest known part of the dotted `key`.
 fn key_position(text: &str, key: &str) -> Option<usize> {
     let table = DeTable::parse(text).ok()?;
     deepest(table.get_ref(), key).map(|span| span.start)

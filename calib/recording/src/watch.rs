@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use crate::error::Error;
 
-/// What is being done.
+/// Stage of the work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Stage {
@@ -26,7 +26,7 @@ pub enum Stage {
 }
 
 impl Stage {
-    /// As in a line of progress.
+    /// Returns the name for a line of progress.
     pub fn name(self) -> &'static str {
         match self {
             Self::Cutting => "cutting",
@@ -41,7 +41,7 @@ impl Stage {
 /// One step of the work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
-    /// What is being done.
+    /// Stage of the work.
     pub stage: Stage,
     /// Steps of any stage before this one. How many there will be depends on the data.
     pub steps: usize,
@@ -69,10 +69,10 @@ impl Drop for Restored {
     }
 }
 
-/// What `work` gives, its steps told to `callback`.
+/// Runs `work` and reports its steps to `callback`.
 ///
 /// # Errors
-/// [`Error::Cancelled`] where the callback ended the work; what `work` says otherwise.
+/// [`Error::Cancelled`] if the callback ended the work; otherwise the error of `work`.
 ///
 /// # Examples
 /// ```

@@ -10,7 +10,7 @@ use solver::Parameters;
 use super::noise::Noise;
 use super::random::{Purpose, Random};
 
-/// How good a device is: the standard deviations its errors are drawn with, and its white noise.
+/// Quality of a device: standard deviations of its errors, and its white noise.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Grade {
@@ -80,7 +80,7 @@ impl Grade {
 /// One sensor of the device.
 #[derive(Clone, Debug)]
 pub(crate) struct Device {
-    /// What it does to the truth.
+    /// Model of the sensor, from the true motion to the reading.
     pub model: Model,
     /// The true parameters of `model`, in SI units.
     pub parameters: Parameters,
@@ -120,8 +120,8 @@ impl Device {
     }
 }
 
-/// Where in the parameters of a model the delay of its samples stands. The catalogue has it to first order, the simulation
-/// in full.
+/// Returns the range of the delay's parameters in the parameters of a model; empty without a delay. The catalogue has the delay to
+/// first order, the simulation in full.
 fn delay_of(model: &Model) -> Range<usize> {
     let mut from = BASE_PARAMETERS;
     for effect in model.effects() {

@@ -1,4 +1,4 @@
-//! What the drifting bias was during each placement.
+//! Mean of the drifting bias during each placement.
 
 use nalgebra::Vector3;
 use sensor::Sensor;

@@ -11,14 +11,14 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
 use sensor::Sensor;
 
-/// What a random stream is for.
+/// Purpose of a random stream.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Purpose {
     /// Placements, turns, tremor.
     Motion,
     /// Table contact.
     Shock,
-    /// How much the table vibrates in which placement.
+    /// Vibration level of the table in each placement.
     Table,
     /// The vibration itself.
     Vibration,
@@ -44,7 +44,7 @@ pub(crate) enum Purpose {
     Thermal(Sensor),
     /// Rocking of the table.
     Rocking,
-    /// What moves during the placement with this place in the session.
+    /// Motion during the placement with this place in the session.
     Unsteady(usize),
     /// Knocks during turns.
     Knocks,
@@ -54,7 +54,7 @@ pub(crate) enum Purpose {
     Hidden(usize),
     /// The fault with this place in the list.
     Fault(usize),
-    /// What the magnetic field is off by in the placement with this place in the session.
+    /// Deviation of the magnetic field in the placement with this place in the session.
     Uneven(usize),
 }
 

@@ -12,7 +12,7 @@ use super::surroundings::Fault;
 /// One sample as the device gives it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
-    /// What the sensor's clock says, s.
+    /// Stamp by the sensor's clock, s.
     pub t: f64,
     /// The reading, in the recording's unit.
     pub value: Vector3<f64>,
@@ -54,7 +54,7 @@ impl<'a> Samples<'a> {
         }
     }
 
-    /// Whether the sample is missing and the stamps do not show it.
+    /// Returns true if the sample is missing and the stamps do not show it.
     fn is_closed_up(&self, tick: &Tick) -> bool {
         let mut lost = self.converter.simulation.lost_spans().iter();
         lost.any(|span| span.contains(&tick.time))
@@ -128,7 +128,7 @@ struct Converter<'a> {
     delay: Vector3<f64>,
 }
 
-/// What is added to a clean reading, and the drift in it.
+/// Error that is added to a clean reading, and the drift in it.
 type Noise = [Vector3<f64>; 2];
 
 impl<'a> Converter<'a> {

@@ -19,9 +19,9 @@ const BETWEEN_STEPS: usize = 1 << 15;
 /// A simulated recording and the truth behind it.
 #[derive(Clone, Debug)]
 pub struct Session {
-    /// What the device recorded.
+    /// Recording of the device.
     pub recording: Recording,
-    /// What the estimator is not told.
+    /// Truth that the estimator does not know.
     pub truth: Truth,
 }
 

@@ -115,7 +115,7 @@ impl Simulation {
         Some(Temperature { t, celsius })
     }
 
-    /// What the device does, and what surrounds it, at time `t`, s.
+    /// Computes the true motion and surroundings of the device at time `t`, s.
     ///
     /// ```
     /// use stillpoint_simulate::{Simulation, Spec};
@@ -140,7 +140,7 @@ impl Simulation {
         }
     }
 
-    /// Whether the device has the sensor: a magnetometer where there is a field.
+    /// Returns true if the device has the sensor. It has a magnetometer if there is a magnetic field.
     pub fn has(&self, sensor: Sensor) -> bool {
         sensor != Sensor::Magnetometer || self.spec.magnetic_field.is_some()
     }
@@ -262,7 +262,7 @@ fn lost_spans(spec: &Spec, motion: &Motion) -> Vec<Range<f64>> {
     spec.faults.iter().filter_map(span).collect()
 }
 
-/// Where the clock of the device changes.
+/// Returns the changes of the device's clock among the faults.
 pub(super) fn clock_changes(faults: &[Fault]) -> Vec<ClockChange> {
     let change = |fault: &Fault| match *fault {
         Fault::ClockChange { start, rate_error } => Some(ClockChange { start, rate_error }),

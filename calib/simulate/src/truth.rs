@@ -1,4 +1,4 @@
-//! What the estimator is not told.
+//! Truth of a simulation, which the estimator does not know.
 
 use sensor::Sensor;
 use serde::{Deserialize, Serialize};
@@ -32,7 +32,7 @@ pub struct Truth {
     pub gyroscope_noise: Noise,
     /// Names of the effects that are on.
     pub effects: Vec<String>,
-    /// What is outside the catalogue, and what was drawn for it.
+    /// Disturbances outside the catalogue, with their random values.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub hidden: Vec<HiddenTruth>,
     /// The placements, in order.
@@ -78,6 +78,6 @@ pub struct StaticInterval {
     pub accelerometer_drift: [f64; 3],
     /// The same of the gyroscope.
     pub gyroscope_drift: [f64; 3],
-    /// What disturbs it: `mount_slip`, `disturbed_interval`.
+    /// Faults that disturb it: `mount_slip`, `disturbed_interval`.
     pub faults: Vec<String>,
 }

@@ -1,4 +1,4 @@
-//! What a sensor of the device would read without noise.
+//! Noise-free readings of the device's sensors.
 
 use nalgebra::Vector3;
 use sensor::attitude::Attitude;
@@ -20,7 +20,7 @@ pub(crate) struct World {
     pub temperature: Option<Temperature>,
     /// The magnetic field, where there is one.
     pub field: Option<PlacedField>,
-    /// What disturbs readings.
+    /// Hidden disturbances of readings.
     pub disturbances: Vec<Placed>,
 }
 
@@ -66,7 +66,7 @@ impl World {
         }
     }
 
-    /// What hidden disturbances add to the reading of `device` at time `t`.
+    /// Computes the error that hidden disturbances add to the reading of `device` at time `t`, s.
     fn disturbance(&self, device: &Device, t: f64) -> Vector3<f64> {
         let sensor = device.model.sensor();
         let mut own = self
@@ -149,7 +149,7 @@ impl Delays {
         }
     }
 
-    /// Of which sensor, on which axes.
+    /// Returns the delay of each axis of a sensor, s.
     pub fn of_axes(&self, sensor: Sensor) -> Vector3<f64> {
         match sensor {
             Sensor::Accelerometer | Sensor::Magnetometer => Vector3::zeros(),

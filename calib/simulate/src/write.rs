@@ -22,7 +22,7 @@ pub struct Files<'a> {
 }
 
 impl Files<'_> {
-    /// What `acc.csv` (`t,ax,ay,az`, and `temp` where there is a thermometer), `gyro.csv` (`t,gx,gy,gz`) or `mag.csv` (in µT) holds.
+    /// Writes the content of `acc.csv` (`t,ax,ay,az`, and `temp` with a thermometer), `gyro.csv` (`t,gx,gy,gz`) or `mag.csv` (in µT).
     ///
     /// # Errors
     /// Those of the writer.
@@ -40,7 +40,7 @@ impl Files<'_> {
         Ok(())
     }
 
-    /// What `truth.json` holds. The means of drifting biases are those of the readings that were written.
+    /// Returns the content of `truth.json`. The means of drifting biases are those of the readings that were written.
     pub fn truth(&self) -> Truth {
         self.simulation.truth(&self.drift)
     }

@@ -16,7 +16,7 @@ pub(crate) struct Archive {
     limits: Limits,
     /// Name and place of every entry that does not lie outside.
     pub entries: Vec<(String, Packed)>,
-    /// What was left out, in words.
+    /// Warnings about entries that were left out.
     pub warnings: Findings,
 }
 

@@ -16,7 +16,7 @@ const END64: &[u8] = b"PK\x06\x06";
 const HEADER: &[u8] = b"PK\x01\x02";
 /// The end record is followed by a comment of at most 64 KiB.
 const COMMENT: u64 = 65_535;
-/// Where a number that is too large for its field stands elsewhere.
+/// Value of a 32-bit field whose number is in the Zip64 records instead.
 const ELSEWHERE: u64 = 0xffff_ffff;
 
 /// An entry as the directory describes it.
@@ -34,7 +34,7 @@ pub(crate) struct Packed {
     pub method: u16,
 }
 
-/// Where the directory is, and what it should hold.
+/// Position of the directory, its size in bytes and its number of entries.
 struct End {
     at: u64,
     size: u64,
@@ -97,7 +97,7 @@ pub(super) fn directory(
     Ok(files)
 }
 
-/// What systems put into archives beside the files.
+/// Returns true for files that operating systems add to archives.
 fn is_hidden(name: &str) -> bool {
     name.starts_with("__MACOSX/") || name.ends_with(".DS_Store")
 }

@@ -31,7 +31,7 @@ pub struct Entry {
     place: Place,
 }
 
-/// Where an entry's bytes are.
+/// Location of an entry's bytes.
 #[derive(Clone, Debug)]
 enum Place {
     File(PathBuf),
@@ -47,7 +47,7 @@ pub struct Container {
     /// The format of tables, of which each is an entry, and the file.
     tabular: Option<(&'static Tabular, Store)>,
     limits: Limits,
-    /// What was left out, in words.
+    /// Warnings about entries that were left out.
     pub warnings: Findings,
 }
 

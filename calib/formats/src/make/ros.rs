@@ -4,7 +4,7 @@ use std::io::Write;
 
 use super::ImuRow;
 
-/// How messages are written.
+/// Encoding of messages, by version of ROS.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ros {
     /// Packed, with a sequence number.
@@ -13,10 +13,10 @@ pub enum Ros {
     Two,
 }
 
-/// How chunks are packed.
+/// Compression of chunks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Packer {
-    /// As they are.
+    /// Not compressed.
     None,
     /// lz4 frames.
     Lz4,

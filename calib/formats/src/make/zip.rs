@@ -4,10 +4,10 @@ use std::io::Write;
 
 use flate2::{Compression, Crc};
 
-/// How an entry of an archive is packed.
+/// Compression of an archive's entry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Packing {
-    /// As it is.
+    /// Not compressed.
     Stored,
     /// By deflate.
     Deflated,

@@ -16,7 +16,7 @@ const TAG: u64 = 8;
 /// Deflate packs no tighter: RFC 1951, section 3.2.5, a length of 258 in two bits.
 const TIGHTEST: u64 = 1032;
 
-/// What stands before the content of a data element.
+/// Header of a data element: type and length in bytes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tag {
     pub kind: u32,
@@ -39,7 +39,7 @@ impl Tag {
 /// The content of a matrix at the top of the file.
 pub(super) struct Body<'a> {
     part: &'a mut dyn BufRead,
-    /// What unpacks it, where it is packed.
+    /// Decompressor of the content; `None` if it is not compressed.
     inflate: Option<Decompress>,
     /// Byte of the file where the variable begins.
     pub at: u64,

@@ -87,7 +87,7 @@ impl Raw<'_> {
         }
     }
 
-    /// How many there are.
+    /// Returns the number of numbers.
     pub fn len(self) -> usize {
         self.size().map_or(0, |size| self.0.bytes.len() / size)
     }

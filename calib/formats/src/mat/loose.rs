@@ -9,7 +9,7 @@ use crate::{Error, Quantity};
 const MOST: usize = 16;
 /// Fewer numbers are no recording.
 const SHORT: usize = 150;
-/// What the time is called.
+/// Names of a time variable.
 const TIMES: [&str; 8] = [
     "t",
     "time",
@@ -20,7 +20,7 @@ const TIMES: [&str; 8] = [
     "timestamps",
     "tout",
 ];
-/// What the axes of each sensor are called before their letter.
+/// Names of the axes of each sensor without the letter of the axis.
 const ACCEL: [&str; 4] = ["a", "acc", "accel", "accelerometer"];
 const GYRO: [&str; 5] = ["g", "w", "gyr", "gyro", "gyroscope"];
 
@@ -63,7 +63,7 @@ impl Loose {
         true
     }
 
-    /// What they are called.
+    /// Returns the names of the variables.
     pub fn names(self) -> impl Iterator<Item = String> {
         self.0.into_iter().map(|kept| kept.name)
     }

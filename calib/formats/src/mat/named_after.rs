@@ -1,4 +1,4 @@
-//! What a variable is named after.
+//! Quantities of variables, recognised from their names.
 
 use crate::Quantity;
 

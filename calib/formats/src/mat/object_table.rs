@@ -20,7 +20,7 @@ pub(super) struct Table {
     names: Vec<String>,
     /// Class names by class number.
     classes: Vec<String>,
-    /// Of every object: class, number among those that save themselves, number among the others.
+    /// Every object: number of its class, number among those that save themselves, number among the others (`n × 3`).
     objects: Vec<[u32; 3]>,
     /// Properties of both kinds of objects: name and cell.
     properties: [Vec<Vec<(u32, u32)>>; 2],

@@ -191,7 +191,7 @@ impl<'a> Value<'a> {
         }
     }
 
-    /// What it is, for a list of variables.
+    /// Describes the value for a list of variables.
     pub fn described(&self) -> String {
         match self {
             Value::Numbers { dims, .. } => {

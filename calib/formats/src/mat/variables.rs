@@ -223,7 +223,7 @@ impl Variables {
         Ok(true)
     }
 
-    /// What was found.
+    /// Ends the reading and returns the content found.
     ///
     /// # Errors
     /// More samples than the limit.
@@ -254,8 +254,8 @@ fn may_be_named(name: &str) -> bool {
     )
 }
 
-/// How far a whole millisecond may be off, ns, as a date that went through a double of days: MATLAB Mobile's do. Half of
-/// 2⁻³³ days at today's dates, and what rounding adds.
+/// Tolerance around a whole millisecond, ns, for dates that were stored as a double of days, as MATLAB Mobile does: half of
+/// 2⁻³³ days at today's dates, and rounding.
 const DAYS_IN_DOUBLE: i64 = 6_000;
 
 /// A stamp to whole milliseconds, ns.

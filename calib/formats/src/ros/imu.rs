@@ -10,7 +10,7 @@ use crate::error::cut;
 use crate::stream::{Handle, Recorder};
 use crate::{Content, Error, Quantity};
 
-/// How messages are written.
+/// Encoding of messages, by version of ROS.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Encoding {
     /// ROS 1: packed, with a sequence number.
@@ -158,7 +158,7 @@ struct Counted {
     name: String,
     kind: String,
     messages: u64,
-    /// Where its messages go, if they are read.
+    /// Reader of its messages; `None` if they are not read.
     read: Option<Topic>,
 }
 

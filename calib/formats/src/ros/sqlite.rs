@@ -40,7 +40,7 @@ pub(crate) struct Database<'a> {
     usable: usize,
 }
 
-/// What is done with a row: its byte, its number and its values.
+/// Callback for a row: its byte in the file, its number and its values.
 pub(crate) type Visit<'v> = dyn FnMut(u64, i64, &[Value<'_>]) -> Result<(), Error> + 'v;
 
 fn big_endian(bytes: &[u8]) -> usize {

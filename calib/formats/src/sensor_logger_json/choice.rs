@@ -1,4 +1,4 @@
-//! Which of Sensor Logger's accelerometers and gyroscopes is read.
+//! Choice among the accelerometers and gyroscopes of a Sensor Logger file.
 
 use crate::{Content, Error, Quantity, Stream};
 use findings::{Finding, Kind};

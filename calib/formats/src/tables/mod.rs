@@ -30,9 +30,9 @@ use crate::{Error, Limits};
 pub struct Tabular {
     /// The name to ask for it.
     pub name: &'static str,
-    /// What it is, in a line.
+    /// Description of the format in one line.
     pub about: &'static str,
-    /// What it is called in a sentence.
+    /// Name of such a file in a sentence, with its article.
     pub called: &'static str,
     /// True for the first bytes of such a file.
     begins: fn(&[u8]) -> bool,
@@ -188,7 +188,7 @@ pub fn catches_panics() -> bool {
     CATCHES.get()
 }
 
-/// What a parser of another project reads; a panic in it is the damage that it did not foresee.
+/// Runs a parser of another project. A panic in it becomes an error: the file has damage that the parser did not foresee.
 fn guarded<T>(read: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
     let before = CATCHES.replace(true);
     let read = catch_unwind(AssertUnwindSafe(read));

@@ -1,4 +1,4 @@
-//! What every reader of tables does.
+//! The trait that every reader of tables implements.
 
 use findings::Findings;
 use std::fmt;
@@ -7,7 +7,7 @@ use std::io::Write;
 use crate::store::Store;
 use crate::{Error, Limits};
 
-/// What reads a format of tables.
+/// Reader of a format of tables.
 pub(crate) trait Reader: fmt::Debug + Sync {
     /// The tables in the file.
     fn tables(&self, store: &Store, limits: Limits) -> Result<Listed, Error>;
@@ -27,6 +27,6 @@ pub(crate) trait Reader: fmt::Debug + Sync {
 pub(crate) struct Listed {
     /// Their names; empty of the only one.
     pub names: Vec<String>,
-    /// What was left out, in words.
+    /// Warnings about content that was left out.
     pub warnings: Findings,
 }

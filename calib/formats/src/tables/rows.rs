@@ -107,7 +107,7 @@ pub(super) fn check_cells(
     length: u64,
     limits: crate::Limits,
 ) -> Result<(), Error> {
-    /// As many may always be there.
+    /// Number of cells that is allowed in a file of any length.
     const ALWAYS: u64 = 1 << 20;
     let cells = rows.saturating_mul(columns as u64);
     match cells > ALWAYS && cells / limits.ratio > length {

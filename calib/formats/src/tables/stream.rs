@@ -12,8 +12,8 @@ const AHEAD: usize = 2;
 
 type Piece = Result<Vec<u8>, Error>;
 
-/// What `write` writes; it ends early where nobody reads any more. Where a program has one thread only, in WebAssembly, it is written
-/// as a whole first.
+/// Returns a reader of the text that `write` writes. `write` runs in a thread and ends early if the reader is dropped. Without
+/// threads, in WebAssembly, the whole text is written first.
 ///
 /// # Errors
 /// A thread that the system refuses.

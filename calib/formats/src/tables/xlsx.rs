@@ -114,7 +114,7 @@ fn check(store: &Store, limits: Limits) -> Result<(), Error> {
     Ok(())
 }
 
-/// As many shared words may always be announced.
+/// Number of shared strings that an entry of any size may announce.
 const MANY: u64 = 1 << 20;
 
 /// The most words that an entry announces: the parser makes room for them at once, and the program would end for want of

@@ -59,8 +59,8 @@ impl Parameters {
     }
 }
 
-/// How the board is mounted: the axis and the sign of the sensor behind each axis of the vehicle, for the rotations by
-/// quarters and halves that are common (PX4's `enum Rotation`).
+/// Returns the mounting of the board: for each axis of the vehicle, the sensor's axis and its sign. Covers the common rotations by
+/// quarter and half turns (PX4's `enum Rotation`); `None` for others.
 fn mounting(rotation: f64) -> Option<[(usize, f64); 3]> {
     Some(match rotation as i64 {
         0 => [(0, 1.0), (1, 1.0), (2, 1.0)],

@@ -1,4 +1,4 @@
-//! Where fields lie in the messages of a log.
+//! Byte offsets of fields in the messages of a log.
 
 use std::collections::HashMap;
 
@@ -59,7 +59,7 @@ impl Layouts {
         }
     }
 
-    /// Where the field `wanted` of type `kind` lies in messages of the format `format`, bytes from the beginning.
+    /// Returns the byte offset of field `wanted` in messages of the format `format`; `None` if it is missing or not of type `kind`.
     pub fn offset(&self, format: &str, wanted: &str, kind: &str) -> Option<usize> {
         let mut offset: usize = 0;
         for field in self.0.get(format)? {

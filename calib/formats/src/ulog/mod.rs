@@ -85,7 +85,7 @@ struct Logged {
     instance: u8,
     /// Its messages.
     count: u64,
-    /// How it is read, if it is.
+    /// Reader of its messages; `None` if they are not read.
     topic: Option<Topic>,
 }
 

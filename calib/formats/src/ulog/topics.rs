@@ -15,7 +15,7 @@ pub(super) enum Topic {
     Combined(Combined),
     /// Raw readings in blocks.
     Fifo(Fifo),
-    /// Which sensors the corrected ones are.
+    /// Device ids of the sensors behind the corrected readings: offsets of both fields, and the last ids.
     Selection {
         ids: [usize; 2],
         last: Option<[u32; 2]>,
@@ -53,7 +53,7 @@ const BLOCK: usize = 32;
 /// A relative stamp of this says that there is none.
 const NONE: i32 = i32::MAX;
 
-/// Of PX4: FIFOs are scaled to the unit by their field `scale`.
+/// Returns the fields of a message from byte `offset` on; none behind its end.
 fn fields_at<'a>(body: &'a [u8], offset: usize) -> Fields<'a> {
     Fields(body.get(offset..).unwrap_or_default())
 }

@@ -167,7 +167,7 @@ fn quantile(values: &mut [f64], share: f64) -> f64 {
 struct Offset {
     /// Middle of the turn, s.
     t: f64,
-    /// How late the gyroscope's clock still is, s.
+    /// Remaining delay of the gyroscope's clock, s.
     value: f64,
     /// Standard error if the force were off by chance in every bin, s.
     error: f64,

@@ -8,7 +8,7 @@ use crate::recording::Stream;
 /// Rows in a run of equal values, on average, that make a slower clock.
 const SLOWER: f64 = 1.4;
 
-/// Where runs of equal values begin, if they are those of a slower clock.
+/// Returns the first index of each run of equal values, if the runs are those of a slower sensor.
 pub(crate) fn held_runs(stream: &Stream) -> Option<Vec<usize>> {
     let changes = |&i: &usize| i == 0 || stream.values[i] != stream.values[i - 1];
     let mean = stream.len() as f64 / (0..stream.len()).filter(changes).count() as f64;

@@ -17,21 +17,21 @@ use crate::rows::number::{self, Dialects, Fault, LATEST};
 /// nanoseconds since 1970 only to 256 ns.
 const EPOCH: i64 = 1_000_000_000;
 
-/// How stamps are read.
+/// Format of the stamps in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stamps {
     /// Not at all: rows are counted.
     Counted,
-    /// As numbers.
+    /// Numbers.
     Numbers,
-    /// As time since this stamp.
+    /// Numbers, from which this origin is subtracted.
     Since(i64),
 }
 
 /// Reads the stamps of one file, in the file's unit.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Clock {
-    /// What was subtracted from every stamp; files of one recording share it.
+    /// Origin subtracted from every stamp; the files of one recording share it.
     pub origin: Option<i64>,
     /// Stamps are dates, counted in nanoseconds.
     pub dates: bool,
@@ -88,7 +88,7 @@ impl Clock {
         Ok(elapsed(origin, whole, fraction))
     }
 
-    /// How the stamps that follow are written, where that is settled and nothing but a number.
+    /// Returns the format of the following stamps; `None` if it is not settled, or not a plain number.
     pub fn form(&self) -> Option<Stamps> {
         let numbers = self.begun && !self.dates && self.pattern.is_none();
         match self.origin? {

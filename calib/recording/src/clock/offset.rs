@@ -1,4 +1,4 @@
-//! How far apart the clocks of two sensors of one device are, by when they move.
+//! Time offset between the clocks of two sensors of one device, from the correlation of their motion.
 
 use nalgebra::Vector3;
 

@@ -90,7 +90,7 @@ fn restarts(rows: &[(u64, f64)]) -> Vec<usize> {
     }
 }
 
-/// Whether the time up to `latest` comes again row by row: rows that were written late leave a jump behind them.
+/// Returns true if the rows ascend without a jump up to the time `latest`. Rows that were written late leave a jump behind them.
 fn goes_on(rows: &[(u64, f64)], latest: f64, usual: f64) -> bool {
     rows.windows(2)
         .take_while(|pair| pair[0].1 <= latest)

@@ -69,7 +69,7 @@ pub(crate) fn to_seconds(
     Ok(())
 }
 
-/// What the user makes of the stamps of a table.
+/// Returns the user's scale and offset for the stamps of a table; the identity if none is given.
 fn checked(table: &Table) -> Result<Affine, Error> {
     let same = Affine {
         scale: 1.0,

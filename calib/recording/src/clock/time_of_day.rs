@@ -1,6 +1,6 @@
 //! Stamps such as `22:13:01.123` and `22:13:01:123` as seconds.
 
-/// Where clocks start again whose hours, or hours and minutes, stand still: a minute, an hour, a day, s.
+/// Periods after which a time of day starts again, s: a minute or an hour where the larger fields stand still, and a day.
 const WRAPS: [f64; 3] = [60.0, 3600.0, 86_400.0];
 /// A step over a start is no longer, s.
 const STEP: f64 = 5.0;

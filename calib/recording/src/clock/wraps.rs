@@ -7,14 +7,14 @@ use crate::rows::table::Table;
 const BITS: [i32; 3] = [16, 24, 32];
 /// Seconds after which clocks start again: a day, a week.
 const PERIODS: [f64; 2] = [86_400.0, 604_800.0];
-/// How much of their units the stamps may be: as they are, or as seconds of ms and µs.
+/// Ratios of units that are tried: the same unit, and ms and µs to seconds.
 const UNITS: [f64; 3] = [1.0, 1e-3, 1e-6];
 /// Steps that may be lost where a counter starts again.
 const LOST: f64 = 10.0;
 /// A counter goes on by less than this part of its range from row to row.
 const PART: f64 = 0.35;
 
-/// Where counters start again, in the file's unit.
+/// Returns the ranges after which counters start again, in the file's unit.
 pub(crate) fn moduli() -> impl Iterator<Item = f64> {
     let counters = UNITS
         .into_iter()

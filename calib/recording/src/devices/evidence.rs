@@ -1,4 +1,4 @@
-//! What rows with labels say: do labels take turns in time, and do readings go with them?
+//! Evidence that rows with different labels come from different devices: the order of labels in time, and the differences of readings.
 
 use nalgebra::Vector3;
 
@@ -22,7 +22,7 @@ pub(crate) struct Rows<'a> {
     pub labels: &'a [u8],
 }
 
-/// How labels follow one another.
+/// Order of the labels in time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Order {
     /// Labels change often.
@@ -47,7 +47,7 @@ impl Rows<'_> {
         })
     }
 
-    /// How the labels follow one another; `count` of them occur.
+    /// Returns the order of the labels, of which `count` are different.
     pub fn order(&self, count: usize) -> Order {
         let rows = self.labels.len();
         let changes: Vec<usize> = (1..rows)
@@ -69,9 +69,9 @@ impl Rows<'_> {
         }
     }
 
-    /// How many times further a row is from the one before it, which has another label, than from the last one with its
-    /// own: about 1 or less for one device. Where the offset between labels is small against the noise, how many times
-    /// its own standard error it is, a tenth of that.
+    /// Returns the distance of a row from the one before it, which has another label, over its distance from the last row with its own
+    /// label (medians): about 1 or less for one device. A tenth of the offset between labels over its standard error counts instead where
+    /// that is larger: the offset may be small against the noise.
     pub fn difference(&self) -> f64 {
         let (ratio, offset) = self.differences();
         ratio.max(offset)
@@ -119,8 +119,8 @@ impl Rows<'_> {
         (ratio.min(lasts), offset(&steps, own))
     }
 
-    /// How many times further apart the gyroscope's means at rest are from label to label than within one; 0 where they
-    /// do not tell.
+    /// Returns the smallest distance between two labels' static means of the gyroscope, over the median distance of means within a
+    /// label; 0 if there are too few means.
     pub fn difference_at_rest(&self, count: usize) -> f64 {
         let mut means: Vec<Vec<Vector3<f64>>> = vec![Vec::new(); count];
         let mut windows: Vec<(usize, f64, Vector3<f64>)> = Vec::new();

@@ -28,15 +28,15 @@ pub(crate) struct Labels {
 /// A column with few values.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Labelled {
-    /// Where it is.
+    /// Index of the column.
     pub at: usize,
     /// Its name; empty without one.
     pub name: String,
-    /// What its name says.
+    /// Class of its name.
     pub class: Class,
-    /// What its cells hold.
+    /// Different contents of its cells.
     pub values: Vec<Vec<u8>>,
-    /// Which of them each row has.
+    /// Index into `values` for each row.
     pub of_rows: Vec<u8>,
 }
 
@@ -166,7 +166,7 @@ impl Labelled {
     }
 }
 
-/// What stands in cell `at` of a line.
+/// Returns the content of cell `at` of a line; empty if there is no such cell.
 pub(crate) fn cell_of<'a>(line: &'a [u8], cells: &[Cell], at: usize) -> &'a [u8] {
     cells
         .get(at)

@@ -110,7 +110,7 @@ fn least_step(values: &[Vector3<f64>]) -> f64 {
     if least.is_finite() { least } else { 0.0 }
 }
 
-/// How many devices wrote rows by turns, where readings show it from beginning to end.
+/// Returns the number of devices that wrote rows in turn, if the readings show it from beginning to end.
 pub fn in_turn(values: &[Vector3<f64>]) -> Option<usize> {
     let values = &values[..values.len().min(LOOKED_AT)];
     let part = values.len() / PARTS;

@@ -1,4 +1,4 @@
-//! Which device a row belongs to: told by a column, asked where there are several, never averaged.
+//! Selection of one device's rows from a table of several: by a column of labels, asked for if unclear, never averaged.
 //!
 //! ```text
 //! rows ──► labels ──► evidence ──► choose ──► the rows of one device

@@ -1,6 +1,6 @@
-//! What the name of a column says of its being a device's: `sensor_id`, `mac`, `battery`.
+//! Classes of column names by whether the column may identify a device: `sensor_id`, `mac`, `battery`.
 
-/// What a name says, the likeliest first.
+/// Class of a column's name, the likeliest to identify a device first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Class {
     /// The user says so.
@@ -175,7 +175,7 @@ const OTHERS: [&str; 98] = [
 ];
 
 impl Class {
-    /// What `name` says.
+    /// Returns the class of `name`.
     pub fn of(name: &str) -> Self {
         let words = words(name);
         let any = |list: &[&str]| words.iter().any(|word| list.contains(&word.as_str()));

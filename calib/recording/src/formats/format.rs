@@ -1,4 +1,4 @@
-//! What a format is.
+//! The trait that every format of recordings implements.
 
 use std::fmt;
 
@@ -15,7 +15,7 @@ pub trait Format: fmt::Debug + Sync {
     /// The name for `--format`.
     fn name(&self) -> &'static str;
 
-    /// What it is, in a line.
+    /// Description of the format in one line.
     fn about(&self) -> &'static str;
 
     /// True if the content is of this format. The first format of [`FORMATS`](super::FORMATS) that says so reads it.

@@ -23,14 +23,14 @@ static TEXTS: [&TextFormat; 11] = [
     &date_and_time::DATE_AND_TIME,
 ];
 
-/// How to read one sensor of a text: as its program means it, else by its names.
+/// Returns the part of a text with `sensor`: by the rules of its program, else by the names of its columns.
 pub(crate) fn part_of(look: &Look, sensor: Sensor) -> Part {
     let mut parts = TEXTS.iter().filter_map(|text| (text.parts)(look)).flatten();
     let known = parts.find(|part| part.may_hold(sensor));
     known.unwrap_or_default().narrowed(sensor)
 }
 
-/// Which of accelerometer and gyroscope a text holds as its program means it; `None` for tables that are read by names.
+/// Returns which of accelerometer and gyroscope a text has by the rules of its program; `None` for tables that are read by names.
 pub(crate) fn known_sensors(look: &Look) -> Option<[bool; 2]> {
     let mut texts = TEXTS.iter().filter_map(|text| (text.parts)(look));
     let parts = texts.find(|parts| parts.iter().any(|part| !part.columns.is_empty()))?;

@@ -1,4 +1,4 @@
-//! What a log holds, for a person to choose from: bags, flight logs.
+//! List of the streams in a log (bag, flight log), for the user to choose from.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -28,7 +28,7 @@ pub struct LogStream {
     pub sensor: &'static str,
     /// The topic, message or variable.
     pub source: String,
-    /// Which of several of one source.
+    /// Number of the sensor among several of one source.
     pub instance: u32,
     /// Its samples.
     pub samples: usize,
@@ -90,7 +90,7 @@ impl Recording {
     }
 }
 
-/// What is wanted of a file.
+/// Reads the wanted streams of a file. A panic of its parser becomes an error.
 pub(super) fn content(
     mut binary: Binary,
     wanted: &Wanted,

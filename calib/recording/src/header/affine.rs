@@ -1,6 +1,6 @@
 //! Columns with a scale, an offset or the other sign: `temp=raw*0.00294+36.53`, `ax=-acc_x`.
 
-/// What is made of a cell: `scale cell + offset`.
+/// Linear conversion of a cell: `scale cell + offset`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Affine {
     /// Factor.

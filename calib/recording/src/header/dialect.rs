@@ -1,10 +1,10 @@
-//! How a text separates its cells and writes its decimals.
+//! Separators and decimal marks of texts.
 
 use memchr::memchr;
 
 use crate::rows::number::{self, Dialects, Fault};
 
-/// What stands between two cells.
+/// Separator between two cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Separator {
     /// One byte: `,`, `;` or a tab.
@@ -16,13 +16,13 @@ pub(crate) enum Separator {
 /// Separator and decimal mark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Dialect {
-    /// What stands between two cells.
+    /// Separator between two cells.
     pub separator: Separator,
     /// `,` is the decimal mark.
     pub decimal_comma: bool,
 }
 
-/// Where a cell lies in its line, without blanks and quotes around it.
+/// Byte range of a cell in its line, without blanks and quotes around it.
 pub(crate) type Cell = std::ops::Range<usize>;
 
 /// Every dialect, the likelier first: a tie is decided in this order.

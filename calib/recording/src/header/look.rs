@@ -36,7 +36,7 @@ impl Look {
         self.lines.iter().map(String::as_str)
     }
 
-    /// As [`Self::header`], also below a list of settings.
+    /// Returns the header like [`Self::header`], also below a list of settings.
     pub fn far_header(&self, is_header: impl Fn(&[String]) -> bool) -> Option<Vec<String>> {
         self.far_lines().map(cells).find(|names| is_header(names))
     }
@@ -73,7 +73,7 @@ pub(crate) fn cells(line: &str) -> Vec<String> {
     line.split(separator.unwrap_or(',')).map(cell).collect()
 }
 
-/// Where the column called `name` is, numbered from 1, as `--columns` takes it.
+/// Returns the number of the column called `name`, counted from 1, as `--columns` takes it.
 pub(crate) fn numbered(names: &[String], name: &str) -> Option<String> {
     let at = names.iter().position(|other| other == name)?;
     Some((at + 1).to_string())

@@ -29,7 +29,7 @@ use crate::header::triads::Triad;
 use crate::recording::options::{ColumnMap, Role};
 use crate::shown::{shown, shown_list};
 
-/// Which column of a table is what.
+/// Roles of the columns of a table.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Layout {
     /// Cells per row.
@@ -50,11 +50,11 @@ pub(crate) struct Layout {
     pub field: Option<[usize; 3]>,
     /// Units in the names.
     pub stated: Stated,
-    /// What the names of the accelerometer and of the gyroscope hold in place of a known unit.
+    /// Unknown units in the names of the accelerometer and of the gyroscope.
     pub strange: [Option<String>; 2],
     /// Scales and offsets that the user gave.
     pub affine: Vec<(Role, Affine)>,
-    /// What was told by the units in the names, in words.
+    /// Finding that sensors were recognised by the units in the names.
     pub by_unit: Option<Finding>,
     /// Columns that may be the time where none is called so for certain.
     pub times: Vec<usize>,
@@ -179,7 +179,7 @@ impl Layout {
         self.stated = stated;
     }
 
-    /// What the user makes of the cells of a role.
+    /// Returns the user's scale and offset for the cells of a role.
     pub fn affine_of(&self, role: Role) -> Option<Affine> {
         let given = self.affine.iter().find(|(given, _)| *given == role);
         given.map(|(_, affine)| *affine)
@@ -194,7 +194,7 @@ impl Layout {
         read.any(|read| read == column)
     }
 
-    /// How many columns have no role.
+    /// Returns the number of columns without a role.
     pub fn unread(&self) -> usize {
         (0..self.width).filter(|at| !self.is_read(*at)).count()
     }
@@ -235,7 +235,7 @@ impl Layout {
             .collect()
     }
 
-    /// What a column is called in messages.
+    /// Returns the number and name of a column, for messages.
     pub fn column(&self, index: usize) -> String {
         match self.names.get(index) {
             Some(name) if !name.is_empty() => format!("column {} (`{}`)", index + 1, shown(name)),
@@ -368,7 +368,7 @@ fn column(names: &[String], wanted: &str) -> Option<usize> {
     })
 }
 
-/// What the user makes of columns; names that look so and are names are names.
+/// Returns the user's scales and offsets. An expression that is also the name of a column is read as the name.
 pub(crate) fn affines(names: &[String], map: &ColumnMap) -> Vec<(Role, Affine)> {
     let of = |(role, wanted): &(Role, String)| {
         let (_, affine) = affine::take_apart(wanted)?;

@@ -171,7 +171,7 @@ const NO_TIME: [&str; 22] = [
     "period", "interval", "duration", "delay", "age", "speed", "vel", "wind", "exec", "loop",
     "jitter", "dt",
 ];
-/// What the names of stamps end with, and the unit that it says.
+/// Endings of the names of time columns, with their units.
 const UNITS_OF_TIME: [(&str, TimeUnit); 16] = [
     ("millis", TimeUnit::Milliseconds),
     ("millisec", TimeUnit::Milliseconds),
@@ -273,7 +273,7 @@ pub(crate) fn take_apart(name: &str) -> (String, Option<&str>) {
     (compact(word), unit)
 }
 
-/// Where the brackets at the end of a name begin: `accel(0):X[g]`. None of brackets that more of the name follows.
+/// Returns the index of the brackets at the end of a name, as in `accel(0):X[g]`; `None` if more of the name follows them.
 fn last_bracket(name: &str) -> Option<usize> {
     let (mut depth, mut begin, mut end) = (0_usize, None, None);
     for (at, c) in name.char_indices() {

@@ -91,11 +91,11 @@ pub(crate) fn is_row(line: &[u8], dialect: Dialect) -> bool {
 
 /// Looks for the preface of a text.
 pub(crate) struct Finder<'a> {
-    /// How its cells are separated.
+    /// Separator and decimal mark of the text.
     pub dialect: Dialect,
     /// The one sensor in it, if that is known.
     pub only: Option<Sensor>,
-    /// What the user said of its columns.
+    /// Options of the user.
     pub options: &'a ReadOptions,
 }
 
@@ -178,8 +178,8 @@ impl Finder<'_> {
             || self.dialect.split(&line.bytes, &mut Vec::new()).is_err()
     }
 
-    /// What to take for the header where no line as wide as the rows names sensors: the last text before
-    /// them that is no broken row, or the one where a cell over two lines begins.
+    /// Returns the likely header where no line as wide as the rows names sensors: the last text before them that is no broken row, or
+    /// the line where a cell over two lines begins.
     fn unnamed<'k>(&self, before: &'k [Kept]) -> Option<&'k Kept> {
         let texts = || before.iter().filter(|k| !k.comment);
         let header = texts().rfind(|k| !self.is_broken_row(k))?;

@@ -2,7 +2,7 @@
 
 use findings::{Finding, Kind};
 
-/// What is wrong with a quote that a line leaves open; `below` are the lines after it.
+/// Builds the finding about a quote that a line leaves open; `below` are the lines after it.
 ///
 /// The next quote below closes it if its cell ends there. Before a digit it opens another cell, and the
 /// first was never closed.

@@ -1,4 +1,4 @@
-//! What the rows at the beginning of a text have in common.
+//! Common shape of the rows at the beginning of a text.
 
 use super::dialect::Dialect;
 use super::preface::{Kept, cells, is_row};

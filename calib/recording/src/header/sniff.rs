@@ -28,12 +28,12 @@ const SAMPLE: usize = 200;
 /// Comments that are looked at for a header.
 const COMMENTS: usize = 1000;
 
-/// How to read the rows of a text.
+/// Format of a text's rows, found from its beginning.
 #[derive(Clone, Debug)]
 pub(crate) struct Start {
     /// Separator and decimal mark.
     pub dialect: Dialect,
-    /// Which column is what.
+    /// Roles of the columns.
     pub layout: Layout,
     /// The header as it is written, to know it again.
     pub header: Option<Vec<u8>>,
@@ -43,9 +43,9 @@ pub(crate) struct Start {
     pub tail: Option<usize>,
     /// Rows come after this line.
     pub after: u64,
-    /// What was decided that a person should know.
+    /// Warnings about what was decided.
     pub warnings: Findings,
-    /// Which of two triads is which is not known before all rows are.
+    /// Accelerometer and gyroscope can only be told apart after all rows are read.
     pub undecided: bool,
     /// Gravity told which is which in the rows looked at.
     pub told_by_norm: bool,
@@ -80,8 +80,8 @@ pub(crate) fn is_table(head: &[u8]) -> bool {
     row.is_some_and(|row| cells(&row.bytes, dialect).len() >= 3)
 }
 
-/// Which of accelerometer and gyroscope `head`, the beginning of the text called `name`, holds by its names; both
-/// where it is asked about.
+/// Returns which of accelerometer and gyroscope `head`, the beginning of the text called `name`, has by its names; both if that is
+/// undecided.
 pub(crate) fn sensors_in(name: &str, head: &[u8], options: &ReadOptions) -> [bool; 2] {
     match Start::look(name, head, None, options) {
         Ok(start) if start.undecided => [true, true],
@@ -156,7 +156,7 @@ impl Start {
         Ok(start)
     }
 
-    /// What is wrong with the quotes of the header.
+    /// Returns the error about an open quote in the header, if there is one.
     fn open_quote(&self, name: &str, header: &Kept, kept: &[Kept]) -> Option<Error> {
         let bytes = without_comment_mark(&header.bytes);
         let at = self.dialect.split(bytes, &mut Vec::new()).err()?;
@@ -182,7 +182,7 @@ impl Start {
         Ok(())
     }
 
-    /// How the last numbers of `rows` end; the very last is not asked.
+    /// Returns the usual number of bytes from the decimal mark on in the last cell of `rows`; the very last row is ignored.
     fn usual_tail(&self, rows: &[&Kept]) -> Option<usize> {
         let column = self.layout.width.checked_sub(1)?;
         let (_, rows) = rows.split_last().filter(|_| self.layout.is_read(column))?;

@@ -7,9 +7,9 @@ use super::names::{compact, sensor_of, take_apart};
 /// Three columns of one stem, x y z.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Triad {
-    /// Where they are.
+    /// Indices of the columns.
     pub columns: [usize; 3],
-    /// What they share, in small letters.
+    /// Common part of the names, in small letters.
     pub stem: String,
 }
 
@@ -54,7 +54,7 @@ const OTHERS: [&str; 33] = [
     "lon", "speed", "integr", "motor", "temp", "axisp", "axisi", "axisd", "setpoint", "clip",
     "calib",
 ];
-/// What a name has beside its sensor where there are several of one kind.
+/// Words that distinguish several sensors of one kind in names.
 const QUALIFIERS: [&str; 25] = [
     "filtered",
     "filt",
@@ -184,13 +184,13 @@ impl Triad {
         !linear && !self.is_of_another() && sensor_of(&bare) == Some(sensor)
     }
 
-    /// How many letters two stems begin with alike.
+    /// Returns the number of letters that both stems begin with.
     pub fn likeness(&self, other: &Self) -> usize {
         let pairs = self.stem.chars().zip(other.stem.chars());
         pairs.take_while(|(a, b)| a == b).count()
     }
 
-    /// How many letters two stems end with alike.
+    /// Returns the number of letters that both stems end with.
     pub fn ending(&self, other: &Self) -> usize {
         let (a, b) = (compact(&self.stem), compact(&other.stem));
         let pairs = a.chars().rev().zip(b.chars().rev());

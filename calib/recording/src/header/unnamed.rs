@@ -53,7 +53,7 @@ impl Unnamed {
         self.columns.len()
     }
 
-    /// Where a column is that would be `column` if the time came first and no other were there.
+    /// Returns the actual index of column `column`, which is counted with the time first and without other columns.
     fn placed(&self, (role, column): (Role, usize)) -> (Role, usize) {
         let column = match (self.time_last, column) {
             (false, column) => column,

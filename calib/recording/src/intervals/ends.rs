@@ -22,11 +22,11 @@ const AGAIN: f64 = 0.5;
 /// A turn has begun at this share of the limit: what begins slowly turns far before it stands out.
 const BEGUN: f64 = 0.25;
 
-/// How far an end reaches into the interval, s.
+/// Length at either end of an interval that is searched for a turn, s.
 const REACH: f64 = 2.0;
 
-/// What an end is compared with lies within this of it, s: a bias that walks for hours is not the same at both ends, and no
-/// end costs a look at the whole of a long interval.
+/// Length next to an end that the end is compared with, s. A bias that drifts for hours differs between both ends, and the limit
+/// bounds the cost for a long interval.
 const NEAR: f64 = 60.0;
 
 /// Most looks at the ends of one interval.
@@ -63,7 +63,7 @@ pub(super) struct Ends<'a> {
 }
 
 impl<'a> Ends<'a> {
-    /// Of a gyroscope whose readings are rad/s when multiplied with `scale`.
+    /// Builds it for a gyroscope whose readings times `scale` are rad/s.
     pub fn of(stream: &'a Stream, scale: f64) -> Self {
         Self {
             stream,
@@ -112,8 +112,8 @@ impl<'a> Ends<'a> {
         complement(span, &turning_stretches(t, values, &bias, stretch, limit))
     }
 
-    /// Whether the device is in motion for half of the interval: its rate, smoothed over a quarter of a second, differs from that
-    /// of the middle by more than 3 °/s, which no bias does.
+    /// Returns true if the device moves for half of the interval: its rate, smoothed over a quarter of a second, differs from that of
+    /// the middle by more than 3 °/s. No bias changes by as much.
     pub fn moves(&self, span: Span) -> bool {
         let values = &self.stream.values[self.stamps.between(span.from, span.to)];
         if values.len() < FEWEST || self.step <= 0.0 {
@@ -128,8 +128,8 @@ impl<'a> Ends<'a> {
         median(means).is_some_and(|usual| usual > MOVES)
     }
 
-    /// Where within the interval the device swings: its rate, smoothed over a quarter of a second, differs from that of the middle
-    /// by more than 6 °/s.
+    /// Returns the parts of the interval in which the device swings: its rate, smoothed over a quarter of a second, differs from that
+    /// of the middle by more than 6 °/s.
     pub fn swings(&self, span: Span) -> Vec<Span> {
         let samples = self.stamps.between(span.from, span.to);
         let (t, values) = (

@@ -42,7 +42,7 @@ impl Rejected {
         Self { span, reason }
     }
 
-    /// What a user should know of them: those of one reason in one finding.
+    /// Builds one finding for each reason of rejection.
     pub fn findings(all: &[Self]) -> Vec<Finding> {
         let mut kinds: Vec<Vec<&Self>> = Vec::new();
         for one in all {
@@ -60,7 +60,7 @@ impl Rejected {
         kinds.iter().map(finding).collect()
     }
 
-    /// What is said of this one.
+    /// Builds the finding about this interval.
     pub fn finding(&self) -> Finding {
         let Span { from, to } = self.span;
         let found = self.of_reason().between(from, to);

@@ -53,7 +53,7 @@ impl Rails {
         }
     }
 
-    /// Whether any axis of the reading is cut off.
+    /// Returns true if any axis of the reading is saturated.
     pub fn reached(&self, value: &Vector3<f64>) -> bool {
         (0..3).any(|k| value[k] <= self.low[k] || value[k] >= self.high[k])
     }
@@ -68,8 +68,8 @@ fn least_step(values: &[f64]) -> f64 {
     if least.is_finite() { least } else { 0.0 }
 }
 
-/// How often a reading has to repeat in a row to be no chance: of `n` readings that repeat their neighbour with probability
-/// `p` there are `n p^(k−1)` runs of `k`.
+/// Returns the shortest run of equal readings that chance does not explain: `n` readings that repeat their neighbour with
+/// probability `p` have `n p^(k−1)` runs of `k`.
 fn longest_by_chance(values: &[f64]) -> usize {
     let pairs = values.windows(2);
     let equal = pairs.filter(|pair| pair[0] == pair[1]).count() as f64;

@@ -11,7 +11,7 @@ use crate::recording::{Recording, Stream};
 use crate::shown::{figure, shown, shown_path};
 use crate::source::place::at_line;
 
-/// How the table gives its rows.
+/// Unit of the start and stop in the table.
 enum Unit {
     /// First and last accelerometer sample, counted from 1, both inside.
     Samples,

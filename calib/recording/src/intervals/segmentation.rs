@@ -71,7 +71,7 @@ pub enum TurnFault {
 }
 
 impl TurnFault {
-    /// What is said of it.
+    /// Builds the finding about this fault.
     pub fn finding(&self) -> Finding {
         let within = |kind: Kind, span: &Span| {
             let length = format!("{:.2}", span.length());
@@ -209,7 +209,7 @@ impl Segmentation {
     }
 }
 
-/// Whether the accelerometer, or else the gyroscope, has samples in a span.
+/// Returns true if the accelerometer, or else the gyroscope, has samples in a span.
 fn has_samples(recording: &Recording, span: &Span) -> bool {
     let stream = recording.accelerometer.as_ref();
     let stream = stream.or(recording.gyroscope.as_ref());

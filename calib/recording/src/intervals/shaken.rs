@@ -13,8 +13,8 @@ const STRETCH: f64 = 0.5;
 /// that carries the device moves them by far more.
 const STEADY: f64 = 4.0;
 
-/// Of the spans in which the gyroscope rests, those that are no rest for the accelerometer only because its
-/// samples scatter: none of `quiet` lies in them, and the specific force has the same mean all the way.
+/// Selects static intervals on a vibrating table from `turned`, the spans in which the gyroscope shows no motion: none of `quiet`
+/// touches them, and the mean of specific force is constant.
 pub(super) fn shaken(accelerometer: &Stream, turned: &[Span], quiet: &[Span]) -> Vec<Span> {
     turned
         .iter()

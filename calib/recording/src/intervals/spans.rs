@@ -21,17 +21,17 @@ impl Span {
         self.to - self.from
     }
 
-    /// Whether it lasts at least `length`, up to what rounding does to a stamp.
+    /// Returns true if the span lasts at least `length`, s, within the rounding of stamps.
     pub fn lasts(&self, length: f64) -> bool {
         self.length() > length - INSTANT
     }
 
-    /// How many stretches of `length` fit in one after the other.
+    /// Returns the number of stretches of `length`, s, that fit into the span.
     pub fn stretches(&self, length: f64) -> usize {
         ((self.length() + INSTANT) / length).floor() as usize
     }
 
-    /// Whether the two share an instant.
+    /// Returns true if the two spans share an instant.
     pub fn touches(&self, other: &Span) -> bool {
         self.from <= other.to && other.from <= self.to
     }
@@ -50,7 +50,7 @@ pub fn union(mut spans: Vec<Span>) -> Vec<Span> {
     merged
 }
 
-/// What is left of `whole` outside the ordered, disjoint `spans`.
+/// Returns the parts of `whole` outside the ordered, disjoint `spans`.
 pub fn complement(whole: Span, spans: &[Span]) -> Vec<Span> {
     let mut rest = Vec::with_capacity(spans.len() + 1);
     let mut from = whole.from;

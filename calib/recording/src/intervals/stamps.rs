@@ -1,4 +1,4 @@
-//! Where a time lies among many stamps.
+//! Search for a time among many stamps.
 
 use std::ops::Range;
 
@@ -17,7 +17,7 @@ pub(super) struct Stamps<'a> {
 }
 
 impl<'a> Stamps<'a> {
-    /// Of stamps in ascending order.
+    /// Builds the index of stamps in ascending order, s.
     pub fn of(all: &'a [f64]) -> Self {
         let index = all.iter().step_by(STRIDE).copied().collect();
         Self { all, index }

@@ -1,4 +1,4 @@
-//! Which of the quiet stretches are static intervals.
+//! Selection of static intervals from the quiet stretches.
 
 use nalgebra::Vector3;
 use sensor::Base;

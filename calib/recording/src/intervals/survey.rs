@@ -1,4 +1,4 @@
-//! What of a recording does not depend on the detector's multiplier, found once.
+//! The part of segmentation that does not depend on the detector's multiplier, computed once.
 
 use nalgebra::Vector3;
 use sensor::Base;
@@ -32,7 +32,7 @@ pub struct Survey<'a> {
     levels: [Option<Level<'a>>; 2],
     gaps: Vec<Span>,
     whole: Span,
-    /// Of the accelerometer.
+    /// Stamps of the accelerometer.
     stamps: Stamps<'a>,
     sums: Option<RunningSums<'a>>,
     ends: Option<Ends<'a>>,
@@ -99,7 +99,7 @@ impl<'a> Survey<'a> {
             .collect()
     }
 
-    /// What is left between motions and gaps.
+    /// Returns the quiet stretches between motions and interruptions.
     fn without(&self, moving: Vec<Span>) -> Vec<Span> {
         self.lasting(moving, self.detector.min_static)
     }
@@ -201,8 +201,8 @@ pub fn segment(recording: &Recording, detector: &Detector) -> Result<Segmentatio
     Ok(Survey::of(recording, detector)?.segment(detector.multiplier, None))
 }
 
-/// What brings the gyroscope's readings near rad/s: one where both sensors' readings can be SI units, else
-/// what makes the fast turns of the recording those of a hand.
+/// Estimates the factor from the gyroscope's readings to rad/s: 1 if both sensors' readings can be SI units, else the factor that
+/// makes the recording's fast turns as fast as a hand's.
 fn rate_scale(recording: &Recording) -> f64 {
     let size = |stream: &Stream, q: f64| {
         let rank = (q * stream.len().saturating_sub(1) as f64) as usize;

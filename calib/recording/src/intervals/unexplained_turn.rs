@@ -15,9 +15,9 @@ const LEAST: f64 = 1.05e-3;
 /// own standard error.
 const BEYOND: f64 = 6.0;
 
-/// Of the intervals that deviate, so many do along the vertical and ...
+/// Least share of the deviating intervals whose rate points along the vertical, for all of these to count as turns.
 const MOST: f64 = 0.6;
-/// ... by this much more along it than across: else it is a step, or a sensitivity to acceleration.
+/// Least ratio of the rate along the vertical to that across it; below, it is a step, or a sensitivity to acceleration.
 const ALONG: f64 = 2.5;
 
 /// A turn at more than this is one whatever else deviates, rad/s (1 °/s).
@@ -55,7 +55,7 @@ pub(super) struct MeanRate {
 }
 
 impl MeanRate {
-    /// Whether specific force spreads as little as it does where no rate of this size turns the device across it.
+    /// Returns true if specific force varies less than a rotation at the rate `across`, rad/s, across it would make it vary.
     fn stays(&self, across: f64) -> bool {
         let angle = (across * self.seconds).min(FULL);
         self.spread < STAYS * angle / 12f64.sqrt()

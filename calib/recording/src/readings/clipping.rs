@@ -14,7 +14,7 @@ const FEWEST: usize = 6;
 /// An axis whose readings repeat in more than this share elsewhere is coarse, and repeats at its peaks too.
 const REPEATS: f64 = 0.2;
 
-/// Where an axis is cut off, from below and from above; infinite where it is not.
+/// Lower and upper reading at which an axis is cut off; infinite where it is not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Limits {
     /// The reading below which there is none.
@@ -24,7 +24,7 @@ pub(crate) struct Limits {
 }
 
 impl Limits {
-    /// Whether a reading lies at one of them.
+    /// Returns true if a reading lies at a limit.
     pub fn reached(&self, value: f64) -> bool {
         value <= self.low || value >= self.high
     }

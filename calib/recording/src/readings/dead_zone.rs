@@ -76,10 +76,10 @@ pub fn dead_zones(stream: &Stream, rests: &[Range<usize>]) -> [Option<DeadZone>;
     })
 }
 
-/// What an axis shows that reads zero at rest.
+/// Dead zone of an axis, in which readings are zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DeadZone {
-    /// Of the readings at rest that are zero.
+    /// Share of readings in static intervals that are zero.
     share: f64,
     /// The smallest reading beside zero: half the width of the zone.
     pub edge: f64,
@@ -101,7 +101,7 @@ impl DeadZone {
         })
     }
 
-    /// Whether it is zero that the axis reads at rest, not only at times.
+    /// Returns true if so many readings in static intervals are zero that they do not show the bias.
     pub fn hides_the_bias(&self) -> bool {
         self.share >= SHARE
     }
@@ -113,12 +113,12 @@ impl DeadZone {
     }
 }
 
-/// Whether an axis reads zero, at rest or not, and nothing between zero and an edge that turns sweep over.
+/// Returns true if an axis reads zero, static or not, and nothing between zero and an edge that turns sweep over.
 pub(super) fn is_left_out(values: &[Vector3<f64>], axis: usize) -> bool {
     Gap::of(values, axis).is_some_and(|gap| gap.is_swept(values, axis))
 }
 
-/// What lies between zero and the other readings of an axis.
+/// Gap between zero and the other readings of an axis.
 struct Gap {
     /// The smallest reading beside zero.
     edge: f64,
@@ -141,7 +141,7 @@ impl Gap {
         self.edge > WIDE * self.step
     }
 
-    /// Whether the axis reads zero time and again, and turns sweep over the edge.
+    /// Returns true if the axis often reads zero and turns sweep over the edge.
     fn is_swept(&self, values: &[Vector3<f64>], axis: usize) -> bool {
         let zeros = values.iter().filter(|v| v[axis] == 0.0).count();
         let near = |v: &&Vector3<f64>| v[axis] != 0.0 && v[axis].abs() < 2.0 * self.edge;

@@ -1,4 +1,4 @@
-//! How far an axis leaves its usual reading.
+//! Distance of an axis from its usual reading.
 
 use nalgebra::Vector3;
 
@@ -11,7 +11,7 @@ const FAR: f64 = 1.0 / 3.0;
 /// ... and so many of its least steps.
 const STEPS: f64 = 4.0;
 
-/// How far from its usual reading an axis has to be to be cut off: nearer, a reading repeats because the device rests.
+/// Least distance from the usual reading at which an axis can be cut off. Nearer, a reading repeats because the device rests.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Excursion {
     usual: Vector3<f64>,
@@ -19,7 +19,7 @@ pub(crate) struct Excursion {
 }
 
 impl Excursion {
-    /// Of a sensor.
+    /// Computes it from the readings of a sensor (`n × 3`).
     pub fn of(values: &[Vector3<f64>]) -> Self {
         let usual = Vector3::from_fn(|axis, _| {
             let column = values.iter().map(move |v| v[axis]);
@@ -36,7 +36,7 @@ impl Excursion {
         }
     }
 
-    /// Whether a reading is so far.
+    /// Returns true if a reading is at least this far from the usual one.
     pub fn reached(&self, axis: usize, value: f64) -> bool {
         (value - self.usual[axis]).abs() >= self.least[axis]
     }

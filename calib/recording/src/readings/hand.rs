@@ -1,4 +1,4 @@
-//! Whether the device was held in the hand.
+//! Detection of a device that is held in the hand.
 
 use nalgebra::Vector3;
 
@@ -72,7 +72,7 @@ fn wavering(window: &[Vector3<f64>], per_piece: usize) -> (f64, f64, f64) {
     (between.sqrt(), ratio, mean.norm())
 }
 
-/// Whether the readings can be rad/s: those of an accelerometer beside it in m/s².
+/// Returns true if the readings can be rad/s: the norm of the accelerometer beside them is that of gravity in m/s².
 fn is_si(recording: &Recording) -> bool {
     let norm = |stream: &Stream| median(stream.values.iter().map(Vector3::norm));
     let force = recording.accelerometer.as_ref().and_then(norm);

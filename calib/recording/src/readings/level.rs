@@ -24,7 +24,7 @@ const OFF_LEVEL: f64 = 0.9;
 /// Levels that differ by less than this factor may be of one unit.
 const FACTOR: f64 = 1.5;
 
-/// Where the norm of a sensor's readings changes its level for good.
+/// Lasting change in the norm of a sensor's readings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct LevelChange {
     /// The first sample of the new level.

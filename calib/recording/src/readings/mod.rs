@@ -1,4 +1,4 @@
-//! What the readings themselves show of a sensor or of how it was recorded, before any model is fitted.
+//! Faults of a sensor or of a recording that the readings show before any model is fitted.
 //!
 //! ```text
 //! file ──► Recording (stuck axes refused, an erased tail and frozen rows cut) ──► without_spikes ──► intervals ──► findings
@@ -40,7 +40,7 @@ use self::of_sensor::OfSensor;
 use crate::intervals::Segmentation;
 use crate::recording::Recording;
 
-/// What leaves nothing of a gyroscope's bias to be looked into: a dead zone, a zero that the device sets anew.
+/// Returns the fault that hides a gyroscope's true bias, if any: a dead zone, or a zero that the device sets anew.
 pub fn altered_bias(recording: &Recording, segmentation: &Segmentation) -> Option<Symptom> {
     let of = OfSensor::new(Sensor::Gyroscope, recording, segmentation)?;
     dead_zone::found(&of).or_else(|| rezeroing::found(&of))

@@ -1,4 +1,4 @@
-//! Where a recording is quietest.
+//! Search for the quietest stretches of a recording.
 
 use crate::intervals::{Moments, Span};
 use crate::recording::{Recording, Stream};

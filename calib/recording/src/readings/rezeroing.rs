@@ -40,9 +40,9 @@ const ELSEWHERE: f64 = 1.5;
 /// Twice the log-likelihood that makes a jump twenty times likelier.
 const APART: f64 = 6.0;
 
-/// Of what the best place in a static interval explains, the common one and those beside it, [`BESIDE_IT`] means away at most,
-/// explain more than this share on average: a bias that flips at random jumps elsewhere in each. Of twelve simulated devices that
-/// set their zero anew the least is .88, of seven whose bias flips the most .84.
+/// Least mean share of each static interval's best jump that jumps at the common place, or within [`BESIDE_IT`] means of it,
+/// explain. A bias that flips at random jumps elsewhere in each interval. In simulation the share is at least .88 for twelve devices
+/// that set their zero anew, and at most .84 for the seven whose bias flips the most.
 const COMMON: f64 = 0.86;
 const BESIDE_IT: usize = 2;
 
@@ -85,8 +85,8 @@ pub(super) fn found(of: &OfSensor<'_>) -> Option<Symptom> {
     })
 }
 
-/// What jumps at `place` have to explain more than: a device that creeps, warms up or relaxes after its turns is explained
-/// better by a line or a decay in each interval, which have as many coefficients.
+/// Returns the chi-square that jumps at `place` must exceed: that of a line or a decay in each interval (creep, warm-up,
+/// relaxation; as many coefficients), or of jumps at distant places, each times a factor.
 fn rival(rests: &[Rest], all: &[Jumps], place: usize, own: &[(usize, f64)]) -> f64 {
     let of_shape = |shape: &dyn Fn(usize, usize) -> Option<f64>| {
         let of = explained(rests, shape);
@@ -169,8 +169,8 @@ fn jump(place: usize, k: usize, n: usize) -> Option<f64> {
     (place + BESIDE <= n).then(|| f64::from(u8::from(k >= place)))
 }
 
-/// What a shape `f(k)` of the means of each interval (`n` of them), with a level and a coefficient for every axis, explains
-/// beyond the level: the interval's place and the fall of the sum of squares, over the variance that is left.
+/// Fits a level and a multiple of the shape `f(k)` to the `n` means of each interval, for every axis. Returns the interval's place
+/// and the chi-square explained: the fall of the sum of squares below that of a level, over the variance that is left.
 fn explained(rests: &[Rest], shape: impl Fn(usize, usize) -> Option<f64>) -> Vec<(usize, f64)> {
     let of = |rest: &Rest| {
         let n = rest.means.len();
@@ -193,7 +193,7 @@ fn along(shape: &[f64], means: &[Vector3<f64>]) -> Vector3<f64> {
     shape.iter().zip(means).map(|(s, m)| m * *s).sum()
 }
 
-/// What jumps about `place` explain of what the best one in an interval does, on average.
+/// Returns the ratio of the best jump about `place` to the best jump anywhere, as a mean over the intervals.
 fn common(all: &[Jumps], place: usize) -> f64 {
     let count = all.first().map_or(0, |(_, by)| by.len());
     let shares = (0..count).filter_map(|rest| {

@@ -164,7 +164,7 @@ fn resolution(sensor: Sensor, values: &[Vector3<f64>], axis: usize) -> Resolutio
     }
 }
 
-/// Whether the samples around are quiet and the spike is far from them.
+/// Returns true if the samples around are quiet and the spike is far from them.
 fn stands_out(
     values: &[Vector3<f64>],
     axis: usize,

@@ -1,4 +1,4 @@
-//! What was found, in numbers.
+//! Symptoms of faults in the readings, in numbers.
 
 use std::fmt;
 
@@ -16,8 +16,8 @@ const PLACES: usize = 3;
 /// Fewer zeros at rest than this share are those of turns.
 const IN_TURNS: f64 = 0.005;
 
-/// What the readings show of a sensor. Values in the unit of the readings, rows counted as the
-/// lines of a table with one line of header, the first sample being row 2; times in s.
+/// Symptom of a fault in a sensor's readings. Values are in the unit of the readings, times in s. Rows are counted as the lines of a
+/// table with one line of header: the first sample is row 2.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 #[non_exhaustive]
@@ -35,9 +35,9 @@ pub enum Symptom {
     Frozen {
         /// The sensors, by name.
         sensors: Vec<&'static str>,
-        /// How many rows repeat the one before.
+        /// Number of rows that repeat the one before.
         rows: usize,
-        /// Where, the first of one sensor each: first and last row, begin and end in s.
+        /// Places: first and last row, begin and end in s. Overlapping places of two sensors are merged.
         places: Vec<(usize, usize, f64, f64)>,
     },
     /// An axis is cut off at the end of its range.
@@ -113,7 +113,7 @@ pub enum Symptom {
         intervals: Vec<usize>,
         /// The spread of the noisiest over that of the usual one.
         ratio: f64,
-        /// Whether these are all from one on to the end, or from the first to one, and equally noisy.
+        /// True if these are all intervals from one on to the end, or from the first to one, and equally noisy.
         from_here_on: bool,
     },
     /// The rate wavers in the quietest stretches as in a hand.
@@ -124,7 +124,7 @@ pub enum Symptom {
 }
 
 impl Symptom {
-    /// What is said of readings that repeat one; `None` of none.
+    /// Builds the symptom of repeated readings; `None` if there are none.
     pub(crate) fn of_frozen(frozen: &[Frozen]) -> Option<Self> {
         let mut sensors: Vec<&str> = frozen.iter().map(|f| f.sensor.name()).collect();
         sensors.dedup();

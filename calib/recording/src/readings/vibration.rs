@@ -13,7 +13,7 @@ const FEWEST: usize = 4;
 const FEWEST_BESIDE: usize = 3;
 const EQUAL: f64 = 1.6;
 
-/// Whether the noisy places are all of one part of the recording and alike: something was changed there.
+/// Returns true if the noisy places are one part at an end of the recording and equally noisy: something was changed there.
 fn is_a_change(places: &[usize], spread: &[f64]) -> bool {
     let (Some(&first), Some(&last)) = (places.first(), places.last()) else {
         return false;

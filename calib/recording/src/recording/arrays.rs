@@ -17,7 +17,7 @@ use crate::units::field::FieldUnit;
 /// Largest reading and stamp that are numbers of a sensor.
 const LARGEST: f64 = 1e15;
 
-/// What a logger wrote, one row per stamp.
+/// Arrays of a recording, one row per stamp.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Rows<'a> {
     /// Time stamps, s (`n`).
@@ -140,7 +140,7 @@ impl Rows<'_> {
     }
 }
 
-/// What is subtracted from every stamp, as readers of text do: the whole seconds of an epoch.
+/// Returns the origin that is subtracted from every stamp, as readers of text do: the whole seconds of an epoch.
 fn origin(t: &[f64]) -> i64 {
     match t.first() {
         Some(&first) if first.is_finite() && first.abs() >= 1e9 => first as i64,

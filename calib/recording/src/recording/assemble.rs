@@ -23,7 +23,7 @@ use crate::units::field::FieldUnit;
 use crate::units::{AccelUnit, GyroUnit, Stated, TimeUnit, decide, repeated, swapped, values};
 
 impl Recording {
-    /// Whether there are stamps that a given rate stands for.
+    /// Returns true if stamps were ignored for a given rate.
     pub(super) fn has_ignored_stamps(&self) -> bool {
         self.warnings.has(Kind::StampsIgnored)
     }
@@ -277,7 +277,7 @@ fn describe(recording: &mut Recording, table: &Table, options: &ReadOptions) {
     }
 }
 
-/// What is said where an option contradicts the unit in the file.
+/// Builds a finding for each option that contradicts the unit in the file.
 fn overridden(name: &str, stated: Stated, options: &ReadOptions) -> impl Iterator<Item = Finding> {
     let time = options.time_unit.map(TimeUnit::name);
     let accel = options.accel_unit.map(AccelUnit::name);
@@ -303,7 +303,7 @@ fn overridden(name: &str, stated: Stated, options: &ReadOptions) -> impl Iterato
         })
 }
 
-/// What was noticed of the samples of one sensor.
+/// Findings about the samples of one sensor.
 #[derive(Default)]
 struct Noticed {
     warnings: Findings,

@@ -12,7 +12,7 @@ use crate::units::AccelUnit;
 /// One recording of one device.
 #[derive(Clone, Debug, Default)]
 pub struct Recording {
-    /// Where it came from, as the user named it.
+    /// Name of the file, as the user gave it.
     pub name: String,
     /// Specific force, m/s² (or raw counts).
     pub accelerometer: Option<Stream>,
@@ -22,16 +22,16 @@ pub struct Recording {
     pub temperature: Option<Temperature>,
     /// Magnetic field, as the file has it.
     pub magnetometer: Option<Magnetometer>,
-    /// Where a sensor repeated one reading; the repetitions are left out of its stream.
+    /// Runs in which a sensor repeated one reading; the repetitions are left out of its stream.
     pub frozen: Vec<Frozen>,
-    /// What the reader noticed and went on with.
+    /// Warnings of the reader.
     pub warnings: Findings,
-    /// Where the samples come from.
+    /// Format and columns that the samples come from.
     pub description: Description,
 }
 
 impl Recording {
-    /// Whether the readings of a sensor are raw counts.
+    /// Returns true if the readings of a sensor are raw counts.
     pub fn is_in_counts(&self, sensor: Sensor) -> bool {
         let mut described = self.description.sensors.iter();
         described.any(|d| d.sensor == sensor && d.unit == AccelUnit::Counts.name())

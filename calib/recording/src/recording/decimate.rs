@@ -14,7 +14,7 @@ const ENOUGH: f64 = 1000.0;
 const GAP: f64 = 5.0;
 
 impl Recording {
-    /// Whether [`Recording::decimated`] would change it.
+    /// Returns true if [`Recording::decimated`] would change the recording.
     pub fn is_fast(&self) -> bool {
         let streams = [&self.accelerometer, &self.gyroscope];
         let fast = |stream: &Stream| {

@@ -1,9 +1,9 @@
-//! Where the samples of a recording come from, for `info`.
+//! Format, columns and units of a recording, for `info`.
 
 use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 
-/// What decided the unit of a sensor.
+/// Source of a sensor's unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UnitBy {
     /// An option.
@@ -27,7 +27,7 @@ pub struct Described {
     pub unused: Vec<String>,
     /// The unit of the file.
     pub unit: &'static str,
-    /// What decided it.
+    /// Source of the unit.
     pub unit_by: UnitBy,
     /// The sign was turned to +g on the axis that points up.
     pub turned: bool,
@@ -40,7 +40,7 @@ pub struct Description {
     pub format: &'static str,
     /// The sensors.
     pub sensors: Vec<Described>,
-    /// What systems had made of the readings before they were recorded.
+    /// Corrections that systems had applied to the readings before they were recorded.
     pub applied_before: Vec<AppliedBefore>,
 }
 
@@ -60,7 +60,7 @@ impl AppliedBefore {
     /// A system that the readings show and nobody names.
     pub const UNKNOWN: &'static str = "unknown";
 
-    /// Of a sensor, still in its readings.
+    /// Builds a correction of a sensor by `system` that is still in its readings.
     pub fn by(system: &str, sensor: Sensor) -> Self {
         Self {
             sensor: sensor.name().into(),

@@ -1,4 +1,4 @@
-//! What a device recorded, in SI units, each sensor on its own clock.
+//! Recording of a device in SI units, each sensor on its own clock.
 //!
 //! ```text
 //! file ──► source ──► header ──► rows ──┐

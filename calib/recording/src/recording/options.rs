@@ -1,4 +1,4 @@
-//! What a caller may say about a recording before it is read.
+//! Options for reading a recording.
 
 use std::fmt;
 use std::str::FromStr;
@@ -12,12 +12,12 @@ use crate::shown::{figure, shown};
 use crate::units::field::FieldUnit;
 use crate::units::{AccelUnit, GyroUnit, TimeUnit};
 
-/// How to read a recording. The default reads every well-formed file and guesses nothing silently.
+/// Options for reading a recording. The default reads every well-formed file and guesses nothing silently.
 #[derive(Clone, Debug)]
 pub struct ReadOptions {
     /// Name of the format ([`formats::by_name`](crate::formats::by_name)); recognised from the content when `None`.
     pub format: Option<&'static str>,
-    /// Which column is which quantity, over what the header says.
+    /// Columns of the quantities; they override the header.
     pub columns: ColumnMap,
     /// Broken rows that are left out with a warning before the file is refused.
     pub skip_bad_rows: usize,
@@ -43,12 +43,12 @@ pub struct ReadOptions {
     pub entry: Option<String>,
     /// Topics, messages or variables of the sensors in a log.
     pub topics: Vec<String>,
-    /// Which of several sensors alike in a log, or of several devices in a table.
+    /// Number of the sensor among several in a log, or of the device among several in a table.
     pub instance: Option<u32>,
-    /// Which of several devices in a table, as the column that tells them apart calls it; `all` takes all rows for those
-    /// of one.
+    /// Label of the device among several in a table, as in the column that tells them apart; `all` takes all rows as those of one
+    /// device.
     pub device: Option<String>,
-    /// Which recording, from 1, of a file in which the clock begins again.
+    /// Number of the recording, from 1, in a file in which the clock begins again.
     pub part: Option<usize>,
     /// Rows after which reading is refused.
     pub max_rows: u64,
@@ -83,7 +83,7 @@ impl Default for ReadOptions {
 }
 
 impl ReadOptions {
-    /// Which of several devices in a table is asked for.
+    /// Returns the requested device of a table with several.
     pub(crate) fn wanted_device(&self) -> Option<String> {
         let by_number = || self.instance.map(|number| number.to_string());
         self.device.clone().or_else(by_number)
@@ -118,7 +118,7 @@ pub enum Role {
     Field(usize),
     /// Time stamp of one sensor, where each has its own.
     TimeOf(Sensor),
-    /// Which device the row is of, where a table holds several.
+    /// Label of the row's device, in a table with several.
     Device,
 }
 

@@ -133,7 +133,7 @@ fn only_part(
     })
 }
 
-/// What is said where one has to be chosen.
+/// Builds the error that one of several recordings has to be chosen.
 fn several(table: &Table, sessions: &[Session], long: &[usize], given: Option<usize>) -> Error {
     let rows: Vec<String> = long
         .iter()
@@ -158,7 +158,7 @@ fn several(table: &Table, sessions: &[Session], long: &[usize], given: Option<us
     }
 }
 
-/// Whether a row begins with its stamp; where another does, only the line is known.
+/// Returns true if a row begins with its stamp; otherwise messages give only the line.
 fn time_is_first(table: &Table) -> bool {
     let mut roles = table.roles.iter();
     let time = roles.find(|(role, _)| *role == Role::Time);

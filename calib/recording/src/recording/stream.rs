@@ -11,7 +11,7 @@ use crate::order_statistic::nth_smallest;
 /// which of them hold a sample more, and a clock that starts elsewhere would give another result.
 pub const INSTANT: f64 = 1e-6;
 
-/// Whether stamp `t` is before the instant `time`.
+/// Returns true if stamp `t` is before the instant `time`, both in s, by more than [`INSTANT`].
 pub fn is_before(t: f64, time: f64) -> bool {
     t < time - INSTANT
 }
@@ -48,8 +48,8 @@ impl Stream {
         median_step(&self.t)
     }
 
-    /// Where the samples are interrupted: every step longer than five times the 95th percentile of
-    /// all steps. (Not of the median: stamps that come in bursts have tiny medians and no gaps.)
+    /// Returns the interruptions of the samples: steps longer than five times the 95th percentile of all steps. (The median would not
+    /// do: stamps that come in bursts have tiny medians and no interruptions.)
     pub fn gaps(&self) -> Vec<Gap> {
         // Between steps as even as those of most recordings the percentile need not be looked for.
         let even = |&(least, largest): &(f64, f64)| largest <= 5.0 * least + INSTANT;

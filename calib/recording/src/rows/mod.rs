@@ -42,12 +42,12 @@ enum Trouble {
     Missing(Error),
 }
 
-/// What a row holds beside the sensors that are calibrated.
+/// Readings of a row beside those of the accelerometer and the gyroscope.
 #[derive(Clone, Copy, Debug, Default)]
 struct Others {
     temperature: Option<f64>,
     field: Option<Vector3<f64>>,
-    /// What the accelerometer's columns lack.
+    /// Gravity, which the accelerometer's columns lack.
     gravity: Option<Vector3<f64>>,
 }
 
@@ -133,7 +133,7 @@ impl<'a> Rows<'a> {
         Ok(None)
     }
 
-    /// What plain rows look like; `None` where stamps are no numbers.
+    /// Builds the parser of plain rows; `None` if stamps are not plain numbers.
     fn plain(&self) -> Option<Plain> {
         let Start {
             dialect,

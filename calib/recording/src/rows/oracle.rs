@@ -11,7 +11,7 @@ use crate::recording::ReadOptions;
 use crate::rows::Rows;
 use crate::source::batches::Batches;
 
-/// How a text is read.
+/// Method of reading a text.
 enum Way {
     LineByLine,
     PlainRows,
@@ -36,7 +36,7 @@ fn table(text: &[u8], options: &ReadOptions, way: Way, batch: usize) -> Result<T
     Ok(table)
 }
 
-/// What separates cells, and marks decimals, in a text.
+/// Separator and decimal mark of a text.
 type Spelling = (&'static str, char);
 
 const SPELLINGS: [Spelling; 6] = [

@@ -1,4 +1,4 @@
-//! Which part of which text holds which sensor: what a format knows and the text does not say.
+//! Parts of texts with their sensors: what a format knows and the text does not say.
 
 use findings::{Finding, Kind, OptionName, Remedy};
 use std::io::Read;
@@ -20,7 +20,7 @@ pub(crate) type Change = fn(Box<dyn Read + Send>) -> Box<dyn Read + Send>;
 pub(crate) struct Part {
     /// The one sensor that is read from it.
     pub only: Option<Sensor>,
-    /// Which column is what, where the names do not say so.
+    /// Columns of the roles, where the names do not tell them.
     pub columns: Vec<(Role, String)>,
     /// Unit of the stamps.
     pub time_unit: Option<TimeUnit>,
@@ -36,11 +36,11 @@ pub(crate) struct Part {
     pub negated: bool,
     /// Rows without numbers are padding.
     pub padded: bool,
-    /// How the text becomes rows.
+    /// Rewriting of the text to rows.
     pub change: Option<Change>,
     /// The rate that its program has unless it was told another, Hz, where the rows have no stamps.
     pub usual_rate: Option<f64>,
-    /// What the user should know of it.
+    /// Finding for the user about this part.
     pub remark: Option<Finding>,
     /// The system that had corrected the readings before.
     pub corrected_by: Option<&'static str>,
@@ -148,7 +148,7 @@ impl Part {
         Ok(table)
     }
 
-    /// What the user said of the columns of this part's sensor.
+    /// Returns the user's columns for this part's sensor.
     fn of_sensor(&self, map: &ColumnMap) -> Vec<(Role, String)> {
         let concerns = |role: &Role| match (self.only, role) {
             (None, _) if self.is_field => {

@@ -31,7 +31,7 @@ pub const FIELD: usize = 8;
 /// First place of gravity in columns of its own.
 pub const GRAVITY: usize = 11;
 
-/// What is read from a cell.
+/// Use of a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Slot {
     Nothing,
@@ -41,7 +41,7 @@ enum Slot {
     Label(usize),
 }
 
-/// What the plain rows of a text look like.
+/// Format of the plain rows of a text.
 #[derive(Clone, Debug)]
 pub struct Plain {
     dialect: Dialect,
@@ -55,7 +55,7 @@ pub struct Plain {
 pub struct Block {
     /// Plain rows.
     pub rows: Vec<Row>,
-    /// Where the cells lie in the batch that are to be looked at again, as many of every row.
+    /// Byte ranges in the batch of the cells that are to be looked at again, as many of every row.
     pub labels: Vec<Range<usize>>,
     /// Lines that are none.
     pub odd: Vec<Odd>,
@@ -66,7 +66,7 @@ pub struct Block {
 pub struct Odd {
     /// Plain rows of the block before it.
     pub after: usize,
-    /// Where it lies in the batch.
+    /// Byte range of the line in the batch.
     pub line: Range<usize>,
 }
 

@@ -142,7 +142,7 @@ impl Table {
         Ok(())
     }
 
-    /// What is said where nothing tells the columns apart.
+    /// Builds the error that nothing tells the columns apart.
     fn unknown_columns(&self, start: &Start) -> Error {
         let names: Vec<String> = (1..=start.layout.width).map(|i| i.to_string()).collect();
         let found = Finding::of(Kind::NoHeaderUndecided)
@@ -178,7 +178,7 @@ impl Table {
     }
 }
 
-/// What is said of a text without stamps, with the columns that may be some.
+/// Builds the error about a text without stamps, with the columns that may be stamps.
 fn no_time(name: &str, start: &Start) -> Error {
     let names = &start.layout.names;
     let likely = start.layout.times.iter().map(|&at| &names[at]);

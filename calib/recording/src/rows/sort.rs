@@ -41,8 +41,8 @@ fn longer(table: &Table) -> &Samples {
     }
 }
 
-/// Where the counter that wrote `stamps` starts again, if it did: every jump over more than half of its
-/// range is one over the whole of it, but for ten of its steps. Those of shuffled rows are of all sizes.
+/// Returns the range of the counter that wrote `stamps`, if it started again: every jump over more than half of the range is one over
+/// the whole of it, within ten of its steps. Jumps of shuffled rows have all sizes.
 fn modulus(stamps: &[f64]) -> Option<f64> {
     let jumps = || stamps.windows(2).map(|pair| pair[1] - pair[0]);
     let is_modulus = |modulus: &f64| {

@@ -1,4 +1,4 @@
-//! What one text holds, in its own units.
+//! Content of one text, in its own units.
 
 use findings::{Finding, Findings, Kind};
 use sensor::Sensor;
@@ -13,7 +13,7 @@ use crate::recording::samples::Samples;
 use crate::source::place::in_file;
 use crate::units::Stated;
 
-/// What one text held, in its own units.
+/// Content of one text, in its own units.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Table {
     /// The file, for messages.
@@ -32,11 +32,11 @@ pub(crate) struct Table {
     pub temperature: Vec<f64>,
     /// Their lines.
     pub temperature_lines: LineNumbers,
-    /// What may say which device a row is of.
+    /// Columns that may name the device of a row.
     pub labels: Labels,
     /// Units in the header.
     pub stated: Stated,
-    /// What the header states of the accelerometer and of the gyroscope, where that is no known unit.
+    /// Unknown units that the header states for the accelerometer and for the gyroscope.
     pub strange: [Option<String>; 2],
     /// The name of the time column is `t`: seconds, by contract.
     pub plain_time: bool,
@@ -46,13 +46,13 @@ pub(crate) struct Table {
     pub unclear: Vec<String>,
     /// Names of all columns.
     pub names: Vec<String>,
-    /// What is what was told by them, not by a format or the user.
+    /// Roles of the columns come from their names, not from a format or the user.
     pub by_names: bool,
-    /// Which column each role is read from, by name or number.
+    /// Column of each role, by name or number.
     pub roles: Vec<(Role, String)>,
     /// It has a time column.
     pub has_time: bool,
-    /// What the user makes of its stamps.
+    /// The user's scale and offset for the stamps.
     pub time_affine: Option<Affine>,
     /// Its clock.
     pub clock: Clock,
@@ -60,7 +60,7 @@ pub(crate) struct Table {
     pub negated: bool,
     /// The system that had corrected the readings before.
     pub corrected_by: Option<&'static str>,
-    /// What was noticed.
+    /// Warnings from reading.
     pub warnings: Findings,
 }
 

@@ -45,7 +45,7 @@ impl Batch {
         self.nul.is_some()
     }
 
-    /// What is wrong with `line`, before its content is looked at.
+    /// Returns the finding about a `line` that is binary or too long.
     pub fn fault(&self, line: &Range<usize>) -> Option<Finding> {
         match self.nul {
             Some(nul) if nul < self.before + line.end as u64 => {
@@ -147,7 +147,7 @@ impl<R: Read> Batches<R> {
         self.stop.unwrap_or(Stop::End)
     }
 
-    /// Where the last whole line of `bytes` ends; at the end of the text that is the last byte.
+    /// Returns the end of the last whole line of `bytes`; at the end of the text, the end of `bytes`.
     fn end_of_lines(&self, bytes: &[u8]) -> Option<usize> {
         if matches!(self.stop, Some(Stop::End)) {
             return Some(bytes.len()).filter(|&end| end > 0);

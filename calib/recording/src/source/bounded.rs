@@ -28,7 +28,7 @@ pub(crate) struct Bounded {
 }
 
 impl Bounded {
-    /// What `decoder` makes of `reader`.
+    /// Builds a reader of `reader` through `decoder`.
     pub fn of(
         reader: Box<dyn Read + Send>,
         decoder: impl FnOnce(Box<dyn Read + Send>) -> Box<dyn Read + Send>,

@@ -110,7 +110,7 @@ fn is_array_of_objects(head: &[u8]) -> bool {
     objects.is_some_and(|rest| rest.trim_ascii_start().starts_with(b"{"))
 }
 
-/// What a stream of bytes holds when it is decompressed.
+/// Decompressed content of a stream of bytes.
 pub(crate) struct Unpacked {
     /// Its beginning.
     pub head: Vec<u8>,

@@ -71,7 +71,7 @@ impl Files {
         self.container.is_archive()
     }
 
-    /// What holds them, in words.
+    /// Returns the kind of container, in words.
     pub(crate) fn kind(&self) -> &'static str {
         match (self.container.tabular(), self.is_archive()) {
             (Some(format), _) => format.called,
@@ -90,7 +90,7 @@ impl Files {
         self.container.path(entry)
     }
 
-    /// What was left out.
+    /// Returns the warnings about entries that were left out.
     pub(crate) fn warnings(&self) -> impl Iterator<Item = Finding> + '_ {
         let warnings = self.container.warnings.iter();
         warnings.map(|finding| finding.clone().in_recording(&self.name))
@@ -127,7 +127,7 @@ impl Files {
         opened.map_err(|error| Error::input(error.finding().in_file(self.called(entry))))
     }
 
-    /// What is said where they have no entry called `name`.
+    /// Builds the error that no entry is called `name`.
     pub(crate) fn no_entry(&self, name: &str) -> Error {
         let found = Finding::of(Kind::NoEntry)
             .detail("entry", shown(name))
@@ -135,7 +135,7 @@ impl Files {
         in_file(&self.name, found)
     }
 
-    /// What is said where none of them is a recording.
+    /// Builds the error that no entry is a recording.
     pub(crate) fn without_recording(&self) -> Error {
         let found = Finding::of(Kind::NoRecordingInFolder)
             .detail("holder", self.kind())
@@ -143,7 +143,7 @@ impl Files {
         in_file(&self.name, found)
     }
 
-    /// What is said of two that hold one sensor.
+    /// Builds the error that two entries have the same sensor.
     pub(crate) fn of_one_sensor(&self, first: &str, second: &str) -> Error {
         let found = Finding::of(Kind::FilesOfOneSensor)
             .detail("first", first)

@@ -21,7 +21,7 @@ use crate::header::preface::is_comment;
 /// No comments are longer.
 const LONGEST_PREFACE: usize = 64 << 20;
 
-/// Where a text comes from, to open it once more.
+/// Origin of a text, for opening it once more.
 #[derive(Clone, Debug)]
 pub(super) enum Origin {
     Path(PathBuf),
@@ -36,9 +36,9 @@ pub struct Input {
     pub(crate) name: String,
     /// Its beginning.
     pub(crate) head: Vec<u8>,
-    /// What follows the beginning.
+    /// Reader of the text after its beginning.
     pub(crate) rest: Box<dyn Read + Send>,
-    /// What was noticed on the way.
+    /// Warnings from opening the text.
     pub(crate) warnings: Findings,
     /// The file as it was when it was opened.
     pub(crate) unchanged: Option<Unchanged>,

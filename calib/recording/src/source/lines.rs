@@ -15,13 +15,13 @@ pub(crate) struct Line<'a> {
     pub number: u64,
     /// Content.
     pub bytes: &'a [u8],
-    /// What follows it, as far as that has been read; nothing behind the last line of a text.
+    /// Text after the line, as far as it has been read; empty behind the last line.
     pub below: &'a [u8],
     /// It has a line end.
     pub ended: bool,
 }
 
-/// Where the lines of `text` lie, without their ends, from `start` on; the last one may lack its end.
+/// Returns the byte ranges of the lines of `text` from `start` on, without their ends; the last line may lack its end.
 pub(crate) fn lines(text: &[u8], start: usize) -> impl Iterator<Item = Range<usize>> {
     let mut start = start;
     std::iter::from_fn(move || {

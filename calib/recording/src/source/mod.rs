@@ -32,7 +32,7 @@ use crate::source::input::Origin;
 use crate::source::on_disk::{Unchanged, explained};
 use crate::source::place::in_file;
 
-/// What a path leads to.
+/// Content of a path.
 #[derive(Debug)]
 pub enum Source {
     /// A folder or an archive.
@@ -191,7 +191,7 @@ impl Source {
         }
     }
 
-    /// What is in a file of tables; anything else as it is.
+    /// Returns the content of a file of tables, or any other source unchanged.
     pub(crate) fn within(self) -> Self {
         match self {
             Self::Tables(_, inner) => *inner,
@@ -293,7 +293,7 @@ fn tables_of(
     Ok(Source::Tables(format, Box::new(inner)))
 }
 
-/// Where a file can be sought in: on the disk, else in memory.
+/// Returns a form of a file that allows seeking: its path on the disk, else its bytes in memory.
 fn place<'o>(
     name: &str,
     unpacked: &mut decode::Unpacked,

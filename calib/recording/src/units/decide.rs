@@ -38,7 +38,7 @@ const NEAR_GRAVITY: std::ops::Range<f64> = 0.88..1.14;
 /// A length keeps its size where the middle half of the samples lies within this ratio.
 const STEADY: f64 = 0.9;
 
-/// What is said of a sensor's unit.
+/// Statements about a sensor's unit, by their source.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Said<'a, U> {
     /// By the user.
@@ -49,7 +49,7 @@ pub(crate) struct Said<'a, U> {
     pub strange: Option<&'a str>,
 }
 
-/// What was decided of a sensor.
+/// Builds a finding about a sensor of the recording `name`.
 fn told(kind: Kind, name: &str, sensor: Sensor) -> Finding {
     Finding::of(kind).in_recording(name).of_sensor(sensor)
 }
@@ -333,7 +333,7 @@ fn refuse_other_turns(
     Err(in_file(name, found))
 }
 
-/// Whether an accelerometer rests from beginning to end, its noise a small part of gravity.
+/// Returns true if an accelerometer is static from beginning to end: its noise is a small part of gravity.
 fn lies_still(values: &[nalgebra::Vector3<f64>]) -> bool {
     rest_throughout(values).is_some_and(|(noise, mean)| noise < SHAKEN * mean.norm())
 }

@@ -185,15 +185,15 @@ pub(crate) fn is_of_sensor(text: &str) -> bool {
 /// Units that a header states.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Stated {
-    /// Of the time column.
+    /// Unit of the time column.
     pub time: Option<TimeUnit>,
-    /// Of the accelerometer columns.
+    /// Unit of the accelerometer columns.
     pub accel: Option<AccelUnit>,
-    /// Of the gyroscope columns.
+    /// Unit of the gyroscope columns.
     pub gyro: Option<GyroUnit>,
-    /// Of the temperature column.
+    /// Unit of the temperature column.
     pub temperature: Option<TemperatureUnit>,
-    /// Of the magnetometer columns.
+    /// Unit of the magnetometer columns.
     pub field: Option<FieldUnit>,
 }
 
@@ -206,7 +206,7 @@ impl TimeUnit {
         Self::Nanoseconds,
     ];
 
-    /// How many of it make a second.
+    /// Returns the number of these units in a second.
     pub fn per_second(self) -> f64 {
         match self {
             Self::Seconds => 1.0,

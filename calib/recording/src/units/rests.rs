@@ -79,8 +79,8 @@ pub(crate) fn rests(first: &[Vector3<f64>], second: &[Vector3<f64>]) -> Vec<Rest
     rests
 }
 
-/// Which of two sensors in the same rows is the accelerometer: its mean at rest turns with gravity, while a
-/// gyroscope's is always its bias. `None` where the rests do not tell.
+/// Returns the index of the accelerometer of two sensors in the same rows: its mean in static intervals turns with gravity, while a
+/// gyroscope's is always its bias. `None` if the static intervals do not tell.
 pub(crate) fn accelerometer(sensors: [&[Vector3<f64>]; 2]) -> Option<usize> {
     let sensors = sensors.map(|values| &values[..values.len().min(LOOKED_AT)]);
     let rests = rests(sensors[0], sensors[1]);
@@ -101,7 +101,7 @@ pub(crate) fn accelerometer(sensors: [&[Vector3<f64>]; 2]) -> Option<usize> {
     told(shares(usual_distance)).or_else(|| told(shares(|means| moments(means).1.sqrt())))
 }
 
-/// Whether the means of the second sensor at rest are those of gravity: of one length, or on a sphere about its bias.
+/// Returns true if the second sensor's means in static intervals are gravity: of one norm, or on a sphere about its bias.
 pub(crate) fn is_gravity(first: &[Vector3<f64>], second: &[Vector3<f64>]) -> bool {
     let [first, second] = [first, second].map(|values| &values[..values.len().min(LOOKED_AT)]);
     let rests = rests(first, second);
@@ -115,7 +115,7 @@ pub(crate) fn is_gravity(first: &[Vector3<f64>], second: &[Vector3<f64>]) -> boo
     (usual > 0.0 && 10 * others.count() <= means.len()) || sphere(&means).is_some()
 }
 
-/// Whether a sensor reads more all the time than it changes by: an accelerometer in one attitude, and no gyroscope.
+/// Returns true if the mean of a sensor exceeds its spread: an accelerometer in one orientation, and no gyroscope.
 pub(crate) fn has_gravity(values: &[Vector3<f64>]) -> bool {
     let (mean, square) = moments(&values[..values.len().min(LOOKED_AT)]);
     mean.norm() > square.sqrt()

@@ -42,8 +42,8 @@ pub(crate) fn turn_unit(accel: &Stream, gyro: &Stream) -> Option<GyroUnit> {
     (best < WITHIN && medians[1].0 > 3.0 * best.max(0.05)).then_some(unit)
 }
 
-/// How many times as far as in `unit` the turns of `gyro` went by what `accel` saw, where that is so many times that
-/// the unit is wrong, or the time's; `None` where it may be right.
+/// Estimates the factor by which the turns that `accel` saw exceed those of `gyro` in `unit`, if it shows that the unit is wrong, or
+/// the time's; `None` if the unit may be right.
 pub(crate) fn wrong_by(accel: &Stream, gyro: &Stream, unit: GyroUnit) -> Option<f64> {
     let missed = *misses(accel, gyro, &[unit.scale()])?.first()?;
     if missed < MISSED {
@@ -83,7 +83,7 @@ fn misses(accel: &Stream, gyro: &Stream, scales: &[f64]) -> Option<Vec<f64>> {
     medians.filter(|_| turns >= 3)
 }
 
-/// How a direction that stands still turns in the frame of a device that turns at `scale (gyro - bias)`.
+/// Computes the rotation of a fixed direction in the frame of a device that turns at `scale (gyro - bias)`.
 fn turn(
     gyro: &Stream,
     range: std::ops::Range<usize>,

@@ -1,11 +1,11 @@
-//! What a disturbance knows, and what it does to a reading.
+//! Disturbances of readings that no model knows.
 
 use std::collections::BTreeMap;
 use std::fmt;
 
 use nalgebra::{UnitQuaternion, Vector3};
 
-/// What a disturbance needs to know of an instant.
+/// True state of the device at an instant.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Instant {
     /// s.
@@ -22,10 +22,10 @@ pub(crate) struct Instant {
 
 /// A disturbance of one sensor in one simulation, with everything random in it drawn.
 pub(crate) trait Disturbance: fmt::Debug + Send + Sync {
-    /// What it adds to the reading, in the sensor's unit.
+    /// Returns the error that is added to the reading, in the sensor's unit.
     fn error(&self, at: &Instant) -> Vector3<f64>;
 
-    /// What was drawn, by name.
+    /// Returns the random values that were drawn, by name.
     fn drawn(&self) -> BTreeMap<String, Vec<f64>> {
         BTreeMap::new()
     }

@@ -15,7 +15,7 @@ pub struct Heading {
     pub sensor: Sensor,
     /// `a`, m/s² or rad/s.
     pub amplitude: f64,
-    /// Of `h`, from east (x) to north (y), rad.
+    /// Azimuth of `h`, from east (x) to north (y), rad.
     #[serde(default)]
     pub azimuth: f64,
 }

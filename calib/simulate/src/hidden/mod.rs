@@ -1,4 +1,4 @@
-//! What a device or its surroundings do that no effect of the catalogue describes.
+//! Disturbances by a device or its surroundings that no effect of the catalogue describes.
 //!
 //! A disturbance adds an error to the raw reading. It is for tests of what is found when nothing that
 //! is known fits; each has one `amplitude` that sets its size.
@@ -64,20 +64,20 @@ pub enum Hidden {
 /// A disturbance and the sensor that it disturbs.
 #[derive(Clone, Debug)]
 pub(crate) struct Placed {
-    /// Which.
+    /// Disturbed sensor.
     pub sensor: Sensor,
-    /// What.
+    /// The disturbance.
     pub disturbance: Arc<dyn Disturbance>,
 }
 
-/// What truth says of a hidden disturbance.
+/// Truth about a hidden disturbance.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HiddenTruth {
     /// Its name in a spec.
     pub name: String,
     /// Its size, in the unit of the spec.
     pub amplitude: f64,
-    /// What was drawn for it at random, by name.
+    /// Random values that were drawn for it, by name.
     pub drawn: BTreeMap<String, Vec<f64>>,
 }
 
@@ -166,7 +166,7 @@ impl Hidden {
         })
     }
 
-    /// What is wrong with its numbers.
+    /// Checks its numbers; the error names the key.
     pub(crate) fn check(&self, place: usize) -> Result<(), Complaint> {
         let key = |name: &str| format!("hidden.{place}.{}.{name}", self.name());
         let largest = match self {

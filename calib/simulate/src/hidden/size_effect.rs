@@ -24,7 +24,7 @@ impl SizeEffect {
     }
 }
 
-/// Where the three axes sit, m.
+/// Positions of the three axes, m.
 #[derive(Debug)]
 pub(super) struct Drawn {
     arms: [Vector3<f64>; 3],

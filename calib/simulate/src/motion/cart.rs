@@ -18,9 +18,9 @@ pub struct Cart {
     pub distance: f64,
     /// Body direction of the run.
     pub along: [f64; 3],
-    /// How long the run takes, s.
+    /// Duration of the run, s.
     pub duration: f64,
-    /// How long the cart stands before and after, s.
+    /// Time at rest before and after the run, s.
     pub rest: f64,
     /// Rattle of the floor while rolling, m/s² (amplitude of each of four sines of 5 to 25 Hz).
     pub rattle: f64,

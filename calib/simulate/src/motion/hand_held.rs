@@ -23,9 +23,9 @@ pub struct HandHeld {
     pub rest: [f64; 2],
     /// Shortest and longest turn, s.
     pub turn: [f64; 2],
-    /// How far a placement is off its face, edge or corner, rad (standard deviation per axis).
+    /// Deviation of a placement from its face, edge or corner, rad (standard deviation per axis).
     pub scatter: f64,
-    /// How far the hand lifts the device, m.
+    /// Height by which the hand lifts the device, m.
     pub lift: f64,
     /// Tremor of the hand: 1 is 0.3 m/s² and 0.1 rad/s at 6 to 10 Hz.
     pub tremor: f64,

@@ -68,7 +68,7 @@ impl Motion {
         &self.segments
     }
 
-    /// Where a mean has to be split, ascending, s: the motion is analytic between knots.
+    /// Returns the times at which a mean has to be split, ascending, s: the motion is analytic between them.
     pub fn knots(&self) -> &[f64] {
         &self.knots
     }

@@ -1,4 +1,4 @@
-//! Which way a placed device points.
+//! Orientations of a placed device.
 
 use std::f64::consts::TAU;
 

@@ -24,7 +24,7 @@ impl Path {
         }
     }
 
-    /// Where the next segment begins, s.
+    /// Returns the time at which the next segment begins, s.
     pub fn end(&self) -> f64 {
         self.end
     }

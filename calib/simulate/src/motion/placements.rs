@@ -18,13 +18,13 @@ pub(crate) struct Placement {
     pub label: String,
     /// Body to reference.
     pub attitude: UnitQuaternion<f64>,
-    /// How long the device rests, s.
+    /// Duration of the static interval, s.
     pub rest: f64,
-    /// How long the turn before it takes, s.
+    /// Duration of the turn before it, s.
     pub turn: f64,
 }
 
-/// What happens to placements whoever makes them.
+/// Surroundings of placements, whatever the motion.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Surroundings<'a> {
     /// Seed of the simulation.
@@ -33,9 +33,9 @@ pub(crate) struct Surroundings<'a> {
     pub gravity: f64,
     /// Table that vibrates.
     pub vibration: Option<&'a Vibration>,
-    /// What moves while the device should be at rest.
+    /// Motion during placements, where the device should be at rest.
     pub unsteady: Option<&'a Unsteady>,
-    /// What goes wrong.
+    /// Faults of the recording.
     pub faults: &'a [Fault],
 }
 
@@ -82,7 +82,7 @@ pub(crate) fn path_through(
     path
 }
 
-/// How long a touch lasts at most, s.
+/// Longest duration of a touch, s.
 const TOUCH_LENGTH: f64 = 1.0;
 /// Frequency of a touch, Hz.
 const TOUCH_FREQUENCY: f64 = 5.0;

@@ -21,7 +21,7 @@ pub struct PlannedLeg {
     pub axis: [f64; 3],
     /// rad.
     pub angle: f64,
-    /// How long it takes, s.
+    /// Duration of the turn, s.
     pub duration: f64,
 }
 
@@ -29,9 +29,9 @@ pub struct PlannedLeg {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "snake_case")]
 pub struct PlannedStep {
-    /// How the device is turned.
+    /// Turns of the device, one after the other.
     pub legs: Vec<PlannedLeg>,
-    /// How long it rests then, s.
+    /// Duration of the static interval after them, s.
     pub rest: f64,
 }
 
@@ -58,13 +58,13 @@ impl PlannedStep {
 pub struct Planned {
     /// Body direction that points up at first.
     pub up: [f64; 3],
-    /// How long the device rests at first, s.
+    /// Duration of the first static interval, s.
     pub first_rest: f64,
-    /// What follows.
+    /// Steps after the first static interval.
     pub steps: Vec<PlannedStep>,
-    /// How far a placement is off the plan, rad (standard deviation per axis).
+    /// Deviation of a placement from the plan, rad (standard deviation per axis).
     pub scatter: f64,
-    /// How far the hand lifts the device, m.
+    /// Height by which the hand lifts the device, m.
     pub lift: f64,
     /// Tremor of the hand: 1 is 0.3 m/s² and 0.1 rad/s at 6 to 10 Hz.
     pub tremor: f64,

@@ -87,8 +87,8 @@ impl Profile {
         }
     }
 
-    /// Where a mean has to be split: at the ends, and twice per time constant within a knock, which
-    /// is faster than the rest.
+    /// Returns the times at which a mean has to be split, s: the ends, the ends of ramps, and two per time constant within a knock,
+    /// which changes faster than other profiles.
     pub fn knots(&self) -> Vec<f64> {
         let (start, end) = self.span();
         let within = match *self {

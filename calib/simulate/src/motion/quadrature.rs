@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul};
 
-/// What can be averaged.
+/// Quantity that can be averaged.
 pub(crate) trait Mean: Copy + Add<Output = Self> + Mul<f64, Output = Self> {}
 impl<V: Copy + Add<Output = V> + Mul<f64, Output = V>> Mean for V {}
 

@@ -9,7 +9,7 @@ use super::profile::Profile;
 pub(crate) struct Twist {
     /// Rotation vector at profile value 1, rad.
     pub rotation: Vector3<f64>,
-    /// How much of it is done.
+    /// Factor of the rotation over time.
     pub profile: Profile,
 }
 
@@ -18,11 +18,11 @@ pub(crate) struct Twist {
 pub(crate) struct Move {
     /// Displacement at profile value 1, m.
     pub displacement: Vector3<f64>,
-    /// How much of it is done.
+    /// Factor of the displacement over time.
     pub profile: Profile,
 }
 
-/// What is known of a stretch at rest.
+/// Properties of a static interval.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Rest {
     /// Words for the placement, such as `face +z`.
@@ -112,7 +112,7 @@ impl Segment {
         state
     }
 
-    /// Where a mean has to be split: the ends of the segment and the knots of its profiles.
+    /// Returns the times at which a mean has to be split, s: the ends of the segment and the knots of its profiles.
     pub fn knots(&self) -> Vec<f64> {
         let twists = self.twists.iter().map(|w| w.profile);
         let profiles = twists.chain(self.moves.iter().map(|m| m.profile));

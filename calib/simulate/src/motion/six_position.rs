@@ -16,7 +16,7 @@ pub struct SixPosition {
     pub rest: f64,
     /// Length of each turn, s.
     pub turn: f64,
-    /// How far a face is from level, rad (standard deviation per axis).
+    /// Deviation of a face from level, rad (standard deviation per axis).
     pub scatter: f64,
 }
 

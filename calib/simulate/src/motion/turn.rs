@@ -16,10 +16,10 @@ const KNOCK_DECAY: f64 = 0.008;
 /// A knock leaves this share of its acceleration (m/s²) as angular acceleration (rad/s²).
 const KNOCK_SPIN: f64 = 2.0;
 
-/// How a hand turns.
+/// Properties of a hand that turns the device.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Hand {
-    /// How far it lifts, m.
+    /// Height by which it lifts the device, m.
     pub lift: f64,
     /// Tremor: 1 is 0.3 m/s² and 0.1 rad/s at 6 to 10 Hz.
     pub tremor: f64,
@@ -56,7 +56,7 @@ pub(crate) fn turn_to(
     path.movement(length, twists, moves);
 }
 
-/// What a hand adds to rotations between two times: it lifts, carries sideways and trembles.
+/// Adds what a hand adds to rotations between two times, s: it lifts, carries sideways and trembles. Returns the displacements.
 pub(crate) fn hand_moves(
     hand: &Hand,
     (start, end): (f64, f64),

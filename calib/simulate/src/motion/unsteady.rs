@@ -1,4 +1,4 @@
-//! What a placement does that should be at rest.
+//! Motion of a placement that should be at rest.
 
 use std::f64::consts::TAU;
 
@@ -14,9 +14,9 @@ use crate::surroundings::Unsteady;
 const SINES: usize = 3;
 /// Acceleration that goes with the angular rate of a tremor, (m/s²)/(rad/s).
 const SHAKE: f64 = 3.0;
-/// How long the device takes to come to rest, s.
+/// Time in which the device comes to rest, s.
 const SETTLING: f64 = 1.0;
-/// How long a motion takes to begin or to end within a placement, s.
+/// Time in which a motion begins or ends within a placement, s.
 const RAMP: f64 = 0.3;
 
 /// Rotations and displacements of the next placement on `path`, of `length` seconds.

@@ -17,15 +17,15 @@ use crate::random::{Purpose, Random};
 pub struct Walking {
     /// Length of the walk, m.
     pub distance: f64,
-    /// How long it takes, s.
+    /// Duration of the walk, s.
     pub duration: f64,
-    /// How long the walker stands before, s; 5 s after.
+    /// Time for which the walker stands before, s; 5 s after.
     pub rest: f64,
-    /// How far the device's y axis points above the horizon, rad.
+    /// Angle of the device's y axis above the horizon, rad.
     pub pitch: f64,
     /// Steps per second.
     pub cadence: f64,
-    /// How far the body bobs up and down (amplitude), m.
+    /// Amplitude of the body's bobbing up and down, m.
     pub bob: f64,
 }
 
@@ -42,7 +42,7 @@ impl Default for Walking {
     }
 }
 
-/// How long the walker stands at the end, s.
+/// Time for which the walker stands at the end, s.
 const LAST_REST: f64 = 5.0;
 
 impl Walking {

@@ -1,4 +1,4 @@
-//! How single samples of white noise are distributed.
+//! Distribution of single samples of white noise.
 
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};

@@ -16,7 +16,7 @@ pub struct Spikes {
 }
 
 impl Spikes {
-    /// What is added to the next sample.
+    /// Draws the error that is added to the next sample, in the unit of `size`.
     pub(crate) fn draw(&self, random: &mut Random) -> Vector3<f64> {
         let mut spike = Vector3::zeros();
         if random.uniform(0.0..1.0) < self.share {

@@ -38,7 +38,7 @@ pub(crate) struct ClockChange {
     pub rate_error: f64,
 }
 
-/// Where in a sample's window its time stamp lies.
+/// Position of the time stamp in a sample's window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Stamp {
@@ -56,9 +56,9 @@ pub(crate) struct Tick {
     pub from: f64,
     /// True end of the window, s.
     pub to: f64,
-    /// What the true time is where the stamp means to be, s.
+    /// True time at the position of the stamp, s.
     pub time: f64,
-    /// What the clock says, s.
+    /// Time by the clock, s.
     pub stamp: f64,
 }
 

@@ -12,7 +12,7 @@ pub(crate) use readout::{Readout, ZERO_COUNT};
 pub(crate) use resampling::Resampler;
 pub use resampling::{Between, Resampled};
 
-/// What a sample says of its window.
+/// Value of a sample with respect to its window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Sampling {

@@ -15,7 +15,7 @@ pub(crate) struct Readout {
     pub dead_zone: f64,
 }
 
-/// What a 16-bit converter gives for zero.
+/// Count of a 16-bit converter for zero.
 pub(crate) const ZERO_COUNT: f64 = 32768.0;
 /// Its largest count.
 const LAST_COUNT: f64 = 65535.0;

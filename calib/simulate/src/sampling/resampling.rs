@@ -11,12 +11,12 @@ use super::{Tick, Ticks};
 pub struct Resampled {
     /// Samples per second of the sensor itself.
     pub rate: f64,
-    /// What is written at a stamp.
+    /// Value that is written between two samples.
     #[serde(default)]
     pub by: Between,
 }
 
-/// What is written between two samples of the sensor.
+/// Interpolation between two samples of the sensor.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Between {
@@ -50,7 +50,7 @@ impl Resampler {
         }
     }
 
-    /// What is written at true time `t`; `read` makes the sensor's own samples. Times must not decrease.
+    /// Returns the reading that is written at true time `t`, s; `read` makes the sensor's own samples. Times must not decrease.
     pub fn at(&mut self, t: f64, mut read: impl FnMut(&Tick) -> Reading) -> Reading {
         let mut next = || {
             let tick = self.ticks.tick();

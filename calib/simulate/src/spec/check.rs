@@ -25,7 +25,7 @@ impl Spec {
         Ok(self.complaint().map_or(Ok(()), Err)?)
     }
 
-    /// What is wrong with it, if anything is.
+    /// Returns the first complaint about the spec, if there is one.
     pub(crate) fn complaint(&self) -> Option<Complaint> {
         self.check_numbers().and_then(|()| self.check_names()).err()
     }

@@ -1,4 +1,4 @@
-//! What is wrong with a spec, and where.
+//! Complaints about a spec, each with its key.
 
 use std::ops::RangeInclusive;
 
@@ -11,7 +11,7 @@ use sensor::DefinitionError;
 pub(crate) struct Complaint {
     /// Dotted path, such as `motion.hand_held.rest`.
     pub key: String,
-    /// What was found, what is expected.
+    /// Finding with the value that was found and what is expected.
     pub what: Box<Finding>,
 }
 

@@ -1,4 +1,4 @@
-//! What to simulate.
+//! Specification of a simulation.
 
 mod check;
 pub(crate) mod complaint;
@@ -47,9 +47,9 @@ pub struct Spec {
     pub seed: u64,
     /// Samples per second.
     pub rate: f64,
-    /// Where in a sample's window its time stamp lies.
+    /// Position of the time stamp in a sample's window.
     pub stamp: Stamp,
-    /// Whether samples are averages over their window or values at an instant.
+    /// Value of a sample: the mean over its window, or the value at an instant.
     pub sampling: Sampling,
     /// Norm of gravity, m/s².
     pub gravity: f64,
@@ -57,9 +57,9 @@ pub struct Spec {
     pub latitude: Option<f64>,
     /// From the hand's centre of rotation to the sensor, body frame, m.
     pub lever_arm: [f64; 3],
-    /// How the device moves.
+    /// Motion of the device.
     pub motion: Motion,
-    /// What errors and white noise are drawn from where they are not given.
+    /// Quality of the device: errors and white noise that are not given are drawn from it.
     pub grade: Grade,
     /// True parameters by name (`accel.s_x`, `gyro.b_z`), instead of random ones.
     pub parameters: BTreeMap<String, f64>,
@@ -77,16 +77,16 @@ pub struct Spec {
     pub temperature: Option<Temperature>,
     /// Vibration of the table at rest.
     pub vibration: Option<Vibration>,
-    /// What moves while the device should be at rest.
+    /// Motion during placements, where the device should be at rest.
     pub unsteady: Option<Unsteady>,
     /// Effects beside the catalogue, as expressions; `effects` switches them on.
     pub definitions: Vec<Definition>,
     /// Effects of another crate; `effects` switches them on. A text of the spec lacks them.
     #[serde(skip)]
     pub own: OwnEffects,
-    /// What goes wrong.
+    /// Faults of the recording.
     pub faults: Vec<Fault>,
-    /// What is outside the catalogue of effects.
+    /// Disturbances outside the catalogue of effects.
     pub hidden: Vec<Hidden>,
 }
 
@@ -156,7 +156,7 @@ impl Motion {
     }
 }
 
-/// What one sensor is like beyond its model. The unit `u` is m/s² or rad/s.
+/// Noise, clock and readout of one sensor. The unit `u` is m/s², rad/s or µT.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "snake_case")]
 pub struct SensorSpec {
@@ -166,7 +166,7 @@ pub struct SensorSpec {
     pub random_walk: f64,
     /// Bias instability (flicker, 1/f), u.
     pub instability: f64,
-    /// How single samples of white noise are distributed.
+    /// Distribution of single samples of white noise.
     pub distribution: Distribution,
     /// Corner of a low pass of second order that the white noise goes through, Hz.
     pub low_pass: Option<f64>,
@@ -174,7 +174,7 @@ pub struct SensorSpec {
     pub correlation: f64,
     /// Single readings that are far off.
     pub spikes: Option<Spikes>,
-    /// How far the bias moves from the begin to the end (norm), fast at first, u.
+    /// Change of the bias from the begin to the end (norm), fast at first, u.
     pub thermal_drift: f64,
     /// Readings closer to zero than this are zero, u.
     pub dead_zone: f64,
@@ -296,7 +296,7 @@ impl Spec {
         self.hidden.iter().map(Hidden::rate_error).sum()
     }
 
-    /// What is said of one sensor.
+    /// Returns the specification of one sensor.
     pub fn sensor(&self, sensor: Sensor) -> &SensorSpec {
         match sensor {
             Sensor::Accelerometer => &self.accelerometer,

@@ -1,4 +1,4 @@
-//! What can go wrong with a recording, as opposed to a sensor.
+//! Faults of a recording, as opposed to a sensor.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,4 +1,4 @@
-//! What surrounds the device: temperature, a table that vibrates, a hand that holds it, and what goes wrong.
+//! Surroundings of the device: temperature, a table that vibrates, a hand that holds it, and faults of the recording.
 
 mod fault;
 mod magnetic_field;

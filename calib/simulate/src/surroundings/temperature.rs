@@ -15,7 +15,7 @@ pub struct Temperature {
     pub swing: f64,
     /// Its period, s.
     pub period: f64,
-    /// How much the device warms itself up, K.
+    /// Temperature rise by the device's own heat, K.
     pub self_heating: f64,
     /// Time constant of the warming, s.
     pub tau: f64,

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What moves during placements. All of it is true motion: both sensors see it.
+/// Motion of the device during placements. It is true motion: both sensors see it.
 ///
 /// | key | meaning | unit |
 /// |---|---|---|

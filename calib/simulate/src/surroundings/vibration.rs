@@ -18,7 +18,7 @@ pub struct Vibration {
     pub share: f64,
     /// A machine's vibration of this frequency, Hz, instead of white noise.
     pub frequency: Option<f64>,
-    /// How much the table rocks with it: angular rate over acceleration, (rad/s)/(m/s²).
+    /// Rocking of the table with its vibration: angular rate over acceleration, (rad/s)/(m/s²).
     pub rocking: f64,
 }
 

@@ -8,7 +8,7 @@ use hdf5_reader::{Datatype, H5Type, dtype_element_size};
 use super::super::rows::Cell;
 use super::bounds::WIDEST;
 
-/// What an element of a dataset holds: a number, or those of a record.
+/// An element of a dataset as cells: one number, or the numbers of a record.
 #[derive(Clone, Debug)]
 pub(super) struct Element(pub Vec<Cell>);
 

@@ -1,4 +1,4 @@
-//! Which datasets of a file make a table.
+//! Search for the datasets of a file that make tables.
 
 use findings::{Finding, Findings, Kind};
 use std::collections::BTreeMap;
@@ -64,7 +64,7 @@ impl Table {
     }
 }
 
-/// What is in a file.
+/// Tables and other datasets found in a file.
 #[derive(Default)]
 pub(super) struct Found {
     pub tables: Vec<Table>,

@@ -23,7 +23,7 @@ pub(super) struct Set {
     pub name: String,
     pub rows: u64,
     pub width: usize,
-    /// Which of its dimensions counts the rows.
+    /// Index of the dimension that counts the rows.
     axis: usize,
     /// Names of its columns, where they have some.
     pub names: Option<Vec<String>>,

@@ -16,11 +16,11 @@ const FEWEST: usize = 10;
 const DEPTH: usize = 6;
 /// Numbers in an element of a column: a quaternion has four.
 const WIDEST: usize = 4;
-/// What the list of names of nameless rows is called.
+/// Keys of a list that names the columns of rows without names.
 const NAMES: [&str; 6] = [
     "sensors", "columns", "names", "fields", "header", "channels",
 ];
-/// What the step between rows is called, ms.
+/// Key of the step between rows, ms.
 const STEP: &str = "interval_ms";
 
 /// One object.
@@ -30,7 +30,7 @@ pub(super) struct Document {
 
 /// A table of a document.
 pub(super) struct Table<'a> {
-    /// Where it stands, names joined by `/`.
+    /// Path in the document, names joined by `/`.
     pub name: String,
     content: Content<'a>,
 }
@@ -79,7 +79,7 @@ impl Document {
         tables.into_iter()
     }
 
-    /// What it holds, for a message.
+    /// Lists up to ten keys of the document, for a message.
     pub fn listed(&self) -> String {
         let names = self.root.as_object().into_iter().flat_map(Map::keys);
         let names: Vec<String> = names.take(10).map(|name| shown(name)).collect();

@@ -1,4 +1,4 @@
-//! What a Parquet file announces, weighed before its parser makes room for it.
+//! Checks of the sizes that a Parquet file states, before its parser allocates memory for them.
 
 use std::io::{BufReader, Read, Seek, SeekFrom};
 
@@ -145,7 +145,7 @@ pub(super) fn check_pages(
 struct Page {
     /// Bytes, unpacked and packed.
     sizes: [u64; 2],
-    /// How its values are written.
+    /// Encoding of its values, by its number in the format.
     encoding: Option<i32>,
 }
 

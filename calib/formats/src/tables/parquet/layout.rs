@@ -1,4 +1,4 @@
-//! Which types the values of Parquet's metadata have: its parser looks at few of them, and would read on at another byte.
+//! Types of the values in Parquet's metadata. The parser checks few of them and would read on at a wrong byte.
 //! "Apache Parquet: parquet.thrift", version 2.12, <https://github.com/apache/parquet-format>.
 
 use super::thrift::Shape::{self, List, Plain, Structure, Truth, Unread};

@@ -161,7 +161,7 @@ struct Column {
     at: usize,
     /// Its name, with the unit of stamps.
     name: String,
-    /// What the whole numbers of a decimal are divided by.
+    /// Divisor of a decimal's whole numbers: a power of ten.
     divisor: Option<f64>,
     levels: i16,
     is_text: bool,

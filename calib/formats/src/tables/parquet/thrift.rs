@@ -34,10 +34,10 @@ pub(super) struct Field {
     pub kind: u8,
 }
 
-/// What a value is read as.
+/// Expected type of a value.
 #[derive(Debug)]
 pub(super) enum Shape {
-    /// Of this type.
+    /// A value of this Thrift type.
     Plain(u8),
     /// True or false.
     Truth,
@@ -50,7 +50,7 @@ pub(super) enum Shape {
 }
 
 impl Shape {
-    /// That of the field with this number.
+    /// Returns the shape of field `number`; [`Shape::Unread`] for a field that is not listed.
     pub fn of(fields: &'static [Self], number: i64) -> &'static Self {
         let at = usize::try_from(number.saturating_sub(1)).ok();
         at.and_then(|at| fields.get(at)).unwrap_or(&Self::Unread)

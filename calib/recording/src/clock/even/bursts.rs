@@ -149,7 +149,7 @@ fn ticks(t: &[f64], period: f64, ahead: usize) -> Vec<u32> {
         .collect()
 }
 
-/// Whether hardly any stamp is farther from the even clock than the host lets samples wait.
+/// Returns true if hardly any stamp differs from the even clock by more than a long step (95th percentile).
 fn is_behind(even: &[f64], t: &[f64], steps: &[f64], period: f64) -> bool {
     let rank = steps.len() * 19 / 20;
     let longest = crate::order_statistic::nth_smallest(steps.iter().copied(), rank);

@@ -52,7 +52,7 @@ pub struct EvenClock {
     pub lost: u64,
 }
 
-/// What stamps say of their clock.
+/// Regularity of stamps, with the even clock behind them.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stamps {
     /// Even by themselves, or too few to tell.
@@ -113,7 +113,7 @@ fn mean_step(t: &[f64], usual: f64) -> f64 {
     sum / f64::max(count, 1.0)
 }
 
-/// Whether whole multiples of one step lie between the stamps.
+/// Returns true if neighbouring stamps are whole multiples of `step`, s, apart.
 fn is_exact(run: &[f64], step: f64) -> bool {
     let near = |pair: &[f64]| {
         let steps = (pair[1] - pair[0]) / step;

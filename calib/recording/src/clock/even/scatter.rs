@@ -1,4 +1,4 @@
-//! How stamps scatter: the period, what each stamp has of its own, and what adds up from step to step.
+//! Scatter of stamps: their period, the jitter of each stamp, and the random walk that adds up from step to step.
 
 use crate::order_statistic::nth_smallest;
 
@@ -68,7 +68,7 @@ impl Scatter {
         Some(Self::with(period, v1, v16, v64))
     }
 
-    /// Of variances over 1, 16 and 64 steps; the longer ones may be missing (NaN).
+    /// Builds the scatter from the variances over 1, 16 and 64 steps, s²; the longer ones may be missing (NaN).
     fn with(period: f64, v1: f64, v16: f64, v64: f64) -> Self {
         let v16 = if v16.is_nan() { v1 } else { v16 };
         let v64 = if v64.is_nan() { v16 } else { v64 };

@@ -1,4 +1,4 @@
-//! How many steps lie between stamps, by a search over whole numbers.
+//! Number of steps between stamps, by a search over whole numbers.
 //!
 //! Rounding one step at a time miscounts as soon as two stamps scatter by half a step between them. Here
 //! several counts are followed side by side, each with a phase and a period that track the stamps, and the
@@ -119,8 +119,8 @@ impl Tracker {
         }
     }
 
-    /// Where the first stamp should have been: the median over the first ones, which samples lost among them put off,
-    /// and where it is.
+    /// Returns two initial states: the median phase of the first stamps, which lost samples among them shift, and the phase of the
+    /// first stamp.
     fn begin(&self, stamps: &[f64]) -> [State; 2] {
         let first = stamps.iter().take(LAG).enumerate();
         let mut phases: Vec<f64> = first.map(|(k, s)| s - k as f64 * self.period).collect();
@@ -214,7 +214,7 @@ impl Tracker {
         (ticks, paths[0].cost)
     }
 
-    /// Whether two paths go on alike.
+    /// Returns true if two paths have the same tick and nearly the same phase.
     fn is_same(&self, one: &Path, other: &Path) -> bool {
         let apart = (one.state.phase - other.state.phase).abs();
         one.tick == other.tick && apart < ALIKE * self.period

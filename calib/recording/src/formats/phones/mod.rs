@@ -1,4 +1,4 @@
-//! What apps on phones write.
+//! Formats of smartphone apps.
 
 pub(crate) mod androsensor;
 pub(crate) mod phyphox;

@@ -22,7 +22,7 @@ use crate::units::{GyroUnit, is_of_sensor};
 #[derive(Debug)]
 pub(crate) struct Phyphox;
 
-/// What a table of phyphox holds.
+/// Content of a table of phyphox.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Holds {
     Sensor(Sensor),

@@ -22,7 +22,7 @@ pub(crate) struct SensorLogger;
 /// Files of an accelerometer with gravity, and of a gyroscope: unprocessed before processed.
 const ACCEL: [&str; 2] = ["AccelerometerUncalibrated", "TotalAcceleration"];
 const GYRO: [&str; 2] = ["GyroscopeUncalibrated", "Gyroscope"];
-/// What the app calls those of an accelerometer with gravity.
+/// Names in the app of the streams of an accelerometer with gravity.
 const WITH_GRAVITY: [&str; 2] = ["Total Acceleration", "Accelerometer (Uncalibrated)"];
 /// Files that make an accelerometer with gravity together.
 const PARTS: [&str; 2] = ["Accelerometer", "Gravity"];
@@ -121,7 +121,7 @@ fn without_gravity(files: &Files) -> Error {
     in_file(&files.name, Finding::of(Kind::SensorLoggerLinear))
 }
 
-/// What the app was set to.
+/// Settings of the app.
 struct Settings {
     ios: bool,
     standardised: bool,

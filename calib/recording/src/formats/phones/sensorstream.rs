@@ -26,7 +26,7 @@ const ACCEL: u8 = 3;
 const GYRO: u8 = 4;
 const FIELD: u8 = 5;
 
-/// How many values follow the number of a sensor.
+/// Returns the number of values after the number of a sensor; `None` for an unknown sensor.
 fn values(id: u8) -> Option<usize> {
     match id {
         1 | ACCEL..=7 | 81..=84 => Some(3),

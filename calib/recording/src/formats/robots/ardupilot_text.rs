@@ -5,7 +5,7 @@ use findings::{Finding, Kind};
 /// Columns of the message that no other table has beside `GyrX` and `AccX`: counts of errors, health, rates.
 const OWN: [&str; 6] = ["EG", "EA", "GH", "AH", "GHz", "AHz"];
 
-/// What is said of readings that ArduPilot had corrected.
+/// Builds the finding about readings that ArduPilot had corrected.
 pub(crate) fn corrected() -> Finding {
     Finding::of(Kind::CorrectedBySystem)
         .detail("system", "ArduPilot")
@@ -13,7 +13,7 @@ pub(crate) fn corrected() -> Finding {
         .detail("raw", "The .BIN log")
 }
 
-/// Whether columns of these names are those of the message.
+/// Returns true if the names are the columns of ArduPilot's message `IMU`.
 pub(crate) fn is_imu(names: &[String]) -> bool {
     let has = |wanted: &str| names.iter().any(|name| name == wanted);
     has("GyrX") && has("AccX") && OWN.iter().filter(|name| has(name)).count() > 1

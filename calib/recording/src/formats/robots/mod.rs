@@ -1,4 +1,4 @@
-//! What robots, drones and their tools write as text.
+//! Text formats of robots, drones and their tools.
 
 pub(crate) mod ardupilot_text;
 pub(crate) mod betaflight;

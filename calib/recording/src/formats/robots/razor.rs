@@ -26,7 +26,7 @@ const RATE: f64 = 50.0;
 /// Counts of one g.
 const PER_G: &str = "/256";
 
-/// What a line holds behind its mark.
+/// Content of a line, by the mark at its beginning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     /// Angles, accelerometer, gyroscope and perhaps magnetometer.

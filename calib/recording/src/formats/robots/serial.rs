@@ -1,4 +1,4 @@
-//! What programs of microcontrollers print: `ax:-9\tay:..`, `a/g:\t-9\t..`, `22:13:01.123 -> -9,..`, blocks of words.
+//! Output of microcontroller programs: `ax:-9\tay:..`, `a/g:\t-9\t..`, `22:13:01.123 -> -9,..`, blocks of words.
 
 use std::io::Read;
 
@@ -34,7 +34,7 @@ struct Numbers<'a> {
 }
 
 impl Numbers<'_> {
-    /// What its numbers are called.
+    /// Returns the names of the numbers.
     fn names(&self) -> impl Iterator<Item = &str> {
         self.pairs.iter().map(|(name, _)| *name)
     }

@@ -45,7 +45,7 @@ fn split(line: &str) -> Option<(&str, &str)> {
     are_numbers.then_some((stamp, rest))
 }
 
-/// What stands between the cells of a row; blanks where nothing else does.
+/// Returns the separator between the cells of a row; `None` for blanks.
 fn separator(cells: &str) -> Option<char> {
     [';', '\t', ',']
         .into_iter()

@@ -16,7 +16,7 @@ pub(crate) static DATE_AND_TIME: TextFormat = TextFormat {
     parts,
 };
 
-/// What the first column is called.
+/// Names of the first column.
 const DATES: [&str; 6] = ["date", "datum", "fecha", "data", "day", "dato"];
 
 fn parts(look: &Look) -> Option<Vec<Part>> {

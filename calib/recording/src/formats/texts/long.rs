@@ -19,7 +19,7 @@ pub(crate) static LONG: TextFormat = TextFormat {
     parts,
 };
 
-/// What the cell holds, in small letters and without punctuation.
+/// Labels of each sensor's rows, in small letters and without punctuation.
 const ACCEL: [&str; 5] = [
     "acc",
     "accel",

@@ -131,7 +131,7 @@ fn gnss_logger(look: &Look) -> Option<Vec<Part>> {
     })
 }
 
-/// What VectorNav's messages hold before the magnetometer, accelerometer and gyroscope: cells, and if a temperature follows.
+/// VectorNav's messages: tag, number of cells before the magnetometer's, true if a temperature follows, and rewriting to rows.
 const VECTORNAV_MESSAGES: [(&str, usize, bool, Change); 4] = [
     ("$VNIMU,", 0, true, |text| message(text, b"$VNIMU,")),
     ("$VNMAR,", 0, false, |text| message(text, b"$VNMAR,")),

@@ -14,9 +14,9 @@ use crate::source::Source;
 pub(crate) struct TextFormat {
     /// The name for `--format`.
     pub name: &'static str,
-    /// What it is, in a line.
+    /// Description of the format in one line.
     pub about: &'static str,
-    /// What is read from it; `None` for any other text.
+    /// Function that returns the parts to read; `None` for any other text.
     pub parts: fn(&Look) -> Option<Vec<Part>>,
 }
 

@@ -1,4 +1,4 @@
-//! What to propose where column names are not understood.
+//! Suggested options where column names are not understood.
 
 use findings::{OptionName, Remedy};
 use sensor::Sensor;
@@ -135,7 +135,7 @@ pub(crate) fn quoted(word: &str) -> String {
     }
 }
 
-/// What `--columns` calls a column.
+/// Returns the entry of a column for `--columns`: its name, or its number if the name is not unique or has special characters.
 pub(crate) fn entry(names: &[String], at: usize) -> String {
     // A comma or quote in a name would end the entry, and of two of one name it would be the first; its number says
     // which.

@@ -112,7 +112,7 @@ pub(crate) fn refuse(tables: &[Table]) -> Result<(), Error> {
     Ok(())
 }
 
-/// What is said of columns that look like a magnetometer's and are not read, where none is read.
+/// Builds the finding about columns that look like a magnetometer's, if no magnetometer is read.
 pub(crate) fn unread_field(tables: &[Table]) -> Option<Finding> {
     if tables.iter().any(|table| !table.magnetometer.t.is_empty()) {
         return None;

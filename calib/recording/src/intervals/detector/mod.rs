@@ -13,8 +13,8 @@ use crate::recording::{Recording, Stream, is_before};
 /// The share of windows that are taken to be at rest in any recording that can be calibrated.
 const QUIET_SHARE: f64 = 0.1;
 
-/// What is left of a rest of three seconds, s: the window sees the turns before and after it, and up to half a second goes with
-/// their ends.
+/// Shortest static interval that is kept, s: what remains of three seconds. The window sees the turns before and after, and up to
+/// half a second goes with their ends.
 const MIN_STATIC: f64 = 2.5;
 
 /// Fewest samples in a window whose spread means something.
@@ -44,13 +44,11 @@ pub struct Detector {
     /// Length of the initial rest that gives the threshold as published, s; `None` takes the
     /// quietest tenth of the recording, which needs no rest at the start.
     pub initial_static: Option<f64>,
-    /// Whether a rest on a table that vibrates is a rest: what it tells is less certain than a quiet one.
+    /// Static intervals on a vibrating table count. They are less certain than quiet ones.
     pub shaken: bool,
-    /// Whether a quiet stretch in which the device tilts steadily counts as a static interval: where its creep
-    /// is fitted.
+    /// Quiet stretches in which the device tilts steadily count as static intervals: used where the creep is fitted.
     pub creeping: bool,
-    /// Whether shorter static intervals, in a shorter window, may be taken where those asked for make no
-    /// calibration.
+    /// Shorter static intervals, in a shorter window, may be taken if those asked for do not suffice for a calibration.
     pub may_shorten: bool,
 }
 
@@ -268,7 +266,7 @@ fn quantile(values: &[f64], q: f64) -> f64 {
     nth_smallest(values.iter().copied(), rank).unwrap_or(0.0)
 }
 
-/// Where the samples of a sensor lie.
+/// Mean and range of a sensor's samples.
 struct Extent {
     mean: Vector3<f64>,
     /// Largest minus smallest value over all axes.

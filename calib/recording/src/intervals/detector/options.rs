@@ -1,8 +1,8 @@
-//! What a caller may say of the detector, and the detector that it makes.
+//! Options of the motion detector, and the detector built from them.
 
 use crate::intervals::Detector;
 
-/// What is said of the detector of motion; the rest follows from the recording.
+/// Options of the motion detector. What is not given follows from the recording.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DetectorOptions {
     /// Factor on the threshold; chosen by the accelerometer's fit where it is not given.

@@ -16,7 +16,7 @@ pub struct Moments {
 }
 
 impl Moments {
-    /// Of at least one sample; `None` of none.
+    /// Computes the moments of samples (`n × 3`); `None` without samples.
     pub fn of(values: &[Vector3<f64>]) -> Option<Self> {
         let count = values.len();
         if count == 0 {

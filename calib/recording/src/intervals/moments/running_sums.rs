@@ -39,7 +39,7 @@ impl Sum {
 }
 
 impl<'a> RunningSums<'a> {
-    /// Of samples that are all finite; `None` of others, which would spoil every mean after them.
+    /// Computes the running sums of samples (`n × 3`); `None` if one is not finite, which would spoil every mean after it.
     pub fn of(values: &'a [Vector3<f64>]) -> Option<Self> {
         let origin = values.first().copied().unwrap_or_default();
         let mut sums = Vec::with_capacity(values.len() / STRIDE + 1);

@@ -33,7 +33,7 @@ const LEAP: f64 = 1.5;
 /// Repeated readings that are more of the recording than this are how the sensor reads.
 const MOST: f64 = 0.2;
 
-/// Where a sensor repeats one reading for longer than chance, steps of the readings and a slower clock make it.
+/// Finds the runs in which a sensor repeats one reading for longer than chance, its resolution or a slower clock explains.
 pub(crate) fn frozen(sensor: Sensor, stream: &Stream) -> Vec<Frozen> {
     let of = |run: Range<usize>| Frozen {
         sensor,
@@ -103,7 +103,7 @@ fn frozen_runs(values: &[Vector3<f64>]) -> Vec<Range<usize>> {
     found
 }
 
-/// How long readings usually repeat.
+/// Usual length of runs of equal readings.
 struct Usual {
     /// Rows for which a slower sensor holds its value; 1 of one that is read once.
     held: usize,
@@ -112,7 +112,7 @@ struct Usual {
 }
 
 impl Usual {
-    /// Of runs; `None` where they are no slower sensor's.
+    /// Computes it from runs; `None` if values are held for longer than a slower sensor does.
     fn of(runs: &[Range<usize>]) -> Option<Self> {
         let rank = (HELD_SHARE * runs.len().saturating_sub(1) as f64) as usize;
         let lengths = runs.iter().map(|run| run.len() as f64);
@@ -124,8 +124,8 @@ impl Usual {
         (held <= LONGEST_HELD).then_some(Self { held, longer })
     }
 
-    /// Whether a run of this length is none of those that repeat by chance where it is: a share `s` of the runs around is
-    /// longer than usual, and of `n` runs `n s^(m−1)` last `m` times as long.
+    /// Returns true if chance does not explain a run of this length among the runs around it. A share `s` of those is longer than
+    /// usual, and of `n` runs `n s^(m−1)` last `m` times as long.
     fn is_no_chance(&self, k: usize, length: usize) -> bool {
         let runs = self.longer.len() - 1;
         let share = |from: usize, to: usize| {

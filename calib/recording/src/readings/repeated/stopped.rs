@@ -53,7 +53,7 @@ fn in_words(reading: &Vector3<f64>) -> String {
     }
 }
 
-/// How many samples at the end are the same on all axes, where that is more than chance.
+/// Returns the number of samples at the end that are the same on all axes, if chance does not explain it.
 fn stopped(values: &[Vector3<f64>]) -> Option<usize> {
     let mut runs = values.chunk_by(|a, b| a == b).map(<[_]>::len).rev();
     let last = runs.next().filter(|&run| run >= STOPPED)?;

@@ -23,7 +23,7 @@ const FEWEST: usize = 200;
 /// Samples beyond which a second look takes too long.
 const MOST: usize = 20_000_000;
 
-/// What is said where the stamps tell another rate than the one that was given; a second look at the file at `path`.
+/// Builds the finding that the stamps contradict the given rate, if they do; reads the file at `path` a second time.
 pub(super) fn contradicted(
     path: &Path,
     options: &ReadOptions,

@@ -1,4 +1,4 @@
-//! What a recording takes in memory, asked of the system before it is needed.
+//! Memory that a recording takes, requested from the system before it is needed.
 
 use findings::{Finding, Kind};
 
@@ -8,12 +8,12 @@ use crate::source::place::in_file;
 /// A stamp and three values.
 pub(crate) const SAMPLE: u64 = 32;
 
-/// What a calibration takes beside the samples, for each of them: about a half more in sums and moments, and the
-/// unit that the allocator rounds up to.
+/// Working memory of a calibration beside the samples, bytes per sample: about a half more in sums and moments, and the unit that
+/// the allocator rounds up to.
 const WORK: u64 = 32;
 
-/// Whether the system grants so many bytes; they are given back at once. It refuses beyond a limit that is set
-/// (`ulimit -v`) and, without one, what exceeds memory and swap by far.
+/// Returns true if the system grants so many bytes; they are freed at once. The system refuses more than a set limit (`ulimit -v`)
+/// and, without one, what exceeds memory and swap by far.
 fn is_granted(bytes: u64) -> bool {
     let mut probe: Vec<u8> = Vec::new();
     let granted = usize::try_from(bytes).is_ok_and(|bytes| probe.try_reserve_exact(bytes).is_ok());

@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 use self::line_numbers::LineNumbers;
 use self::memory::one_more;
 
-/// What became of a sample.
+/// Result of adding a sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Pushed {
     /// Kept.
@@ -53,7 +53,7 @@ pub(crate) struct Twin {
 /// Rows that repeat earlier ones.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Repeats {
-    /// How many.
+    /// Number of rows.
     pub count: usize,
     /// Line of the first.
     pub first: u64,

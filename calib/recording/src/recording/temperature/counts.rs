@@ -6,9 +6,9 @@ use crate::order_statistic::nth_smallest;
 struct Formula {
     divisor: f64,
     offset: f64,
-    /// As `--columns` takes it.
+    /// The formula as `--columns` takes it.
     text: &'static str,
-    /// Whose it is.
+    /// Sensor or unit that it converts.
     of: &'static str,
 }
 

@@ -52,7 +52,7 @@ pub(crate) fn check_clock(recording: &mut Recording) {
     recording.warnings.push(found);
 }
 
-/// What is wrong with the stamps of the temperature.
+/// Returns a finding if the temperature's stamps do not cover the sensors' samples.
 fn misfit(recording: &Recording) -> Option<Finding> {
     let readings = recording.temperature.as_ref()?;
     let (first, last) = (*readings.t.first()?, *readings.t.last()?);
