@@ -31,7 +31,7 @@ pub struct Failure {
     pub code: u8,
     /// The kind of failure, for programs.
     pub kind: &'static str,
-    /// What is said on standard error.
+    /// Message on standard error.
     pub message: String,
     /// The file that the message is about, where that is known.
     pub file: Option<String>,
@@ -62,7 +62,7 @@ impl Failure {
         }
     }
 
-    /// Of a finding.
+    /// Builds the failure of a finding.
     pub fn of(code: u8, finding: Finding) -> Self {
         let message = finding.text(Front::CommandLine);
         Self {
@@ -120,12 +120,12 @@ impl Failure {
         }})
     }
 
-    /// What to do about it by its finding.
+    /// Returns the advice of the finding, if any.
     pub fn advice(&self) -> Option<String> {
         self.finding.as_deref()?.advice(Front::CommandLine)
     }
 
-    /// What to do about it: the advice of its finding or in the message, else where help is.
+    /// Returns the advice of the finding or of the message, else a general one for the exit status.
     fn next(&self, message: &str) -> String {
         self.advice()
             .unwrap_or_else(|| self.usual_step(message).to_owned())
@@ -146,7 +146,7 @@ impl Failure {
     }
 }
 
-/// Whether the call has this as an argument.
+/// Returns true if the call has this word as an argument.
 fn was_given(word: &str) -> bool {
     std::env::args_os().any(|arg| printable(&arg.to_string_lossy()) == word)
 }

@@ -14,10 +14,10 @@ pub fn install() {
     system::install();
 }
 
-/// Whether a signal has come that is on its way to [`end`].
+/// Flag set by a signal that is about to call [`end`].
 static ASKED: OnceLock<Arc<AtomicBool>> = OnceLock::new();
 
-/// Where an interrupt has come, lets it end the process: a failure that it caused is not what is to be said.
+/// Waits for a pending interrupt to end the process, so that a failure caused by the interrupt is not reported.
 pub fn give_way() {
     let asked = || {
         ASKED
@@ -102,7 +102,7 @@ mod system {
         }
     }
 
-    /// Whether the system refused the memory of a thread that had begun: that panics where others fail.
+    /// Returns true if the system refused memory to a thread at its start, which panics instead of returning an error.
     fn is_of_memory(panic: &std::panic::PanicHookInfo<'_>) -> bool {
         let payload = panic.payload();
         let text = payload.downcast_ref::<String>().map(String::as_str);
@@ -110,7 +110,7 @@ mod system {
         text.is_some_and(|text| text.contains("failed to allocate"))
     }
 
-    /// Whether the process was started with the signal ignored, as `nohup` does.
+    /// Returns true if the process was started with the signal ignored, as `nohup` does.
     fn is_ignored(signal: i32) -> bool {
         let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
         let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));

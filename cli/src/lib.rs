@@ -117,7 +117,7 @@ fn ended(failure: &Failure) -> u8 {
     failure.code
 }
 
-/// What the parser of arguments refuses.
+/// Builds the failure for arguments that the parser refuses.
 fn wrong_call(error: &clap::Error) -> Failure {
     let message = error.render().to_string();
     let message = message.trim().trim_start_matches("error: ");

@@ -1,4 +1,4 @@
-//! What a message says to a program: the place it begins with and the advice it ends with.
+//! Parser of messages for programs: the place at the beginning and the advice at the end.
 
 /// `file:line:column` at the beginning of a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,7 +9,7 @@ pub struct Place<'a> {
     pub line: u64,
     /// The column in bytes, counted from 1.
     pub column: Option<u64>,
-    /// What follows the place.
+    /// Text after the place.
     pub what: &'a str,
 }
 
@@ -43,7 +43,7 @@ fn number(text: &str) -> Option<(u64, &str)> {
     Some((text[..end].parse().ok()?, &text[end..]))
 }
 
-/// What a message says is to be done: what stands behind its last semicolon, if that begins as advice does.
+/// Returns the advice in a message: the text after its last semicolon, if it begins with a word of advice.
 pub fn advice(message: &str) -> Option<&str> {
     let (_, advice) = message.rsplit_once("; ")?;
     let advice = advice.trim();

@@ -1,4 +1,4 @@
-//! What a message quotes: names, paths and long words from outside.
+//! Safe quoting of names, paths and long words from outside in messages.
 
 use std::borrow::Cow;
 use std::path::Path;

@@ -115,7 +115,7 @@ impl ReadArgs {
         first.map(|(option, _)| option)
     }
 
-    /// Whether nothing is asked for that a well-formed file would not do by itself.
+    /// Returns true if no option is given that a well-formed file does not need.
     pub fn are_default(&self) -> bool {
         let given = [
             self.format.is_some(),
@@ -209,7 +209,7 @@ fn axis(name: &str) -> Result<Role, String> {
         .ok_or_else(|| format!("`{name}` is none of ax, ay, az, gx, gy, gz, mx, my, mz"))
 }
 
-/// What to do with rows that lack a number.
+/// Treatment of rows that lack a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Na {
     /// Refuse the recording, naming the first.

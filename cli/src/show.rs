@@ -52,7 +52,7 @@ pub fn keep_names_whole<'a>(table: &mut Table, names: impl Iterator<Item = &'a s
     }
 }
 
-/// Whether something is or is about to be on standard output.
+/// Flag that is set before anything is written to standard output.
 static PRINTED: AtomicBool = AtomicBool::new(false);
 
 /// Prints a result. A reader that has closed the pipe (`| head`) is no error.
@@ -87,7 +87,7 @@ pub fn warn(text: &str) {
     }
 }
 
-/// What a person may like to know.
+/// Prints a note on standard error, unless the output is quiet.
 pub fn note(text: &str) {
     if !terminal::is_quiet() {
         say(text);
@@ -149,7 +149,7 @@ pub fn gist(message: &str) -> String {
     without_odds(before_semicolon(sentence))
 }
 
-/// What comes before the first semicolon that stands in no brackets.
+/// Returns the text before the first semicolon outside brackets.
 fn before_semicolon(sentence: &str) -> &str {
     let mut depth = 0;
     for (at, c) in sentence.char_indices() {
@@ -179,7 +179,7 @@ pub fn without_odds(text: &str) -> String {
     gist + remaining
 }
 
-/// What comes before the first brackets, what is in them, and what comes after.
+/// Returns the text before the first brackets, inside them, and after them.
 fn brackets(text: &str) -> Option<(&str, &str, &str)> {
     let (before, more) = text.split_once(" (")?;
     let (inside, after) = more.split_once(')')?;

@@ -16,7 +16,7 @@ const MARK: &str = "\u{1e}progress";
 /// Shortest time between two lines.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// What `work` gives; its steps are told where the environment asks for them: `\u{1e}progress fitting 34`.
+/// Runs `work` and returns its result. Prints its steps if the environment asks for it: `\u{1e}progress fitting 34`.
 pub fn told(work: impl FnOnce() -> Result<(), Failure>) -> Result<(), Failure> {
     if std::env::var_os(ASKED).is_none() {
         return work();

@@ -1,4 +1,4 @@
-//! What the global options say of standard output and error: how much, how wide, in colour or not.
+//! Global options for standard output and error: amount, width and colour.
 
 use std::ffi::OsString;
 use std::io::IsTerminal;
@@ -61,7 +61,8 @@ impl TerminalArgs {
 }
 
 impl Colour {
-    /// What the words of a call ask for, before they are parsed: help and errors of the parser are coloured too.
+    /// Returns the colour option in the words of a call, before they are parsed: help and errors of the parser are
+    /// coloured too.
     pub fn in_call(words: &[OsString]) -> Self {
         let words: Vec<String> = words
             .iter()
@@ -97,7 +98,7 @@ impl Colour {
     }
 }
 
-/// Whether the environment asks for no colour (no-color.org).
+/// Returns true if the environment asks for no colour (no-color.org).
 fn no_color() -> bool {
     std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty())
 }
@@ -106,12 +107,12 @@ fn asked(flag: u8) -> bool {
     ASKED.load(Ordering::SeqCst) & flag != 0
 }
 
-/// Whether nothing but results and errors is wanted.
+/// Returns true if only results and errors are to be printed.
 pub fn is_quiet() -> bool {
     asked(QUIET)
 }
 
-/// Whether everything is wanted.
+/// Returns true if everything is to be printed.
 pub fn is_verbose() -> bool {
     asked(VERBOSE)
 }

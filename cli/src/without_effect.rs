@@ -5,7 +5,7 @@
 pub struct WithoutEffect {
     /// The command; every command that has the option where it is empty.
     pub command: &'static str,
-    /// As it is written.
+    /// Name of the option, with dashes.
     pub option: &'static str,
     /// Why nothing changes by it.
     pub reason: &'static str,

@@ -18,24 +18,24 @@ use crate::hash;
 use crate::manifest::{Device, DeviceOptions};
 use crate::record::{Finding, Misfit, Parameter, Record, Status};
 
-/// How every device is calibrated.
+/// Calibration options that all devices share.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// The calibration.
     pub request: Request,
-    /// How recordings are read.
+    /// Options of the reader of the recordings.
     pub read: ReadOptions,
-    /// Whether to look for what is missing; `cal.json` is then that of the final model.
+    /// Request for an effect search, `None` for no search. With a search, `cal.json` holds the final model.
     pub discover: Option<discover::Request>,
-    /// What a device must reach beyond what is built in.
+    /// Limits that a device must keep in addition to the built-in ones.
     pub limits: Option<Limits>,
-    /// What the type has in common.
+    /// Prior distribution of the parameters, from devices of the same type.
     pub prior: Option<Prior>,
     /// Everything above and the version, as text: what it is hashed by.
     pub text: String,
 }
 
-/// What was computed of a device.
+/// Result of one device: its record and its calibration.
 #[derive(Clone, Debug)]
 pub struct Computed {
     /// Its record.

@@ -1,4 +1,4 @@
-//! What can be wrong with a batch as a whole; what is wrong with a device is in its record.
+//! Errors of a batch as a whole. Errors of a single device are in its record.
 
 use std::fmt;
 use std::path::{Path, PathBuf};

@@ -18,13 +18,13 @@ pub(crate) enum Fault {
         /// Its damage.
         found: Box<Finding>,
     },
-    /// Of another run: other devices, options, version or number of shards.
+    /// The part belongs to another run: other devices, options, version or number of shards.
     Foreign {
         /// The file.
         path: PathBuf,
         /// Its run.
         found: Identity,
-        /// That of most parts.
+        /// Identity of the run that most parts belong to.
         expected: Identity,
     },
     /// No file is of this shard.

@@ -63,10 +63,10 @@ fn refused(path: &Path, found: Finding) -> Error {
     Error::Input(Box::new(found.in_file(shown_path(path))))
 }
 
-/// What is in a folder, by name; hidden files are not.
+/// Lists the paths in a folder, sorted by name, without hidden files.
 ///
 /// # Errors
-/// What cannot be read.
+/// The folder or one of its entries cannot be read.
 pub fn members(folder: &Path) -> std::io::Result<Vec<PathBuf>> {
     let mut members = Vec::new();
     for entry in std::fs::read_dir(folder)? {

@@ -19,7 +19,7 @@ pub struct PartHeader {
     pub created_by: String,
     /// SHA-256 of all devices and options of the run.
     pub manifest_sha256: String,
-    /// Which part.
+    /// Shard that the part holds.
     pub shard: Shard,
     /// Devices of the whole run.
     pub devices: usize,
@@ -35,7 +35,7 @@ struct PartEnd {
 }
 
 impl PartHeader {
-    /// Of a shard.
+    /// Builds the header of the part of a shard.
     pub fn new(created_by: &str, manifest_sha256: String, shard: Shard, devices: usize) -> Self {
         Self {
             schema: SCHEMA.into(),

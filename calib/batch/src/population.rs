@@ -27,7 +27,7 @@ const LEAST: f64 = 0.02;
 /// Devices whose sums are made together: the order of sums does not depend on the number of threads.
 const TOGETHER: usize = 32;
 
-/// What one device's session says.
+/// Estimated parameters of one device and their covariance.
 #[derive(Clone, Debug)]
 pub struct Session {
     /// The device.

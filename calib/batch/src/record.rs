@@ -1,10 +1,10 @@
-//! What a batch says of one device: one line of JSON, the same bytes whenever it is computed.
+//! Record of one device in a batch: one line of JSON, with the same bytes in every run.
 
 use ::findings::Verdict;
 use calib::limits::LimitLine;
 use serde::{Deserialize, Serialize};
 
-/// How a device ended.
+/// Outcome of one device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Status {
@@ -43,7 +43,7 @@ impl Status {
         }
     }
 
-    /// As in the file.
+    /// Returns the name of the status as written to the file.
     pub fn name(self) -> &'static str {
         match self {
             Self::Pass => "pass",
@@ -70,7 +70,7 @@ pub struct Parameter {
     pub std: Option<f64>,
 }
 
-/// What a calibration leaves of its recordings.
+/// Residuals of a calibration over its recordings.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Misfit {
     /// Root mean square of `|f| − g` at static intervals, mm/s².
@@ -94,7 +94,7 @@ pub struct Finding {
     pub name: String,
     /// Chance of so much by any test of the catalogue.
     pub adjusted_p_value: f64,
-    /// What is left on intervals that the fit did not see, without it and with it, in multiples of the noise.
+    /// Residual on held-out intervals, without the effect and with it, in multiples of the noise.
     pub held_out_gap: [f64; 2],
 }
 
@@ -114,7 +114,7 @@ pub struct Record {
     /// Time, as the manifest says.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub time: Option<String>,
-    /// How it ended.
+    /// Outcome of the device.
     pub status: Status,
     /// The exit status of `calibrate`.
     pub exit: u8,
@@ -128,25 +128,25 @@ pub struct Record {
     pub limits: Vec<LimitLine>,
     /// Parameters with their standard errors.
     pub parameters: Vec<Parameter>,
-    /// What is left.
+    /// Residuals of the calibration.
     pub misfit: Misfit,
-    /// How many warnings its `cal.json` has.
+    /// Number of warnings in its `cal.json`.
     pub warnings: usize,
     /// The verdict of the search for what is missing, where it was asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub verdict: Option<String>,
-    /// What it named.
+    /// Effects that the search named.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub findings: Vec<Finding>,
     /// The verdict on its calibration, where there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub calibration_verdict: Option<Verdict>,
-    /// Whether the device belongs to the type whose prior was given.
+    /// True if the device belongs to the type of the given prior; `None` without a prior.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub belongs: Option<bool>,
 }
 
-/// How long a device took; never in a record.
+/// Computing time of one device; never part of a record.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Timing {
     /// Its place in the manifest.
@@ -155,7 +155,7 @@ pub struct Timing {
     pub id: String,
     /// Seconds; 0 for one that was found complete.
     pub seconds: f64,
-    /// Whether it was found complete.
+    /// True if a complete result was found and kept.
     pub resumed: bool,
 }
 

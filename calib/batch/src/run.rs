@@ -20,14 +20,14 @@ use crate::record::{Record, Status, Timing};
 use crate::shard::Shard;
 use crate::store::Store;
 
-/// What to run.
+/// Devices, options and resources of one run.
 #[derive(Clone, Debug)]
 pub struct Plan {
     /// The devices.
     pub manifest: Manifest,
-    /// Which of them.
+    /// Shard of the manifest to run.
     pub shard: Shard,
-    /// How.
+    /// Calibration options.
     pub options: Options,
     /// Keep what is complete and made from the same.
     pub resume: bool,
@@ -42,11 +42,11 @@ pub struct Plan {
 pub struct Progress<'a> {
     /// Its record.
     pub record: &'a Record,
-    /// Whether it was found complete.
+    /// True if a complete result was found and kept.
     pub resumed: bool,
     /// Devices done.
     pub done: usize,
-    /// Of how many.
+    /// Number of devices to do.
     pub of: usize,
 }
 
@@ -225,7 +225,7 @@ fn new_pool(threads: usize) -> Result<ThreadPool, rayon::ThreadPoolBuildError> {
     ThreadPoolBuilder::new().num_threads(threads).build()
 }
 
-/// What a panic said.
+/// Returns the message of a panic.
 fn words_of(panic: &(dyn std::any::Any + Send)) -> String {
     let words = panic.downcast_ref::<String>().map(String::as_str);
     let words = words.or_else(|| panic.downcast_ref::<&str>().copied());

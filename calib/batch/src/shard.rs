@@ -9,7 +9,7 @@ use crate::error::Error;
 pub struct Shard {
     /// From 1.
     pub k: usize,
-    /// Of how many.
+    /// Number of shards.
     pub n: usize,
 }
 
@@ -20,8 +20,8 @@ impl Default for Shard {
 }
 
 impl Shard {
-    /// Whether the device at this place of the manifest is in it. Neighbours go to different shards, so that long and short
-    /// recordings spread.
+    /// Returns true if the shard has the device at this place of the manifest. Neighbours go to different shards, so
+    /// that long and short recordings spread.
     pub fn has(self, index: usize) -> bool {
         index % self.n == self.k - 1
     }

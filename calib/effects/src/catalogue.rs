@@ -30,13 +30,13 @@ pub fn earth_rotation() -> &'static dyn AnyEffect {
     gyroscope::EARTH_ROTATION
 }
 
-/// Whether an effect is one of a field that stands in the room: all of its parameters depend on the heading.
+/// Returns true if the effect comes from a field fixed to the room: all of its parameters depend on the heading.
 pub fn stands_in_the_room(effect: &dyn AnyEffect) -> bool {
     let mut params = effect.params().iter();
     params.all(|p| p.role == Role::Reference)
 }
 
-/// Whether an effect follows the last turn.
+/// Returns true if the effect depends on the last turn.
 pub fn follows_turns(effect: &dyn AnyEffect) -> bool {
     effect.needs().contains(&Quantity::LastTurn)
 }
@@ -58,28 +58,29 @@ pub fn force_sensitivity() -> &'static dyn AnyEffect {
     gyroscope::FORCE_SENSITIVITY
 }
 
-/// Whether the effect of that name is the rotation of the earth.
+/// Returns true if the effect of that name is the rotation of the earth.
 pub fn is_earth_rotation(name: &str) -> bool {
     earth_rotation().name() == name
 }
 
-/// What the effect of that name looks at; nothing where the catalogue has none.
+/// Returns the quantities that the effect of that name depends on; empty if the catalogue does not have it.
 fn needs_of(name: &str) -> Vec<Quantity> {
     effect_named(name).map_or_else(Vec::new, |effect| effect.needs())
 }
 
-/// Whether an effect looks at the sign of a change of temperature, so that it needs one that goes up and down.
+/// Returns true if the effect depends on the sign of a temperature change, and so needs a rising and a falling
+/// temperature.
 pub fn looks_at_warming(name: &str) -> bool {
     needs_of(name).contains(&Quantity::Warming)
 }
 
-/// Whether an effect is silent at a constant temperature: by what it looks at, or by its name. The name alone speaks of one
-/// that is written as text.
+/// Returns true if the effect is zero at constant temperature, judged by the quantities it needs or by its name. For an
+/// effect written as text only the name is known.
 pub fn looks_at_temperature(name: &str) -> bool {
     name.contains("temperature") || needs_of(name).into_iter().any(Quantity::is_thermal)
 }
 
-/// Whether an effect is silent on a table that does not vibrate; known as [`looks_at_temperature`] is.
+/// Returns true if the effect is zero without vibration, judged as in [`looks_at_temperature`].
 pub fn looks_at_vibration(name: &str) -> bool {
     name.contains("vibration") || needs_of(name).contains(&Quantity::Vibration)
 }

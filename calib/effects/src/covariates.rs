@@ -1,4 +1,4 @@
-//! What effects need to know of a recording beyond the signals of one instant.
+//! Covariates of effects beyond the signals of one instant: last change of force, vibration, slopes.
 
 use nalgebra::Vector3;
 

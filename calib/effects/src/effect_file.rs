@@ -28,7 +28,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::catalogue;
 
-/// What an effect file holds.
+/// Content of an effect file.
 #[derive(Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct EffectFile {

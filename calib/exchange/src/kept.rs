@@ -1,11 +1,11 @@
-//! What of a calibration a target's form holds.
+//! Part of a calibration that the form of a target holds.
 
 use nalgebra::Matrix3;
 use sensor::Base;
 
 use crate::source::{Source, diagonal};
 
-/// What a target's tool makes of a reading, in the frame of the calibration.
+/// Corrections that the tool of a target applies to a reading, in the frame of the calibration.
 #[derive(Clone, Debug, Default)]
 pub struct Kept {
     /// `f = T (A − b)` of the accelerometer, if it is corrected.
@@ -14,11 +14,11 @@ pub struct Kept {
     pub gyroscope: Option<Base<f64>>,
     /// `m = T (M − b)` of the magnetometer.
     pub magnetometer: Option<Base<f64>>,
-    /// Whether `G f` is taken off the rate.
+    /// True if the form subtracts the g-sensitivity `G f` from the rate.
     pub g_sensitivity: bool,
-    /// Whether the form holds every effect of the calibration.
+    /// True if the form holds every effect of the calibration.
     pub effects: bool,
-    /// Whether it holds standard errors and covariance.
+    /// True if the form holds standard errors and covariance.
     pub errors: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What of a calibration a target does not hold, and how much that is for this device.
+//! Losses of an export: the parts of a calibration that a target does not hold, and their size for this device.
 
 use std::fmt;
 
@@ -14,20 +14,20 @@ use crate::source::{Source, diagonal};
 /// A size below this is rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// How fast it warms there, K/s.
+/// Rate of warming at which effects are evaluated, K/s.
 const WARMING: f64 = 0.05;
 
 /// Root mean square of its vibration there, m/s².
 const SHAKEN: f64 = 0.1;
 
-/// Where effects of time and temperature are looked at: after a minute, ten degrees from the temperature they count from.
+/// Time (s) and temperature difference (K) at which effects are evaluated, from their reference values.
 const MINUTE: f64 = 60.0;
 const WARMER: f64 = 10.0;
 
 /// Something that a target does not hold.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Loss {
-    /// What.
+    /// Name of the part of the calibration that is lost.
     pub what: String,
     /// The largest error of the corrected signal without it, over faces, edges and corners, SI units; null where it is no
     /// error of the signal.
@@ -57,7 +57,7 @@ impl Loss {
     }
 }
 
-/// What `kept` lacks of a calibration.
+/// Returns the parts of a calibration that `kept` does not hold.
 pub(crate) fn losses(source: &Source<'_>, kept: &Kept) -> Vec<Loss> {
     let mut lost = Vec::new();
     for (sensor, own, left) in [

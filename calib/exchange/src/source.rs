@@ -1,4 +1,4 @@
-//! What there is to export.
+//! Calibration to export, with its sensor models and checks of the requirements of a target.
 
 use calib::Calibration;
 use calib::calibration::{Readings, TriadUnits, system_name};
@@ -12,7 +12,7 @@ use crate::error::Error;
 /// A calibration ready to be written.
 #[derive(Clone, Debug)]
 pub struct Source<'a> {
-    /// As it was read.
+    /// Calibration as read from its file.
     pub calibration: &'a Calibration,
     /// The accelerometer.
     pub accelerometer: Option<Base<f64>>,
@@ -25,7 +25,7 @@ pub struct Source<'a> {
 }
 
 impl<'a> Source<'a> {
-    /// Of a calibration.
+    /// Builds the source from a calibration.
     pub fn new(calibration: &'a Calibration) -> Self {
         let base = |sensor| calibration.triad(sensor).map(|triad| triad.base());
         let own = calibration.effects.iter();
@@ -151,8 +151,8 @@ impl<'a> Source<'a> {
         Some(found.detail("sensors", sensors.join(" and the ")))
     }
 
-    /// Where it comes from, in lines of comment that begin with `mark`: printable ASCII without what could end a comment of
-    /// any language.
+    /// Returns the provenance as comment lines that begin with `mark`: printable ASCII without characters that could
+    /// end a comment in any language.
     pub fn provenance(&self, mark: &str) -> String {
         let calibration = self.calibration;
         let mut lines = vec![

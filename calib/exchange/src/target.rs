@@ -10,10 +10,10 @@ use crate::kept::Kept;
 use crate::loss::{Loss, losses};
 use crate::source::Source;
 
-/// What a target asks for beside the calibration.
+/// Inputs of a target in addition to the calibration.
 #[derive(Clone, Debug, Default)]
 pub struct Settings {
-    /// Which of several sensors of a kind, from 0.
+    /// Index of the sensor among several of a kind, from 0.
     pub instance: usize,
     /// Noise densities as `allan` writes them.
     pub noise: Option<NoiseSummary>,
@@ -22,7 +22,7 @@ pub struct Settings {
     pub logged_with: Option<String>,
 }
 
-/// Whether a target writes one file or several.
+/// Form of the output: one file or several.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// One file, called as the user says.
@@ -31,12 +31,12 @@ pub enum Form {
     Folder(&'static [&'static str]),
 }
 
-/// What a target wrote: the contents of its files, in the order of [`Form`].
+/// Output of a target: the contents of its files, in the order of [`Form`].
 #[derive(Clone, Debug, Default)]
 pub struct Written {
     /// Contents.
     pub files: Vec<Vec<u8>>,
-    /// What the user has to know or do.
+    /// Notes for the user about the output.
     pub notes: Vec<Finding>,
 }
 
@@ -63,7 +63,7 @@ pub trait Target: Sync + std::fmt::Debug {
         Form::File
     }
 
-    /// What its tool makes of a reading.
+    /// Returns the corrections that the tool of the target applies to a reading.
     fn keeps(&self, source: &Source<'_>) -> Kept;
 
     /// Its files' contents.
@@ -78,9 +78,9 @@ pub trait Target: Sync + std::fmt::Debug {
 pub struct Export {
     /// Contents, in the order of the target's [`Form`].
     pub files: Vec<Vec<u8>>,
-    /// What is lost, the sizes for this device.
+    /// Losses of the export, with sizes for this device.
     pub lost: Vec<Loss>,
-    /// What the user has to know or do.
+    /// Notes for the user about the output.
     pub notes: Vec<Finding>,
 }
 

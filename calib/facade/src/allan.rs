@@ -30,7 +30,8 @@ impl Noise {
         Ok(to_json(&self.0)?)
     }
 
-    /// What the user should know, a sentence each: terms that the recording is too short for, samples that are missing.
+    /// Returns the warnings for the user, one sentence each: terms that the recording is too short for, missing
+    /// samples.
     ///
     /// # Examples
     /// ```

@@ -155,7 +155,7 @@ impl Calibration {
         Some((triad.t, triad.bias))
     }
 
-    /// Whether every corrected reading is `T (raw − b)`, with no effect on top.
+    /// Returns true if every corrected reading is `T (raw − b)`, with no effect on top.
     ///
     /// # Examples
     /// ```
@@ -215,7 +215,7 @@ impl Calibration {
         Ok(())
     }
 
-    /// What the user should know, a sentence each: what is uncertain, how sure that is, what to do.
+    /// Returns the warnings for the user, one sentence each: the uncertain quantity, its uncertainty, and the advice.
     ///
     /// # Examples
     /// ```

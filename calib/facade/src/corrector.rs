@@ -26,11 +26,11 @@ use crate::error::Error;
 pub struct Corrector(Inner);
 
 impl Corrector {
-    /// Of a calibration.
+    /// Builds the corrector of a calibration.
     ///
     /// # Errors
-    /// [`ErrorKind::NotEnoughInformation`](crate::ErrorKind::NotEnoughInformation) for an effect that looks at more than one instant,
-    /// such as a hysteresis: [`apply`](crate::apply) corrects a whole recording with it.
+    /// [`ErrorKind::NotEnoughInformation`](crate::ErrorKind::NotEnoughInformation) for an effect that depends on more
+    /// than one instant, such as a hysteresis: [`apply`](crate::apply) corrects a whole recording with it.
     pub fn of(calibration: &Calibration) -> Result<Self, Error> {
         Ok(Self(Inner::of(calibration.inner())?))
     }

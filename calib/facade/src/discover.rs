@@ -1,4 +1,4 @@
-//! What the base models lack.
+//! Search for effects that the base models lack.
 
 use findings::{Finding, Front, Kind};
 use std::sync::Arc;
@@ -10,12 +10,12 @@ use calib::limits::built_in;
 use crate::watch::under;
 use crate::{Calibration, Error, Recording, Request};
 
-/// What was found, as `findings.json` has it.
+/// Result of an effect search, with the content of `findings.json`.
 #[derive(Clone, Debug)]
 pub struct Findings(Arc<Discovery>);
 
 impl Findings {
-    /// Whether something is missing and has a name.
+    /// Returns the verdict: nothing missing, named effects, an unexplained disagreement, or both.
     ///
     /// # Examples
     /// ```
@@ -60,7 +60,7 @@ impl Findings {
         Calibration::of(self.0.findings.calibration.clone())
     }
 
-    /// What the user should know, a sentence each.
+    /// Returns the warnings of the final calibration for the user, one sentence each.
     ///
     /// # Examples
     /// ```

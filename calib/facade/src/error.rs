@@ -1,4 +1,4 @@
-//! What is wrong, where, and what to do.
+//! Errors of the library: kind, message, place and advice.
 
 use findings::{Finding, Front};
 
@@ -23,7 +23,7 @@ pub enum ErrorKind {
 }
 
 impl ErrorKind {
-    /// As the command's `--json` writes it.
+    /// Returns the name of the kind, as in the output of `--json`.
     ///
     /// # Examples
     /// ```
@@ -42,7 +42,7 @@ impl ErrorKind {
     }
 }
 
-/// What is wrong with a recording, a file or a request.
+/// Error in a recording, a file or a request.
 ///
 /// # Examples
 /// ```
@@ -58,9 +58,9 @@ impl ErrorKind {
 #[error("{message}")]
 #[non_exhaustive]
 pub struct Error {
-    /// What kind of thing is wrong.
+    /// Kind of the error.
     pub kind: ErrorKind,
-    /// What was found and what is expected, in words.
+    /// Message in words: the value found and the value expected.
     pub message: String,
     /// The file, where it is of one.
     pub file: Option<String>,
@@ -68,12 +68,12 @@ pub struct Error {
     pub line: Option<u64>,
     /// Byte in that line of a file, or column of the arrays (`t, ax, ay, az, gx, gy, gz, temperature`), from 1.
     pub column: Option<u64>,
-    /// What to do about it, where the message says so.
+    /// Advice on how to proceed, where the message gives one.
     pub next: Option<String>,
 }
 
 impl Error {
-    /// Of a finding: its words, its place and what to do, with options as this library calls them.
+    /// Builds the error from a finding: its message, its place and its advice, with options named as in this library.
     pub(crate) fn of(kind: ErrorKind, finding: &Finding) -> Self {
         let place = &finding.place;
         Self {

@@ -1,4 +1,4 @@
-//! What a calibration is worth on a recording that it has not seen.
+//! Evaluation of a calibration on a recording that was not used for it.
 
 use calib::calibration::{check_units, doubts};
 use calib::gravity::GravitySource;

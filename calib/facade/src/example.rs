@@ -4,7 +4,7 @@ use sensor::Sensor;
 
 use crate::{Recording, simulate};
 
-/// What [`session`] simulates.
+/// Simulation specification that [`session`] uses.
 pub const SPEC: &str = "\
 seed = 7
 grade = \"consumer\"

@@ -77,7 +77,7 @@ pub mod finding {
     };
 }
 
-/// What an effect of one's own is written with.
+/// Items for writing a custom effect.
 ///
 /// See [`Catalogue`] for an example from the equation to the corrected recording.
 pub mod effect {

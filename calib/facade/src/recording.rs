@@ -10,10 +10,10 @@ use findings::Front;
 
 use crate::Error;
 
-/// What arrays are called until [`Recording::named`] says otherwise.
+/// Name of a recording from arrays, unless [`Recording::named`] sets another.
 const UNNAMED: &str = "arrays";
 
-/// What a device recorded, each sensor on its own clock, in SI units. A clone shares the samples.
+/// Recording of one device, each sensor on its own clock, in SI units. A clone shares the samples.
 #[derive(Clone, Debug, Default)]
 pub struct Recording(Arc<calib::Recording>);
 
@@ -154,7 +154,7 @@ impl Recording {
         self
     }
 
-    /// What it is called: a file by its path, arrays until [`Recording::named`] `arrays`.
+    /// Returns the name of the recording: the path of a file, or `arrays` for arrays without [`Recording::named`].
     ///
     /// # Examples
     /// ```
@@ -242,7 +242,7 @@ impl Recording {
         (last.copied().fold(f64::NEG_INFINITY, f64::max) - self.0.start()).max(0.0)
     }
 
-    /// What was noticed in the samples, a sentence each: a unit that was told by gravity, samples that are missing.
+    /// Returns the warnings about the samples, one sentence each: a unit inferred from gravity, missing samples.
     ///
     /// # Examples
     /// ```
@@ -258,7 +258,7 @@ impl Recording {
         self.0.warnings.texts(Front::Rust)
     }
 
-    /// As a plain CSV, numbers in the fewest digits that give the same bits back.
+    /// Returns the recording as plain CSV. Numbers have the fewest digits that give the same bits back.
     ///
     /// # Examples
     /// ```

@@ -1,4 +1,4 @@
-//! What to calibrate and how.
+//! Calibration request: method, place, effects and options.
 
 use calib::calibrate::{Frame, GyroBias, Instant, NOMINAL_RATES, Request as CalibRequest};
 use calib::discover::Request as DiscoverRequest;
@@ -13,7 +13,7 @@ use sensor::AnyEffect;
 
 use crate::{Catalogue, Error, Recording, Watch};
 
-/// How to calibrate.
+/// Calibration method.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Method {
@@ -31,7 +31,7 @@ pub enum Method {
     },
 }
 
-/// What to calibrate and how. The default is what the command does without options.
+/// Calibration request. The default is that of the command without options.
 ///
 /// # Examples
 /// ```
@@ -48,7 +48,7 @@ pub enum Method {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Request {
-    /// How.
+    /// Calibration method.
     pub method: Method,
     /// Local gravity, m/s². A wrong one goes into the accelerometer's scale factors in full. That of the place where it
     /// is not given, else 9.80665 with errors that cover the whole earth.
@@ -59,7 +59,7 @@ pub struct Request {
     pub altitude: Option<f64>,
     /// Strength of the magnetic field of the place, µT; without it the magnetometer's `T` has determinant 1.
     pub field: Option<f64>,
-    /// How static intervals are found.
+    /// Options of the static interval detector.
     pub detector: DetectorOptions,
     /// Static intervals picked by hand, begin and end in s: a list for each recording, one for all, or none.
     pub sections: Vec<Vec<(f64, f64)>>,
@@ -69,9 +69,9 @@ pub struct Request {
     pub gyro_recordings: Vec<Recording>,
     /// Frame of the accelerometer's matrix.
     pub frame: Frame,
-    /// How the rate is integrated over a turn.
+    /// Integration method of the angular rate over a turn.
     pub integrator: Integrator,
-    /// Where the bias of a turn is taken from.
+    /// Source of the gyroscope bias of a turn.
     pub gyro_bias: GyroBias,
     /// Sampling rate in turns to assume instead of the stamps, Hz.
     pub nominal_rate: Option<f64>,

@@ -9,9 +9,9 @@ use crate::{Catalogue, Error, ErrorKind, Recording, Watch};
 /// A simulated recording and the truth behind it.
 #[derive(Clone, Debug)]
 pub struct Simulated {
-    /// What the device recorded.
+    /// Simulated recording.
     pub recording: Recording,
-    /// What an estimator is not told.
+    /// True parameters and settings behind the recording.
     pub truth: Truth,
 }
 

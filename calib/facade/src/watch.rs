@@ -56,7 +56,7 @@ impl std::fmt::Debug for Watch {
     }
 }
 
-/// What `work` gives, watched if there is a watch.
+/// Runs `work`, under the watch if there is one, and returns its result.
 pub(crate) fn under<T>(
     watch: Option<&Watch>,
     work: impl FnOnce() -> Result<T, calib::Error>,

@@ -79,7 +79,7 @@ kinds! {
     SignTurned = "sign_turned",
     /// Another system had corrected the readings before.
     CorrectedBySystem = "corrected_by_system",
-    /// What another system had corrected was taken off again.
+    /// The correction by another system was undone.
     CorrectionUndone = "correction_undone",
     /// Another system had filtered the readings and taken a mean off.
     FilteredBefore = "filtered_before",
@@ -166,7 +166,7 @@ kinds! {
     FieldLeftOut = "field_left_out",
     /// Columns look like a magnetometer's and are not read.
     FieldNotRead = "field_not_read",
-    /// Of several sensors in an app's recording some were taken.
+    /// Only some of several sensors in an app's recording were read.
     StreamsChosen = "streams_chosen",
     /// The file ends too early.
     FileCut = "file_cut",
@@ -191,7 +191,7 @@ kinds! {
     ErrorsNotStated = "errors_not_stated",
     /// The file states no biases.
     BiasNotStated = "bias_not_stated",
-    /// Of several units in a file the first was read.
+    /// Only the first of several IMUs in the file was read.
     FirstImuTaken = "first_imu_taken",
     /// An entry of the file is not known.
     EntryUnknown = "entry_unknown",
@@ -379,19 +379,19 @@ kinds! {
     TurnWithoutSamples = "turn_without_samples",
     /// Readings stand at the end of the range in a turn or a static interval.
     RangeReached = "range_reached",
-    /// What is left has a fine pattern over orientation.
+    /// The residual has a fine pattern over orientation.
     FineOrientation = "fine_orientation",
-    /// What is left changes slowly over time.
+    /// The residual changes slowly over time.
     SlowChange = "slow_change",
-    /// What is left is periodic in time.
+    /// The residual is periodic in time.
     PeriodicInTime = "periodic_in_time",
-    /// What is left is fixed to a horizontal direction of the room.
+    /// The residual is fixed to a horizontal direction of the room.
     RoomDirection = "room_direction",
-    /// What is left is fixed to a horizontal direction of the room, as the earth's rotation is near the equator.
+    /// The residual is fixed to a horizontal direction of the room, as the earth's rotation is near the equator.
     RoomOrEarth = "room_or_earth",
-    /// What is left relaxes after each turn.
+    /// The residual relaxes after each turn.
     RelaxationAfterTurn = "relaxation_after_turn",
-    /// What is left goes with products of the rates of two axes.
+    /// The residual is proportional to products of the rates of two axes.
     RateProducts = "rate_products",
     /// A bias moves in one recording of several.
     BiasMoves = "bias_moves",
@@ -1224,7 +1224,7 @@ kinds! {
     NotToml = "not_toml",
     /// A validation recording was in the fit.
     ValidationSeen = "validation_seen",
-    /// What a recording needs.
+    /// Requirement on the placements of a recording.
     Requirement = "requirement",
     /// Placements leave a combination of parameters open.
     PlacementsLeaveOpen = "placements_leave_open",
@@ -1338,9 +1338,9 @@ kinds! {
     CorrectedOtherwise = "corrected_otherwise",
     /// Readings of some recordings were corrected before.
     CorrectedInPart = "corrected_in_part",
-    /// What corrects a reading was edited in a calibration.
+    /// Gravity, a sensor or an effect of a calibration was edited.
     NumbersEdited = "numbers_edited",
-    /// What a calibration says of its worth was edited.
+    /// An entry beside the parameters of a calibration was edited: method, covariance, limits or inputs.
     BasisEdited = "basis_edited",
     /// An effect holds in the recordings of a calibration only, and these are not known.
     EffectOfRecordings = "effect_of_recordings",

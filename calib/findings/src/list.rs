@@ -53,7 +53,7 @@ impl Findings {
             .retain(|finding| said.insert(finding.text(Front::Plain)));
     }
 
-    /// Whether one is of this kind.
+    /// Returns true if the list has a finding of this kind.
     pub fn has(&self, kind: Kind) -> bool {
         self.0.iter().any(|finding| finding.kind == kind)
     }

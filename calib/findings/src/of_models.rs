@@ -82,7 +82,7 @@ impl From<DefinitionError> for Finding {
 }
 
 impl Finding {
-    /// What went wrong with an effect that a user wrote.
+    /// Builds the finding for a fault in an effect that a user wrote.
     pub fn of_effect(effect: &dyn AnyEffect, fault: &EffectFault) -> Self {
         let of = |kind| Self::of(kind).detail("effect", effect.name());
         match fault {

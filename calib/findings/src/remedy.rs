@@ -377,7 +377,7 @@ impl Remedy {
         })
     }
 
-    /// Whether it is a step only for who knows better.
+    /// Returns true if the remedy applies only when an automatic decision was wrong.
     pub fn is_if_wrong(&self) -> bool {
         matches!(self, Self::IfWrong { .. })
     }

@@ -5,7 +5,7 @@ use crate::kind::Kind;
 use crate::words::entry;
 
 impl Finding {
-    /// Of a kind, with the level and the remedies that are usual for it.
+    /// Builds a finding of a kind, with the usual level and remedies of that kind.
     pub fn of(kind: Kind) -> Self {
         let usual = entry(kind);
         Self {
@@ -20,7 +20,8 @@ impl Finding {
         }
     }
 
-    /// Of a kind, with the system's reason; a finding that the system's error carries stands for itself.
+    /// Builds a finding of a kind, with the reason of a system error. If the error itself carries a finding, returns
+    /// that one.
     pub fn of_system(kind: Kind, reason: &std::io::Error) -> Self {
         let own = reason.get_ref().and_then(|own| own.downcast_ref::<Self>());
         own.cloned()

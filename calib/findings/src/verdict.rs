@@ -48,7 +48,7 @@ impl Grade {
 /// A thing to do next.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Step {
-    /// What it is and what it buys.
+    /// Description of the step and of its benefit.
     pub text: String,
     /// The command that does it, where one does.
     pub command: Option<String>,
@@ -69,15 +69,15 @@ pub struct Verdict {
 }
 
 impl Verdict {
-    /// Of findings, with the commands for `RECORDING`.
+    /// Builds the verdict from findings, with `RECORDING` as the file name in the commands.
     pub fn of(findings: &[Finding]) -> Self {
         Self::of_recordings(findings, &[])
     }
 
-    /// Of findings in these recordings, whose names stand in the commands.
+    /// Builds the verdict from findings in these recordings, whose names stand in the commands.
     ///
-    /// A finding that makes a result bad goes before one that asks for care, and of the same level the one before that makes the
-    /// larger error of a corrected reading ([`Finding::severity`]). A kind counts once.
+    /// Findings are ordered by level. Within a level, the one with the larger error of a corrected reading comes first
+    /// ([`Finding::severity`]). A kind counts once.
     pub fn of_recordings(findings: &[Finding], recordings: &[&str]) -> Self {
         let sorted = gravest_first(findings);
         let level = match sorted.first().map(|gravest| gravest.level) {

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
-/// Which of a device's axes point up: one for a face, two for an edge, three for a corner.
+/// Direction that points up, as signs of the device's axes: one axis for a face, two for an edge, three for a corner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct Direction {

@@ -1,4 +1,4 @@
-//! What can end a session before it is complete.
+//! Errors that end a session before it is complete.
 
 use std::fmt;
 use std::path::PathBuf;
@@ -25,7 +25,7 @@ pub enum Error {
     Restless {
         /// The address asked.
         address: String,
-        /// How often.
+        /// Number of restarts.
         times: usize,
     },
     /// More comes than a session has, or text without lines.
@@ -76,7 +76,7 @@ pub enum Limit {
 }
 
 impl Error {
-    /// Whether what had come before is a session all the same.
+    /// Returns true if the samples received before the error still make a session.
     pub fn ends_a_session(&self) -> bool {
         matches!(
             self,

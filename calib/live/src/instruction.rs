@@ -1,11 +1,11 @@
-//! What the person is told, as values; words are the caller's.
+//! Instructions to the person, as values. The caller puts them into words.
 
 use serde::{Deserialize, Serialize};
 
 use crate::direction::Direction;
 use crate::promise::Shortfall;
 
-/// What to do now.
+/// Instruction for the next action.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", tag = "do")]
 #[non_exhaustive]
@@ -21,17 +21,17 @@ pub enum Instruction {
     },
     /// Turn it to `to` and lay it down there.
     Turn {
-        /// What is wanted next.
+        /// Direction to point up next.
         to: Direction,
-        /// What became of the last placement.
+        /// Verdict on the last placement.
         last: Verdict,
     },
     /// It is held in the hand: lay it down, or lean it against something.
     LetGo {
-        /// Where.
+        /// Direction of the placement, if one is requested.
         at: Option<Direction>,
     },
-    /// What it lies on vibrates: lay it elsewhere.
+    /// The surface under the device vibrates: lay the device elsewhere.
     Shaken,
     /// Turn more slowly: the gyroscope reads no more.
     TooFast {
@@ -44,23 +44,23 @@ pub enum Instruction {
     Paused,
     /// The device does not answer: wait, or go nearer.
     Reconnecting,
-    /// What was promised is reached: done.
+    /// The promised accuracy is reached: done.
     Enough,
     /// So many placements that more would not help, and less is known than promised: done.
     Short {
-        /// What falls furthest short.
+        /// Quantity that falls furthest short of the promise.
         of: Shortfall,
     },
 }
 
 impl Instruction {
-    /// Whether the session ends with it.
+    /// Returns true if the session ends with this instruction.
     pub fn ends(&self) -> bool {
         matches!(self, Self::Enough | Self::Short { .. })
     }
 }
 
-/// What became of a placement.
+/// Verdict on a placement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
@@ -73,7 +73,7 @@ pub enum Verdict {
 }
 
 impl Instruction {
-    /// Whether `other` says the same but for seconds that run.
+    /// Returns true if both instructions are equal apart from the remaining seconds.
     pub(crate) fn is_like(&self, other: &Self) -> bool {
         matches!((self, other), (Self::Hold { .. }, Self::Hold { .. })) || self == other
     }

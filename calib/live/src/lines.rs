@@ -29,7 +29,7 @@ const MOST: u64 = 128 << 20;
 /// Most bytes of a line.
 const LONGEST_LINE: usize = 1 << 20;
 
-/// Of the lines so far.
+/// Message of the writing thread: the lines so far, or an error.
 type Told = Result<Kept, Error>;
 
 /// Text in any layout that [`Recording::read`] knows.
@@ -53,7 +53,7 @@ pub struct Lines {
     ended: bool,
 }
 
-/// How much is in the file, whole lines only.
+/// Content of the file, in whole lines.
 #[derive(Clone, Copy, Debug, Default)]
 struct Kept {
     lines: usize,
@@ -134,7 +134,7 @@ impl Lines {
         Ok(Recording::from_bytes(&name, text, &self.read)?)
     }
 
-    /// What is new in the text as a whole.
+    /// Reads the whole text and puts the new samples into the batch.
     fn understood(&mut self, batch: &mut Batch) -> Result<(), Error> {
         let begin = Instant::now();
         let read = self.recording();

@@ -25,7 +25,7 @@ const ANY_BIAS: f64 = 0.1;
 const SLOW: f64 = 0.2;
 const WAVERING: f64 = 0.25;
 
-/// What the device does.
+/// State of motion of the device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Motion {
@@ -67,7 +67,7 @@ impl Default for Detector {
 }
 
 impl Detector {
-    /// What the device did in a window: specific force in units of gravity, rate in rad/s.
+    /// Classifies the motion in a window: specific force in units of gravity, angular rate in rad/s.
     pub(crate) fn judge(&mut self, force: &[Vector3<f64>], rate: &[Vector3<f64>]) -> Motion {
         if force.len() < FEWEST || rate.len() < FEWEST {
             return Motion::Unknown;

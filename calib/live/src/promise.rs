@@ -1,4 +1,4 @@
-//! What a session promises, and what is still short of it.
+//! Promised accuracy of a session, and the shortfall from it.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,9 +7,9 @@ use crate::running::{Errors, Estimate};
 /// The largest standard errors that a session ends with.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Promise {
-    /// Of the scale factors of both sensors.
+    /// Standard error of the scale factors of both sensors.
     pub scale: f64,
-    /// Of the misalignments of both sensors, rad.
+    /// Standard error of the misalignments of both sensors, rad.
     pub misalignment: f64,
 }
 
@@ -19,10 +19,10 @@ pub const PROMISE: Promise = Promise {
     misalignment: 0.005,
 };
 
-/// What is known worse than promised.
+/// Standard error that is larger than promised.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Shortfall {
-    /// Of the gyroscope, not of the accelerometer.
+    /// True for the gyroscope, false for the accelerometer.
     pub gyroscope: bool,
     /// A misalignment (rad), not a scale factor.
     pub misalignment: bool,
@@ -33,7 +33,8 @@ pub struct Shortfall {
 }
 
 impl Promise {
-    /// What falls furthest short of it; `None` where it is reached. A sensor that is not determined counts as infinitely far.
+    /// Returns the shortfall with the largest ratio of error to promise; `None` if the promise is kept. An undetermined
+    /// sensor counts as infinitely far.
     pub fn shortfall(&self, estimate: &Estimate) -> Option<Shortfall> {
         let sensors = [
             (false, &estimate.accelerometer),

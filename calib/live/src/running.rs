@@ -1,4 +1,4 @@
-//! What is known so far: the ordinary calibration of the samples so far.
+//! Running estimate: an ordinary calibration of the samples so far.
 
 use calib::calibrate::{Request, calibrate};
 use calib::calibration::Triad;
@@ -11,9 +11,9 @@ use serde::Serialize;
 pub struct Estimate {
     /// Placements used.
     pub placements: usize,
-    /// Of the accelerometer, where it is determined.
+    /// Standard errors of the accelerometer, if it is determined.
     pub accelerometer: Option<Errors>,
-    /// Of the gyroscope, where it is determined.
+    /// Standard errors of the gyroscope, if it is determined.
     pub gyroscope: Option<Errors>,
     /// Why there is no calibration yet.
     pub missing: Option<String>,
@@ -22,11 +22,11 @@ pub struct Estimate {
 /// The largest standard errors of one sensor.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Errors {
-    /// Of the scale factors.
+    /// Standard error of the scale factors.
     pub scale: f64,
-    /// Of the misalignments, rad.
+    /// Standard error of the misalignments, rad.
     pub misalignment: f64,
-    /// Of the bias, m/s² or rad/s.
+    /// Standard error of the bias, m/s² or rad/s.
     pub bias: f64,
 }
 
@@ -59,7 +59,7 @@ impl Estimate {
         }
     }
 
-    /// Whether both sensors are determined.
+    /// Returns true if both sensors are determined.
     pub fn is_complete(&self) -> bool {
         self.accelerometer.is_some() && self.gyroscope.is_some()
     }

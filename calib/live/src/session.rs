@@ -27,7 +27,7 @@ const REACHED: f64 = 0.939_692_620_785_908_4;
 const AS_GOOD: f64 = 0.5;
 /// Placements this near to each other are one, cos 8°.
 const SAME: f64 = 0.990_268_068_741_570_4;
-/// What is told of the plan's information that is enough once the planned number is there.
+/// Efficiency relative to the plan at which the session is complete, once the planned number of placements is reached.
 const ENOUGH: f64 = 0.8;
 /// Placements beyond the plan, as a factor, after which the session ends with what is determined.
 const AT_MOST: f64 = 1.2;
@@ -44,14 +44,14 @@ const SI: std::ops::Range<f64> = 5.0..15.0;
 /// Rough rate of one count of a gyroscope whose unit is not known, rad/s: that of ±1000 °/s in 16 bits.
 const COUNT: f64 = 5.3e-4;
 
-/// What a session aims at.
+/// Target of a session.
 #[derive(Clone, Debug)]
 pub struct Aim {
     /// Placements planned.
     pub placements: usize,
-    /// How long each lies still, s.
+    /// Static time of each placement, s.
     pub hold: f64,
-    /// How the calibration is made.
+    /// Calibration request.
     pub request: Request,
 }
 
@@ -73,7 +73,7 @@ pub struct Placement {
     pub span: Span,
     /// Direction of specific force (unit vector, raw).
     pub up: Vector3<f64>,
-    /// What became of it.
+    /// Verdict on the placement.
     pub verdict: Verdict,
 }
 
@@ -111,7 +111,7 @@ pub struct Session {
     placements: Vec<Placement>,
     estimate: Estimate,
     wanted: Option<Direction>,
-    /// What is spoken of for a while, and until when, s.
+    /// Instruction shown for a limited time, and the time at which it ends, s.
     spoken: Option<(Instruction, f64)>,
     paused: bool,
     lost: bool,
@@ -172,7 +172,7 @@ impl Session {
         }
     }
 
-    /// What to do now.
+    /// Returns the current instruction.
     pub fn instruction(&self) -> Instruction {
         if self.done {
             return match self.shortfall() {
@@ -217,22 +217,22 @@ impl Session {
         &self.estimate
     }
 
-    /// What is known worse than promised, the furthest.
+    /// Returns the quantity that falls furthest short of the promise.
     pub fn shortfall(&self) -> Option<Shortfall> {
         PROMISE.shortfall(&self.estimate)
     }
 
-    /// What is wanted next.
+    /// Returns the direction that is requested next.
     pub fn wanted(&self) -> Option<Direction> {
         self.wanted
     }
 
-    /// What the device does.
+    /// Returns the current state of motion of the device.
     pub fn motion(&self) -> Motion {
         self.motion
     }
 
-    /// What was aimed at.
+    /// Returns the target of the session.
     pub fn aim(&self) -> &Aim {
         &self.aim
     }
@@ -267,7 +267,7 @@ impl Session {
         }
     }
 
-    /// How a sensor's unit compares to units of gravity and rad/s.
+    /// Returns the factors from the sensors' units to units of gravity and to rad/s.
     fn units(&self) -> Option<[f64; 2]> {
         let gravity = self.gravity?;
         let rate = if SI.contains(&gravity) { 1.0 } else { COUNT };
@@ -393,7 +393,7 @@ impl Session {
         };
     }
 
-    /// What is worth a word besides the next placement.
+    /// Selects a temporary instruction for a device that is held in the hand or shaken for long.
     fn speak(&mut self, at: f64) {
         if self.spoken.is_some_and(|(_, until)| at > until) {
             self.spoken = None;

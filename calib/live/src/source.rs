@@ -1,4 +1,4 @@
-//! Where samples come from.
+//! Sources of samples.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::error::Error;
 
-/// What a session writes into its folder.
+/// Files that a session writes into its folder.
 pub const FILES: [&str; 5] = [
     "lines.txt",
     "phyphox.zip",
@@ -19,14 +19,14 @@ pub const FILES: [&str; 5] = [
 
 /// Something that delivers samples while it is asked.
 pub trait Source {
-    /// What came since the last call. Everything in it is on disk when it returns.
+    /// Returns the samples since the last call. All of them are on disk when it returns.
     ///
-    /// `now` is the time since the session began by the caller's clock, which may be a simulated one. It waits no longer than a
-    /// request does; [`Batch::pause`] says when to ask again.
+    /// `now` is the time since the session began by the caller's clock, which may be a simulated one. The call waits no
+    /// longer than one request; [`Batch::pause`] gives the time until the next call.
     ///
     /// # Errors
-    /// [`Error::Lost`] where it has not answered for [`Opening::patience`], [`Error::File`] where the recording cannot be written,
-    /// [`Error::Unreadable`] where text ended without having been understood.
+    /// [`Error::Lost`] if the source has not answered for [`Opening::patience`], [`Error::File`] if the recording
+    /// cannot be written, [`Error::Unreadable`] if the text ended and could not be read.
     fn poll(&mut self, now: Duration) -> Result<Batch, Error>;
 
     /// Ends the session; the best recording of it that there is.
@@ -36,27 +36,27 @@ pub trait Source {
     fn finish(&mut self) -> Result<Finished, Error>;
 }
 
-/// What came in one poll.
+/// Samples and events of one poll.
 #[derive(Clone, Debug, Default)]
 pub struct Batch {
     /// Specific force, m/s² (or raw counts), stamps later than all before.
     pub accelerometer: Stream,
     /// Angular rate, rad/s (or raw counts), stamps later than all before.
     pub gyroscope: Stream,
-    /// What happened.
+    /// Events since the last poll.
     pub events: Vec<Event>,
-    /// How long to wait before the next poll, beyond the usual.
+    /// Additional waiting time before the next poll.
     pub pause: Option<Duration>,
 }
 
-/// What happened to a source.
+/// Event of a source.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case", tag = "event")]
 #[non_exhaustive]
 pub enum Event {
     /// The source is there.
     Connected {
-        /// What it calls itself.
+        /// Name that the source gives itself.
         name: String,
     },
     /// It measures no more.
@@ -70,7 +70,7 @@ pub enum Event {
     Reconnecting {
         /// Attempts in a row without an answer.
         attempts: u32,
-        /// What the last one met.
+        /// Error of the last attempt.
         cause: String,
     },
     /// It answers again.
@@ -86,7 +86,7 @@ pub enum Event {
     Ended,
 }
 
-/// What a session leaves.
+/// Result of a session.
 #[derive(Clone, Debug)]
 pub struct Finished {
     /// The recording to calibrate.
@@ -95,7 +95,7 @@ pub struct Finished {
     pub fallback: Option<String>,
 }
 
-/// How long a phone is waited for.
+/// Timeouts for the answers of a phone.
 #[derive(Clone, Copy, Debug)]
 pub struct Waits {
     /// For an answer.
@@ -113,17 +113,17 @@ impl Default for Waits {
     }
 }
 
-/// How to open a source.
+/// Options for opening a source.
 #[derive(Clone, Debug)]
 pub struct Opening {
     /// Folder in which the recording is written; it exists.
     pub folder: PathBuf,
-    /// How lines of text are read.
+    /// Options of the reader of text lines.
     pub read: ReadOptions,
     /// Speed of a serial port, bits per second.
     pub baud: u32,
-    /// How long a phone may not answer before it is lost, by the clock of [`Source::poll`].
+    /// Longest time without an answer before a phone is lost, by the clock of [`Source::poll`].
     pub patience: Duration,
-    /// How long an answer of a phone may take.
+    /// Timeouts for the answers of a phone.
     pub waits: Waits,
 }

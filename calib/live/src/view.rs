@@ -9,20 +9,20 @@ use crate::promise::{PROMISE, Promise};
 use crate::running::Estimate;
 use crate::session::Session;
 
-/// What a page, a terminal or a log shows of a session.
+/// State of a session for a page, a terminal or a log.
 #[derive(Clone, Debug, Serialize)]
 pub struct View {
-    /// What to do now.
+    /// Current instruction.
     pub instruction: Instruction,
-    /// What the device does.
+    /// Current state of motion of the device.
     pub motion: Motion,
     /// Placements so far: direction of specific force and what became of it.
     pub placements: Vec<([f64; 3], Verdict)>,
     /// Placements planned.
     pub planned: usize,
-    /// How long each lies still, s.
+    /// Static time of each placement, s.
     pub hold: f64,
-    /// What is wanted next.
+    /// Direction that is requested next.
     pub wanted: Option<Direction>,
     /// Direction of specific force now.
     pub up: Option<[f64; 3]>,
@@ -39,7 +39,7 @@ pub struct View {
 }
 
 impl View {
-    /// Of a session now.
+    /// Builds the view from the current state of a session.
     pub fn of(session: &Session) -> Self {
         let recording = session.recording();
         let streams = [&recording.accelerometer, &recording.gyroscope].map(Option::as_ref);

@@ -4,7 +4,7 @@
 /// is the textbook one, overlapping at every sample.
 const LONGEST_LAG: usize = 4096;
 
-/// How much coarser each level of the cascade is than the one below.
+/// Decimation factor from one level of the cascade to the next.
 const DECIMATION: usize = 4;
 
 /// Levels of the cascade: averaging factors up to `4096 · 4¹³`, more samples than fit on a disk.

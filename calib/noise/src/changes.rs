@@ -111,7 +111,7 @@ fn difference(prefix: &[f64], k: usize, width: usize) -> f64 {
     (after - before) / width as f64
 }
 
-/// Whether a step happens within a part of the window, and lasts.
+/// Returns true if a step happens within a part of the window, and lasts.
 fn is_abrupt(prefix: &[f64], k: usize, width: usize, size: f64) -> bool {
     let room = k.min(prefix.len() - 2 - k);
     let is_same =

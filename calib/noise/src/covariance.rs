@@ -1,4 +1,4 @@
-//! How the overlapping Allan variances of one recording scatter together.
+//! Covariance of the overlapping Allan variances of one recording.
 //!
 //! The estimates at different averaging times share their samples; a fit that ignores it states
 //! intervals that are far too narrow. With `D_m(n) = x_{n+2m} − 2 x_{n+m} + xₙ` (Gaussian) and

@@ -28,7 +28,7 @@ pub struct SensorCurves {
     pub held: Held,
     /// From the first sample to the last, s.
     pub covered: Span,
-    /// Whether the readings are counts, and not in SI units.
+    /// True if the readings are counts, false if they are in SI units.
     pub in_counts: bool,
 }
 
@@ -44,7 +44,7 @@ pub struct RecordingCurves {
 }
 
 impl RecordingCurves {
-    /// Of a recording in memory, or of the stretch `within` of it.
+    /// Computes the curves of a recording in memory, or of the stretch `within` of it.
     pub fn of(recording: &Recording, within: Option<Span>) -> Self {
         let mut accumulator = RecordingAccumulator::default();
         let RecordingAccumulator {
@@ -98,7 +98,7 @@ impl RecordingAccumulator {
 }
 
 impl SensorCurves {
-    /// Of a stream in memory; `None` with fewer than two samples.
+    /// Computes the curves of a stream in memory; `None` with fewer than two samples.
     pub fn of(stream: &Stream) -> Option<Self> {
         let mut accumulator = SensorAccumulator::default();
         feed(&mut accumulator, Some(stream), None);

@@ -68,7 +68,8 @@ impl Repeats {
         self.longest.truncate(KEPT);
     }
 
-    /// What was held by more than chance: an axis that is coarser than its noise repeats by itself.
+    /// Returns the held readings that chance does not explain: an axis with a resolution coarser than its noise repeats
+    /// by itself.
     pub fn held(mut self) -> Held {
         if let Some((t, _)) = self.last {
             self.close(t);

@@ -1,4 +1,4 @@
-//! Which noise terms a recording shows, and how well it knows them.
+//! Identification of the noise terms of a recording, with confidence intervals.
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
@@ -14,7 +14,7 @@ const ROUNDS: usize = 8;
 /// Level at which the five terms are taken to miss the curve.
 const MISFIT_LEVEL: f64 = 0.01;
 
-/// Where the relative model error is looked for.
+/// Search range of the relative model error.
 const MODEL_ERRORS: (f64, f64) = (1e-4, 3.0);
 
 /// Bisections for it, on its logarithm.
@@ -45,7 +45,7 @@ pub struct Estimate {
 }
 
 impl Estimate {
-    /// Whether the data need this term.
+    /// Returns true if the data need this term.
     pub fn is_seen(&self) -> bool {
         self.interval.lower > 0.0
     }

@@ -17,13 +17,13 @@ pub struct Interval {
 }
 
 impl Interval {
-    /// Whether `value` lies inside.
+    /// Returns true if `value` lies inside.
     pub fn holds(&self, value: f64) -> bool {
         self.lower <= value && value <= self.upper
     }
 }
 
-/// How an estimate would scatter if the truth were some `θ`.
+/// Moments of an estimate for a given true value `θ`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scatter {
     /// Variance.

@@ -1,4 +1,4 @@
-//! What a recording at rest says of its own noise.
+//! Noise of a sensor, estimated from a static recording.
 //!
 //! ```text
 //! samples ──► lost, held ──► AllanAccumulator ──► AllanCurve ──► identify ──► NoiseTerms ──► settling time

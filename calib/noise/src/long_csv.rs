@@ -64,7 +64,7 @@ pub fn curves_of_long_csv(path: &Path, within: Option<Span>) -> Option<Recording
 struct Feed {
     accumulator: RecordingAccumulator,
     within: Option<Span>,
-    /// What [`usual_tail`] says of the last column.
+    /// Usual tail of the last column, from [`usual_tail`].
     tail: Option<usize>,
     /// Stamp of the last row, s.
     last: f64,
@@ -151,11 +151,11 @@ impl Feed {
     }
 }
 
-/// What the beginning of a file shows.
+/// Layout found at the beginning of a file.
 struct Look {
     /// Number of columns.
     width: usize,
-    /// What [`usual_tail`] says of the last column, if it is read.
+    /// Usual tail of the last column, from [`usual_tail`], if the column is read.
     tail: Option<usize>,
 }
 

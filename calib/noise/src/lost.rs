@@ -20,7 +20,7 @@ const AHEAD: usize = 16;
 /// Longest loss that is bridged, samples.
 const BRIDGED: u64 = 32;
 
-/// What a stream consists of.
+/// Element of a stream: a sample, a bridged sample or an interruption.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Piece {
     /// A sample that was read.

@@ -1,4 +1,4 @@
-//! How long to wait at rest before a bias is known as well as it can be.
+//! Static time needed to determine a bias as well as possible.
 
 use super::identify::NoiseTerms;
 

@@ -1,4 +1,4 @@
-//! Whether a recording was at rest all the time: an Allan analysis of turns is nonsense.
+//! Detection of motion in a recording, as an Allan analysis requires a static one.
 
 use nalgebra::Vector3;
 use recording::intervals::{Span, complement, union};
@@ -136,7 +136,7 @@ pub struct Stillness {
     pub rests: Vec<Span>,
 }
 
-/// What of a recording an Allan analysis may look at.
+/// Part of a recording that an Allan analysis may use.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AtRest {
     /// All of it: nothing moved.
@@ -151,7 +151,7 @@ pub enum AtRest {
 const SHORTEST_REST: f64 = 60.0;
 
 impl Stillness {
-    /// What may be analysed.
+    /// Returns the part that may be analysed.
     pub fn at_rest(&self) -> AtRest {
         let longest = self.longest_rest();
         match longest.filter(|rest| rest.length() >= SHORTEST_REST) {

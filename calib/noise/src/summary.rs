@@ -27,10 +27,10 @@ pub struct NoiseSummary {
     pub accelerometer: Option<SensorNoise>,
     /// Gyroscope, rad/s.
     pub gyroscope: Option<SensorNoise>,
-    /// How long to rest before a calibration, s: where the gyroscope's deviation is flat on every
-    /// axis. Null where the recording is too short to tell.
+    /// Recommended static time before a calibration, s: the averaging time from which on the gyroscope's deviation is
+    /// flat on every axis. Null if the recording is too short to determine it.
     pub initial_static_time: Option<f64>,
-    /// What the user should know.
+    /// Warnings for the user.
     #[serde(with = "findings::texts::of_warnings")]
     pub warnings: Findings,
 }
@@ -85,7 +85,7 @@ pub struct AxisNoise {
     /// Steps of the mean: when, s, and by how much.
     #[serde(default)]
     pub steps: Vec<[f64; 2]>,
-    /// How far the mean drifts, where it goes as smoothly as no noise does; else null.
+    /// Drift of the mean, if it is smoother than any noise; else null.
     #[serde(default)]
     pub drift: Option<f64>,
     /// The Allan deviation.
@@ -95,7 +95,7 @@ pub struct AxisNoise {
 /// A noise term with its interval; the five of an axis hold together with 95 % confidence.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TermValue {
-    /// Which.
+    /// Noise term.
     pub term: NoiseTerm,
     /// Its name for this sensor.
     pub name: String,

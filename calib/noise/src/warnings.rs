@@ -1,4 +1,4 @@
-//! What a user should know of the readings that an Allan deviation was made from.
+//! Warnings about the readings behind an Allan deviation.
 
 use findings::{Finding, Kind, Level, OptionName, Remedy, human};
 use recording::intervals::Span;
@@ -21,7 +21,7 @@ const FEW_HELD: f64 = 0.2;
 /// Names of the axes.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Of one sensor, in the order in which it matters.
+/// Returns the warnings of one sensor, the most important first.
 pub(super) fn of_sensor(
     curves: &SensorCurves,
     fits: &[Option<NoiseTerms>; 3],
@@ -90,7 +90,7 @@ impl Of<'_> {
         Finding::of(kind).of_sensor(self.sensor)
     }
 
-    /// What is wrong with a fit, if anything.
+    /// Returns the fault of a fit, if any.
     fn fit(&self, fit: Option<&NoiseTerms>) -> Option<Finding> {
         match fit {
             None => Some(self.finding(Kind::NoiseUnknown)),

@@ -8,7 +8,7 @@ use crate::error::{Error, Reason};
 use crate::identity;
 use crate::partial::{Partial, Published};
 
-/// What becomes of a file that is there.
+/// Treatment of a file that already exists.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Existing {
     /// It stays, and the output is refused.
@@ -26,14 +26,14 @@ pub struct Output(Option<Claim>);
 
 #[derive(Debug)]
 struct Claim {
-    /// As the caller names it.
+    /// Path as given by the caller.
     named: PathBuf,
     target: PathBuf,
     existing: Existing,
     /// The file that is there and will be replaced.
     replaced: Option<Metadata>,
     partial: Partial,
-    /// Whether it is on the disk before it is in its place.
+    /// True if the data are synced to disk before the file moves to its place.
     synced: bool,
 }
 
@@ -88,7 +88,7 @@ impl Output {
         })))
     }
 
-    /// Whether what is there is kept, so that nothing will be written.
+    /// Returns true if an existing file is kept, so that nothing will be written.
     pub fn is_kept(&self) -> bool {
         self.0.is_none()
     }

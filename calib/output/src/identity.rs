@@ -1,4 +1,4 @@
-//! Whether two paths are one file, found without opening either: an input may be a pipe.
+//! Identity of files: tests if two paths lead to one file without opening either, as an input may be a pipe.
 
 use std::path::{Path, PathBuf};
 
@@ -61,7 +61,7 @@ fn members(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// Whether a file in a recording's folder is a result of an earlier run.
+/// Returns true if a file in a recording's folder is a result of an earlier run.
 fn is_result(path: &Path) -> bool {
     use std::io::Read;
     let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
@@ -78,12 +78,12 @@ fn is_result(path: &Path) -> bool {
     }
 }
 
-/// Whether both paths lead to one file that is there.
+/// Returns true if both paths lead to the same existing file.
 pub fn is_same_file(one: &Path, other: &Path) -> bool {
     of(one).is_some_and(|identity| of(other) == Some(identity))
 }
 
-/// What tells a file from every other: device and number.
+/// Returns the identity of a file: device and inode number.
 #[cfg(unix)]
 fn of(path: &Path) -> Option<(u64, u64)> {
     use std::os::unix::fs::MetadataExt;
@@ -91,7 +91,7 @@ fn of(path: &Path) -> Option<(u64, u64)> {
     Some((found.dev(), found.ino()))
 }
 
-/// What tells a file from every other, hard links not seen: its path.
+/// Returns the identity of a file: its canonical path. Hard links are not recognised.
 #[cfg(not(unix))]
 fn of(path: &Path) -> Option<PathBuf> {
     path.canonicalize().ok()

@@ -1,4 +1,4 @@
-//! What a run that is ended at this moment would leave behind.
+//! Partial files and empty folders to remove if the process ends now.
 
 use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, PoisonError};

@@ -31,7 +31,7 @@ pub struct Partial {
     path: PathBuf,
 }
 
-/// What became of a partial file.
+/// Result of moving a partial file to its place.
 #[derive(Debug)]
 pub enum Published {
     /// It is in its place.
@@ -216,7 +216,7 @@ fn taken_apart(name: &str) -> Option<(&str, &str)> {
     is_ours.then_some((stem, process))
 }
 
-/// Whether the partial file at `path` is locked; `None` where that cannot be told.
+/// Returns true if the partial file at `path` is locked; `None` if this cannot be determined.
 fn is_held(path: &Path) -> Option<bool> {
     if !std::fs::symlink_metadata(path).ok()?.is_file() {
         return None;

@@ -1,4 +1,4 @@
-//! What placements tell of the accelerometer alone.
+//! Information of placements about the accelerometer alone.
 
 use nalgebra::{SMatrix, SVector, Vector3};
 

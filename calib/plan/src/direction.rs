@@ -32,7 +32,7 @@ const AXES: Sides = [
     ("-z side", "+z side"),
 ];
 
-/// How a box is spoken of.
+/// Naming of the faces of a box.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Words {
     /// Screen, back, top, bottom, left and right long edge.

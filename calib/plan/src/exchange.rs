@@ -8,7 +8,7 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::accelerometer::{ForceMatrix, ForceRow, error_weights, force_row};
 
-/// What a design is judged by.
+/// Optimality criterion of a design.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Criterion {
     /// Mean square error of a corrected reading over all directions (V- or I-optimality).
@@ -20,7 +20,7 @@ pub enum Criterion {
 
 /// Rounds of exchanges of one start.
 const ROUNDS: usize = 40;
-/// What keeps a design of too few placements invertible.
+/// Ridge on the diagonal that keeps the information matrix of few placements invertible.
 const RIDGE: f64 = 1e-6;
 /// An exchange has to win by this share.
 const GAIN: f64 = 1e-9;
@@ -98,7 +98,7 @@ fn best_addition(rows: &[ForceRow], c: &ForceMatrix, criterion: Criterion) -> us
         .map_or(0, |(k, _)| k)
 }
 
-/// What a placement with the row `h` gains beside placements of the covariance `c`.
+/// Returns the gain of a placement with the row `h`, given the covariance `c` of the others.
 pub(crate) fn gain(h: &ForceRow, c: &ForceMatrix, criterion: Criterion) -> f64 {
     let carried = c * h;
     let own = h.dot(&carried);

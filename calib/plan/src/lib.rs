@@ -1,4 +1,4 @@
-//! Which placements and turns a hand-held calibration needs: optimal design of experiments for what a hand can hold.
+//! Optimal design of the placements and turns of a hand-held calibration.
 //!
 //! ```text
 //! directions ──► exchange (V, D) ──► sequence: order and ways ──► Plan ──► words, predictions
@@ -7,13 +7,13 @@
 //!                  └─► next: one more, while a session goes on
 //! ```
 //!
-//! The accelerometer knows a placement by the norm of its reading, `‖T (A − b)‖ = g`: one row `h(u)` of nine. The
-//! gyroscope's error carries the direction of gravity through a turn to the wrong place: what it does along gravity
-//! shows nowhere, so order and way of the turns count. The criterion is the mean square error of a corrected reading over
-//! all directions.
+//! The accelerometer measures a placement by the norm of its reading, `‖T (A − b)‖ = g`: one row `h(u)` of nine. The
+//! gyroscope's error rotates the propagated direction of gravity through a turn. Its component along gravity is
+//! unobservable, so the order and the way of the turns matter. The criterion is the mean square error of a corrected
+//! reading over all directions.
 //!
-//! The noise is white within a rest and a turn. What depends on the device beyond that (a misfit of the model, walks of
-//! the biases) is in `placement` and `turn` of [`Noise`]. The earth's rotation is taken as known.
+//! The noise is white within a static interval and a turn. Further errors of the device (misfit of the model, random
+//! walk of the biases) are `placement` and `turn` of [`Noise`]. The earth's rotation is taken as known.
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 

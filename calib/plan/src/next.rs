@@ -6,8 +6,8 @@ use crate::accelerometer::{ForceMatrix, force_information, force_row};
 use crate::direction::faces_edges_corners;
 use crate::exchange::{Criterion, gain};
 
-/// What is known beforehand, in units of one placement: keeps the first determinants from being zero and is nothing
-/// beside nine placements.
+/// Prior information, in units of one placement. It keeps the first determinants from being zero and is negligible
+/// after nine placements.
 const BEFOREHAND: f64 = 1e-3;
 
 /// Placements that tell so much of the best are as good; of them the one whose turn is nearest to a right angle is wanted:
@@ -62,14 +62,14 @@ pub fn next_placement(covered: &[Vector3<f64>], now: Option<&Vector3<f64>>) -> V
     good.min_by(order).unwrap_or_else(Vector3::z)
 }
 
-/// What a placement at `up` tells as a share of what `wanted` would, 1 for equally much.
+/// Returns the information gain of a placement at `up` relative to that of `wanted`; 1 for an equal gain.
 pub fn worth(covered: &[Vector3<f64>], up: &Vector3<f64>, wanted: &Vector3<f64>) -> f64 {
     let told = told_after(covered);
     told(up) / told(wanted)
 }
 
-/// How much the placements so far tell of what a session of `planned` would that takes every [`next_placement`]: the ninth
-/// root of the ratio of determinants (D-efficiency), 1 for as much.
+/// Returns the D-efficiency of the placements relative to a session of `planned` placements that follows every
+/// [`next_placement`]: the ninth root of the ratio of determinants, 1 for equal information.
 pub fn session_efficiency(covered: &[Vector3<f64>], planned: usize) -> f64 {
     let log = |ups: &[Vector3<f64>]| {
         let factor = information(ups).cholesky();

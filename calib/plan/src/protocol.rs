@@ -96,21 +96,21 @@ pub fn finest(count: usize, known: &ForceMatrix, criterion: Criterion) -> Vec<Ve
 /// A placement and how to come to it.
 #[derive(Clone, Debug, Serialize)]
 pub struct Step {
-    /// What points up, body frame, unit.
+    /// Direction that points up, body frame, unit vector.
     pub up: [f64; 3],
     /// By the axes.
     pub axes: String,
-    /// As an instruction.
+    /// Instruction in words.
     pub words: String,
     /// The turn before it; none before the first.
     pub turn: Option<Turn>,
     /// The turn as an instruction.
     pub turn_words: Option<String>,
-    /// How long the turn takes, s.
+    /// Duration of the turn, s.
     pub turn_duration: f64,
-    /// How long the device rests then, s.
+    /// Duration of the static interval after the turn, s.
     pub rest: f64,
-    /// What is predicted when all up to here is done.
+    /// Prediction after this step.
     pub then: Prediction,
 }
 
@@ -119,23 +119,23 @@ pub struct Step {
 pub struct Plan {
     /// One after the other.
     pub steps: Vec<Step>,
-    /// What is known without them.
+    /// Prediction without the plan.
     pub before: Prediction,
-    /// What is predicted with them.
+    /// Prediction with the plan.
     pub after: Prediction,
-    /// How long it takes, s.
+    /// Duration of the plan, s.
     pub duration: f64,
 }
 
-/// What is known before a plan begins.
+/// Prior knowledge before a plan begins.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Known {
     /// The information of recordings or of a calibration.
     pub information: Option<Information>,
-    /// What points up now, where the recording goes on.
+    /// Direction that points up now, if the recording goes on.
     pub up: Option<Vector3<f64>>,
-    /// What the six elements of the accelerometer's `T`, in the order of their names, are off by together whatever is
-    /// recorded: an unknown share of gravity times each.
+    /// Common error of the six elements of the accelerometer's `T`, in the order of their names: the relative error of
+    /// gravity times each element. No recording reduces it.
     pub scale: [f64; 6],
 }
 
@@ -220,7 +220,7 @@ pub fn force_part(information: &Information, noise: &Noise, seconds: f64) -> For
     ForceMatrix::from_fn(|i, j| own[(i, j)] * unit[i] * unit[j])
 }
 
-/// What placements in the order they were recorded tell, each reached by the easiest turn.
+/// Returns the information of placements in recorded order, each reached by the easiest turn.
 pub fn recorded(ups: &[Vector3<f64>], noise: &Noise, timing: &Timing) -> Information {
     let short = |pair: &[Vector3<f64>]| {
         let ways = crate::turn::ways(&pair[0], &pair[1]);

@@ -48,7 +48,7 @@ pub fn d_efficiency(chosen: &[Vector3<f64>], candidates: &[Vector3<f64>], shares
     (exact.determinant() / best.determinant()).powf(1.0 / P as f64)
 }
 
-/// What a design comes to as a share of the best that any number of placements could, both per placement.
+/// Efficiency of a design relative to the optimal design with any number of placements, both per placement.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Efficiency {
     /// By the volume of the confidence ellipsoid (D-efficiency).
@@ -75,7 +75,7 @@ pub fn efficiency(chosen: &[Vector3<f64>]) -> Option<Efficiency> {
     })
 }
 
-/// That by the volume alone.
+/// Returns the D-efficiency alone; `None` if the placements leave a parameter undetermined.
 pub fn volume_efficiency(chosen: &[Vector3<f64>]) -> Option<f64> {
     force_covariance(&force_information(chosen))?;
     let candidates = faces_edges_corners();

@@ -23,7 +23,7 @@ const STARTS: usize = 40;
 /// Placements that are added at most.
 const MOST_ADDED: usize = 30;
 
-/// What a recording needs.
+/// Requirement on the placements of a recording.
 ///
 /// ```
 /// use stillpoint_plan::REQUIREMENT;
@@ -38,9 +38,9 @@ pub struct Requirement {
     pub advised: usize,
     /// Turns at least: two numbers each, against the nine of the gyroscope.
     pub turns: usize,
-    /// How long the device rests in each, s.
+    /// Duration of each static interval, s.
     pub rest: f64,
-    /// How long it rests in the first, s.
+    /// Duration of the first static interval, s.
     pub first_rest: f64,
     /// Fastest turn, °/s.
     pub fastest: f64,
@@ -79,11 +79,11 @@ impl Requirement {
 /// A direction that is to be recorded, in words.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Wanted {
-    /// What points up, body frame, unit.
+    /// Direction that points up, body frame, unit vector.
     pub up: [f64; 3],
     /// By the axes: `x up and z down`.
     pub axes: String,
-    /// As an instruction for a phone.
+    /// Instruction for a phone.
     pub words: String,
 }
 
@@ -103,18 +103,18 @@ impl Wanted {
     }
 }
 
-/// What is there and what is missing.
+/// Coverage of the directions by the placements, and the missing placements.
 #[derive(Clone, Debug, Serialize)]
 pub struct Coverage {
     /// Directions of the placements, body frame, unit.
     pub covered: Vec<[f64; 3]>,
-    /// How many of them differ by more than 20°.
+    /// Number of placements that differ by more than 20°.
     pub distinct: usize,
     /// Faces that no placement comes within 50° of: places in [`faces`].
     pub missing_faces: Vec<usize>,
     /// Parameters that the placements leave open or know badly.
     pub unknown: Vec<&'static str>,
-    /// What to add, the fewest that determine every parameter.
+    /// Placements to add: the fewest that determine every parameter.
     pub wanted: Vec<Wanted>,
     /// Standard error of every parameter in noises of one placement, where the placements determine them.
     pub before: Option<[f64; FORCE_PARAMETERS]>,
@@ -127,7 +127,7 @@ pub struct Coverage {
 }
 
 impl Coverage {
-    /// Whether nothing is missing.
+    /// Returns true if nothing is missing.
     pub fn is_complete(&self) -> bool {
         self.wanted.is_empty()
     }
@@ -216,7 +216,7 @@ fn known_to(information: &ForceMatrix) -> Option<([f64; FORCE_PARAMETERS], f64)>
     Some((errors, reading_error(&c)))
 }
 
-/// Whether placements meet the requirement.
+/// Returns true if the placements meet the requirement.
 pub fn is_determined(directions: &[Vector3<f64>]) -> bool {
     directions.len() >= REQUIREMENT.placements
         && known_to(&force_information(directions))
@@ -243,7 +243,8 @@ fn unknown(information: &ForceMatrix) -> Vec<&'static str> {
     })
 }
 
-/// What placements cover and which ones to add: the missing faces, then the fewest that meet [`REQUIREMENT`].
+/// Returns the coverage of placements and the placements to add: the missing faces, then the fewest that meet
+/// [`REQUIREMENT`].
 pub fn coverage(directions: &[Vector3<f64>]) -> Coverage {
     let mut distinct: Vec<Vector3<f64>> = Vec::new();
     for u in directions {

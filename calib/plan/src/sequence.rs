@@ -19,7 +19,7 @@ const STARTS: usize = 5;
 /// A sequence that is worse by about this share is taken at first, to come out of a hollow, and none in the last part.
 const WARMTH: f64 = 0.03;
 const WARM: f64 = 0.85;
-/// How much it counts where one sensor's error is bought by the other's.
+/// Weight of the imbalance between the errors of both sensors.
 const BALANCE: f64 = 0.5;
 /// The errors of both sensors are in balance where that of the gyroscope is so much of what a quarter turn misses, as in the
 /// sessions that are best by their product without regard to the hand.
@@ -112,7 +112,8 @@ fn balance(noise: &Noise, timing: &Timing) -> f64 {
     IN_BALANCE * turn / force
 }
 
-/// What a turn has to gain, as a share of the product of both sensors' errors, to be asked of a hand.
+/// Returns the effort of a turn for a hand, as the relative reduction of the product of both sensors' errors that
+/// justifies it.
 fn effort(turn: &Turn) -> f64 {
     match turn.way {
         Way::Short => 0.0,
@@ -183,7 +184,7 @@ struct Search<'a> {
     noise: &'a Noise,
     /// The first placement is in what is known already.
     first_known: bool,
-    /// What a placement may be replaced by.
+    /// Candidates that may replace a placement.
     others: Vec<usize>,
     /// The gyroscope's error in rad/s for 1 m/s² of the accelerometer's where both are alike.
     balance: f64,
@@ -222,7 +223,8 @@ impl<'a> Search<'a> {
             .map_or(*self.known, |chain| chain.clone().close())
     }
 
-    /// What is told after each placement of `path` from place `begin` on, `before` of which is what is told before it.
+    /// Returns the chains after each placement of `path` from place `begin` on; `before` is the chain before that
+    /// place.
     fn follow(&self, path: &Path, begin: usize, before: Option<&Chain<'a>>) -> Vec<Chain<'a>> {
         let mut chains: Vec<Chain<'a>> = Vec::with_capacity(path.order.len() - begin);
         for (k, to) in path.order.iter().enumerate().skip(begin) {

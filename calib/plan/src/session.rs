@@ -1,4 +1,4 @@
-//! What a sequence of placements and turns tells of both sensors.
+//! Information of a sequence of placements and turns about both sensors.
 
 use nalgebra::{DMatrix, Matrix2, Matrix3, Matrix3x2, SMatrix, Vector3};
 use sensor::{Sensor, base_names};
@@ -28,9 +28,9 @@ pub struct Noise {
     pub force: f64,
     /// White noise density of the gyroscope, rad/s/√Hz.
     pub rate: f64,
-    /// What a placement misses beyond it on each axis, m/s².
+    /// Error of a placement beyond white noise on each axis, m/s².
     pub placement: f64,
-    /// What a turn misses beyond it, rad.
+    /// Error of a turn beyond white noise, rad.
     pub turn: f64,
     /// Local gravity, m/s².
     pub gravity: f64,
@@ -49,18 +49,18 @@ impl Default for Noise {
     }
 }
 
-/// How long things take.
+/// Durations of static intervals and turns.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Timing {
     /// The first rest, s.
     pub first_rest: f64,
     /// The others, s.
     pub rest: f64,
-    /// What is cut off either end of a rest, s; the turn beside it is as much longer, with its noise. Detector and guard take
-    /// 0.41 s in simulated sessions (`plan-study`); 0.14 s more stand for what the estimate of the noise levels costs: the
-    /// errors found are those of 0.55 s.
+    /// Time cut off at either end of a static interval, s. The adjacent turn, with its noise, is longer by the same
+    /// time. Detector and guard take 0.41 s in simulated sessions (`plan-study`). The other 0.14 s account for the
+    /// estimation of the noise levels: the observed errors match 0.55 s.
     pub cut: f64,
-    /// How fast the turns are.
+    /// Pace of the turns.
     pub pace: Pace,
 }
 
@@ -139,7 +139,7 @@ pub(crate) struct Place {
 pub(crate) struct Chain<'a> {
     noise: &'a Noise,
     shared: Information,
-    /// Of the last placement's direction, and with the shared parameters.
+    /// Information about the last placement's direction, and its cross terms with the shared parameters.
     own: Matrix2<f64>,
     with: SMatrix<f64, 2, PARAMETERS>,
 }
@@ -257,7 +257,7 @@ pub fn session_information(
     chain.close()
 }
 
-/// What a plan predicts.
+/// Predicted accuracy of a plan.
 #[derive(Clone, Debug, Serialize)]
 pub struct Prediction {
     /// Standard error of every parameter, in the order of [`parameter_names`]: 1, m/s², rad/s; infinite where one is open.
@@ -315,7 +315,8 @@ pub(crate) fn variances(information: &Information) -> Option<[f64; PARAMETERS]> 
     Some(all)
 }
 
-/// What information comes to. Where the gyroscope is open the accelerometer is judged by its own part.
+/// Predicts the accuracy from the information. If the gyroscope is undetermined, the accelerometer is judged by its own
+/// part.
 pub fn predict(information: &Information, noise: &Noise) -> Prediction {
     if let Some(variances) = variances(information) {
         let [force_error, rate_error] = reading_errors(&variances, noise.gravity);

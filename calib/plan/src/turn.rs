@@ -39,13 +39,13 @@ pub enum Way {
     Via,
 }
 
-/// How fast a turn goes beside the pace of its plan.
+/// Speed of a turn relative to the pace of its plan.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Speed {
     /// A third of it.
     Slow,
-    /// As it is.
+    /// The pace itself.
     #[default]
     Usual,
     /// Twice it.
@@ -70,13 +70,13 @@ impl Speed {
 pub struct Turn {
     /// By which way.
     pub way: Way,
-    /// How fast.
+    /// Speed.
     pub speed: Speed,
     /// One after the other.
     pub legs: Vec<Leg>,
 }
 
-/// How fast a hand turns.
+/// Pace of turns by hand.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Pace {
     /// Mean rate of a turn, rad/s; its peak is about twice that.
@@ -96,7 +96,7 @@ impl Default for Pace {
 }
 
 impl Pace {
-    /// How long a rotation takes, s.
+    /// Returns the duration of a rotation, s.
     pub fn duration(&self, leg: &Leg) -> f64 {
         (leg.angle / self.rate).max(self.shortest)
     }
@@ -203,7 +203,7 @@ fn level_axes(up: &Vector3<f64>) -> Vec<Vector3<f64>> {
     vec![first, up.cross(&first)]
 }
 
-/// What a turn does to the direction of gravity and what an error of the gyroscope adds to it.
+/// Effect of a turn on the direction of gravity, and its derivatives with respect to the gyroscope's parameters.
 #[derive(Clone, Copy, Debug)]
 pub struct Carried {
     /// `v_after = R v_before` in body frames.
@@ -216,7 +216,7 @@ pub struct Carried {
 }
 
 impl Turn {
-    /// How long every leg takes, s.
+    /// Returns the duration of each leg, s.
     pub fn durations(&self, pace: &Pace) -> impl Iterator<Item = f64> {
         let pace = pace.at(self.speed);
         self.legs.iter().map(move |leg| pace.duration(leg))

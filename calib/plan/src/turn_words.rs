@@ -67,7 +67,7 @@ impl Turn {
     }
 }
 
-/// What points up after a leg.
+/// Returns the direction that points up after a leg.
 fn carried(up: &Vector3<f64>, leg: &Leg) -> Vector3<f64> {
     let axis = Unit::new_normalize(leg.axis);
     Rotation3::from_axis_angle(&axis, leg.angle).inverse() * up

@@ -1,9 +1,9 @@
-//! What is known of the end of a motion, and how it corrects the way there.
+//! Assumptions about the end of a motion, and the corrections that they give.
 
 use nalgebra::Vector3;
 use sensor::attitude::Attitude;
 
-/// What the end of the motion is known to be.
+/// Assumption about the end of a motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Ending {
     /// Nothing.

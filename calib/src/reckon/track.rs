@@ -11,7 +11,7 @@ use recording::Error;
 use recording::intervals::{Moments, Span};
 use recording::{Recording, Stream};
 
-/// Where the attitude comes from.
+/// Source of the attitude.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Mode {
     /// From the gyroscope.
@@ -44,12 +44,12 @@ pub struct Track {
 }
 
 impl Track {
-    /// Where the motion ended, m.
+    /// Returns the position at the end of the motion, m.
     pub fn displacement(&self) -> Vector3<f64> {
         self.position.last().copied().unwrap_or_else(Vector3::zeros)
     }
 
-    /// How far the motion went in the horizontal plane, and how far up, m.
+    /// Returns the horizontal distance and the height of the end of the motion, m.
     pub fn distance(&self) -> (f64, f64) {
         let end = self.displacement();
         let height = end.dot(&self.up);

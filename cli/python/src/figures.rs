@@ -8,7 +8,7 @@ use crate::error::bug;
 /// Title and SVG of each figure.
 pub type Figures = Vec<(String, String)>;
 
-/// Of a calibration that was made here; none of one that was read.
+/// Returns the figures of a calibration computed here; empty for one that was read from a file.
 pub fn calibration(py: Python<'_>, own: &stillpoint::Calibration) -> PyResult<Figures> {
     let Some((outcome, recordings)) = own.outcome() else {
         return Ok(Vec::new());
@@ -20,7 +20,7 @@ pub fn calibration(py: Python<'_>, own: &stillpoint::Calibration) -> PyResult<Fi
     Ok(pairs(drawn.map_err(|message| bug(py, &message))?))
 }
 
-/// Of a discovery.
+/// Returns the figures of a discovery.
 pub fn findings(py: Python<'_>, own: &stillpoint::Findings) -> Figures {
     pairs(py.detach(|| of_discovery(own.as_ref())))
 }

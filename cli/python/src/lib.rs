@@ -1,7 +1,8 @@
-//! What Python calls: the facade with numpy arrays, and the command.
+//! Native module of the Python package: the facade with numpy arrays, and the command.
 //!
-//! The package `stillpoint` in `../stillpoint` is what people import; it turns arguments into the plain values that these
-//! functions take, and results into dictionaries, frames and pages. The interpreter runs on while anything here works.
+//! Users import the package `stillpoint` in `../stillpoint`. It turns arguments into the plain values that these
+//! functions take, and results into dictionaries, frames and pages. The functions here release the interpreter while
+//! they work.
 
 mod arrays;
 mod error;

@@ -8,7 +8,8 @@ use stillpoint::{Error, Watch};
 
 use crate::error::exception;
 
-/// What `work` gives, with a watch that looks for signals and calls `told(stage, steps)`, if there is one, at every step.
+/// Runs `work` and returns its result. Its watch checks for signals at every step and calls `told(stage, steps)`, if
+/// given.
 pub fn watched<T: Send>(
     py: Python<'_>,
     told: Option<Py<PyAny>>,

@@ -117,7 +117,7 @@ impl Corrector {
     }
 }
 
-/// What was found.
+/// Result of an effect search.
 #[pyclass(frozen, module = "stillpoint._native")]
 #[derive(Clone, Debug)]
 pub struct Findings(pub stillpoint::Findings);

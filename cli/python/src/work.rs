@@ -53,7 +53,7 @@ pub fn discover(
     .map(Findings)
 }
 
-/// What a calibration, or nothing, leaves of a recording: a JSON document.
+/// Evaluates a recording, raw or with a calibration, and returns the residuals as a JSON document.
 #[pyfunction]
 pub fn evaluate(
     py: Python<'_>,

@@ -131,7 +131,7 @@ fn rows(sensor: Sensor, noise: &SensorNoise) -> Vec<[String; 5]> {
     rows
 }
 
-/// What filters call the terms that they take.
+/// Names of the noise terms in the configuration of filters.
 const DENSITIES: [(NoiseTerm, &str); 2] = [
     (NoiseTerm::WhiteNoise, "noise density"),
     (NoiseTerm::RandomWalk, "bias random walk"),
@@ -234,7 +234,7 @@ fn report(summary: &NoiseSummary, recording: &Path, plots: &[(String, Picture)])
     report
 }
 
-/// Which terms were told, in a sentence.
+/// Returns a sentence with the number of noise terms that the recording bounds, or with the first warning.
 fn sentence(summary: &NoiseSummary) -> String {
     if let Some(warning) = summary.warnings.first() {
         return format!(

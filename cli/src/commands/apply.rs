@@ -56,7 +56,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     written
 }
 
-/// Where the corrected recording goes.
+/// Destination of the corrected recording.
 pub(super) enum Target {
     Stdout,
     File(Box<Output>),

@@ -153,7 +153,7 @@ fn plot_names(args: &Args) -> Vec<String> {
     calibration::plot_names(args.recordings.recordings.len().max(1))
 }
 
-/// What pages show of the recordings. One that repeats another's data was counted once and is shown as that one.
+/// Builds the session that pages show. A recording with the same data as another counts once.
 pub(super) fn session<'a>(
     recordings: impl IntoIterator<Item = &'a Recording>,
     outcome: &'a Outcome,

@@ -265,7 +265,7 @@ fn hidden(rows: &[Estimate]) -> String {
     lines.join("\n")
 }
 
-/// What was simulated, and what the base models make of it.
+/// Describes the simulated session and the residual of the base models on it.
 fn simulated(session: &Session, outcome: &Outcome) -> String {
     let accelerometer = session.recording.accelerometer.as_ref();
     let samples = accelerometer.map_or(0, |s| s.len());

@@ -231,7 +231,8 @@ struct Gravities {
 }
 
 impl Gravities {
-    /// As given, else of each calibration its own and of the raw readings that of the first.
+    /// Builds the reference gravities: the given value, else each calibration's own. The raw readings take that of the
+    /// first.
     fn of(given: Option<f64>, calibrations: &[(String, Calibration)]) -> Self {
         let first = calibrations
             .first()
@@ -244,13 +245,13 @@ impl Gravities {
         self.given.unwrap_or(calibration.gravity)
     }
 
-    /// Of every row: the raw readings, then the calibrations.
+    /// Returns the gravity of each row, m/s²: the raw readings, then the calibrations.
     fn rows(&self, calibrations: &[(String, Calibration)]) -> Vec<f64> {
         let own = calibrations.iter().map(|(_, c)| self.of_calibration(c));
         std::iter::once(self.raw).chain(own).collect()
     }
 
-    /// What is said where they differ.
+    /// Returns a note if the gravities differ.
     fn differ(&self, calibrations: &[(String, Calibration)]) -> Option<String> {
         let is_other = |(_, c): &(String, Calibration)| self.of_calibration(c) != self.raw;
         calibrations.iter().any(is_other).then(|| {

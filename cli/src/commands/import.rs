@@ -43,7 +43,7 @@ enum From {
     Kalibr,
 }
 
-/// What `export --to imu_tk` calls its files.
+/// File names that `export --to imu_tk` writes.
 const OF_FOLDER: [&str; 2] = ["acc.calib", "gyro.calib"];
 
 /// Runs the command.

@@ -84,7 +84,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
 /// Notes that are said without asking.
 const NOTES: usize = 4;
 
-/// What is said of a file.
+/// Facts about a recording, as `info` shows them.
 struct Facts<'a> {
     recording: &'a Recording,
     choice: Option<Choice>,
@@ -233,7 +233,7 @@ impl<'a> Facts<'a> {
         Some(pair.0.t == pair.1.t)
     }
 
-    /// What it is, in a sentence.
+    /// Returns the headline: format, length, rate and static intervals, in a sentence.
     fn headline(&self) -> String {
         let recording = self.recording;
         let streams = [&recording.accelerometer, &recording.gyroscope];
@@ -264,7 +264,7 @@ impl<'a> Facts<'a> {
             .unwrap_or_default()
     }
 
-    /// What a person sees first: the headline, the sensors, notes and the next command.
+    /// Returns the first screen: the headline, the sensors, notes and the next command.
     fn screen(&self) -> String {
         let mut text = format!("{}\n\n{}\n", self.headline(), self.sensors());
         let names = Names::of([self.recording]);

@@ -73,7 +73,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     screen.show(|| text(&recording, &choice))
 }
 
-/// How the recording was cut, and what its readings show.
+/// Returns remarks on the segmentation and on symptoms in the readings.
 fn remarks(recording: &Recording, choice: &Choice) -> Vec<String> {
     let found = symptoms(recording, &choice.segmentation);
     let found = found

@@ -34,12 +34,12 @@ impl Replace {
         }
     }
 
-    /// Whether existing files are replaced.
+    /// Returns true if existing files are replaced.
     pub fn force(self) -> bool {
         self.force
     }
 
-    /// Whether existing files are kept.
+    /// Returns true if existing files are kept.
     pub fn skip_existing(self) -> bool {
         self.skip_existing
     }

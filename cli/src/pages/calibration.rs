@@ -72,7 +72,7 @@ pub fn pictures(
     all
 }
 
-/// What is covered, where an accelerometer tells.
+/// Returns the coverage by the placements; `None` without an accelerometer.
 pub fn covered(session: &Session<'_>) -> Option<Coverage> {
     let directions = session.directions();
     (!directions.is_empty()).then(|| Coverage::of(&directions))

@@ -1,4 +1,4 @@
-//! Which upward directions the placements cover.
+//! Coverage of the upward directions by the placements.
 
 use nalgebra::Vector3;
 
@@ -11,12 +11,12 @@ const FACES: usize = 6;
 /// Parameters of an accelerometer.
 const PARAMETERS: usize = plan::FORCE_PARAMETERS;
 
-/// What is covered and what is wanted.
+/// Covered directions and placements to add.
 #[derive(Clone, Debug)]
 pub struct Coverage(plan::Coverage);
 
 impl Coverage {
-    /// Of unit vectors.
+    /// Computes the coverage from unit vectors.
     pub fn of(placements: &[[f64; 3]]) -> Self {
         let ups: Vec<Vector3<f64>> = placements.iter().map(|up| Vector3::from(*up)).collect();
         Self(plan::coverage(&ups))
@@ -27,7 +27,7 @@ impl Coverage {
         format!("{} of {FACES} faces", FACES - self.0.missing_faces.len())
     }
 
-    /// How many placements there are, how many of them differ, and what they leave open.
+    /// Returns the number of placements, of different ones, and of parameters not known well, in words.
     pub fn note(&self) -> String {
         let faces = Some(self.0.missing()).filter(|words| !words.is_empty());
         let open = Some(self.0.unknown.len()).filter(|count| *count > 0);
@@ -36,7 +36,7 @@ impl Coverage {
         parts.collect::<Vec<_>>().join("; ")
     }
 
-    /// What to add, in words; `None` where nothing is missing.
+    /// Returns the placements to add, in words; `None` if nothing is missing.
     pub fn advice(&self) -> Option<String> {
         let words = self.0.advice();
         let words = words.strip_prefix("add").map(|rest| format!("Add{rest}."));

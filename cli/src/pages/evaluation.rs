@@ -196,7 +196,7 @@ pub fn judged(rows: &[(String, Evaluation)], warnings: &[String]) -> (Level, Str
     (level, sentence, vec![next, estimate.into()])
 }
 
-/// What the gyroscope's bias is off by under the first calibration.
+/// Builds the figure of the gyroscope's bias error with the first calibration, °/s.
 fn bias(rows: &[(String, Evaluation)]) -> Figure {
     let rate = rows
         .get(1)

@@ -1,4 +1,4 @@
-//! What reports say and show: from results to pages, pictures and sentences.
+//! Content of reports: from results to pages, pictures and sentences.
 //!
 //! ```text
 //! recordings, how they were cut, calibration ──► Session (static intervals, turns, what is left of each)

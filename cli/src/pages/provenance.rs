@@ -1,4 +1,4 @@
-//! Where a result comes from: recordings, gravity, options, version.
+//! Provenance of a result: recordings, gravity, options, version.
 
 use calib::Calibration;
 use calib::Recording;
@@ -70,7 +70,7 @@ fn inputs(all: &[Input]) -> Vec<[String; 2]> {
     rows
 }
 
-/// Where gravity comes from, in words.
+/// Returns the source of gravity, in words.
 pub fn source(source: &GravitySource) -> String {
     match source {
         GravitySource::Given => "given".into(),

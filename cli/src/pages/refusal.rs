@@ -117,7 +117,8 @@ fn units(session: &Session<'_>, gravity: f64) -> [&'static str; 2] {
     ]
 }
 
-/// How far raw norms may be off gravity, as a share of it, and raw directions off the predicted ones, °, half of the turns.
+/// Largest deviation of raw norms from gravity (relative), and of raw directions from the predicted ones (°), for half
+/// of the turns.
 const NEAR_GRAVITY: f64 = 0.5;
 const NEAR_DIRECTION: f64 = 20.0;
 
@@ -126,7 +127,7 @@ const NAMED: usize = 6;
 /// Placements that are asked for where only the noise is too large, as the message does.
 const MORE: usize = 2;
 
-/// What the placements lack, where too few of them are what the refusal is about.
+/// Returns the missing placements, if too few placements are the reason of the refusal.
 fn too_few(failure: &Failure, session: &Session<'_>) -> Option<plan::Coverage> {
     let ups: Vec<Vector3<f64>> = session
         .directions()
@@ -151,7 +152,7 @@ fn few_in_words(found: &plan::Coverage) -> String {
     format!("{there}{and}{missing}.")
 }
 
-/// How many placements to add, and a sentence for each.
+/// Returns the number of placements to add, and a sentence for each.
 fn placements_to_add(found: &plan::Coverage) -> Vec<String> {
     let wanted = found.wanted.iter().take(NAMED);
     let each = wanted.map(|w| format!("Add a placement with {} (a phone: {}).", w.axes, w.words));

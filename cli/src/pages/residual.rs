@@ -21,7 +21,7 @@ pub struct Residual {
 }
 
 impl Residual {
-    /// Of a fit whose readings have these units.
+    /// Computes the residual of a fit whose readings have these units.
     pub fn of(outcome: &Outcome, units: [&str; 2]) -> Self {
         let calibration = &outcome.calibration;
         let mut own = Self::default();
@@ -49,7 +49,7 @@ impl Residual {
         own
     }
 
-    /// Of recordings that nothing was fitted to: plain means over the static intervals and turns.
+    /// Computes the residual of recordings without a fit, from plain means over the static intervals and turns.
     pub fn measured(session: &Session<'_>) -> Self {
         let rms = |values: Vec<f64>| (!values.is_empty()).then(|| root_mean_square(&values));
         let (rests, turns) = (&session.rests, &session.turns);

@@ -1,4 +1,4 @@
-//! What is left in static intervals and through turns, as pictures.
+//! Plots of the residuals at static intervals and through turns.
 
 use calib::Calibration;
 use calib::calibration::Remainder;
@@ -24,7 +24,7 @@ struct Point {
     std: f64,
 }
 
-/// What a calibration says its measured noise is: norm in mm/s², direction in °.
+/// Returns the measured noise in a calibration: norm in mm/s², direction in °.
 pub fn noise(calibration: &Calibration) -> [Option<f64>; 2] {
     let of = |channel: Channel, factor: f64| {
         let found = calibration
@@ -76,7 +76,7 @@ pub fn direction(session: &Session<'_>, noise: Option<f64>) -> Plot {
     )
 }
 
-/// What is left against orientation, temperature, time and rate, where those vary.
+/// Builds the plots of the residuals against orientation, temperature, time and rate, for each quantity that varies.
 pub fn against(session: &Session<'_>, noise: [Option<f64>; 2]) -> Vec<Picture> {
     let mut all = Vec::new();
     if session

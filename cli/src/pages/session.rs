@@ -29,7 +29,7 @@ pub struct Part<'a> {
     pub name: String,
     /// Itself.
     pub recording: &'a Recording,
-    /// How it was cut.
+    /// Segmentation into static intervals and turns.
     pub segmentation: &'a Segmentation,
     /// Number of its first static interval, counted through all recordings from 1.
     pub first: usize,
@@ -40,7 +40,7 @@ pub struct Part<'a> {
 pub struct Rest {
     /// Its number through all recordings.
     pub key: String,
-    /// Which recording.
+    /// Index of the recording.
     pub part: usize,
     /// Begin and end, s.
     pub span: (f64, f64),
@@ -61,7 +61,7 @@ pub struct Rest {
 pub struct Moved {
     /// `t` and the number of the static interval before it.
     pub key: String,
-    /// Which recording.
+    /// Index of the recording.
     pub part: usize,
     /// Begin and end, s.
     pub span: (f64, f64),
@@ -264,7 +264,7 @@ fn with_own_bias(calibration: &Calibration, recording: &str) -> Calibration {
     own
 }
 
-/// Whether readings are in SI units: then scale factors are near one.
+/// Returns true if the readings are in SI units, judged by scale factors near one.
 pub fn in_si(calibration: &Calibration) -> bool {
     let near_one = |triad: &Triad| (0..3).all(|k| (0.5..2.0).contains(&triad.t[k][k].abs()));
     [&calibration.accelerometer, &calibration.gyroscope]

@@ -13,11 +13,11 @@ use crate::show::capital;
 /// The level, the sentence under it, and what to do.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judged {
-    /// How good it is.
+    /// Level of the verdict.
     pub level: Level,
     /// Why, in one sentence.
     pub sentence: String,
-    /// What to do next.
+    /// Next steps.
     pub next: Vec<String>,
 }
 
@@ -65,7 +65,7 @@ pub fn figures(
     all
 }
 
-/// What to do about a failure, by its finding, else by its message.
+/// Returns the advice on a failure, from its finding, else from its message.
 pub fn advice_of(failure: &Failure) -> Option<String> {
     failure
         .advice()

@@ -9,7 +9,7 @@ const LABELLED_DECADES: i32 = 6;
 /// An axis of a plot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// What is plotted, with its unit.
+    /// Plotted quantity, with its unit.
     pub label: String,
     logarithmic: bool,
     /// Words at 1, 2, … instead of numbers; none for numbers.
@@ -60,7 +60,7 @@ impl Axis {
         self.names.len()
     }
 
-    /// Whether it is logarithmic.
+    /// Returns true if the axis is logarithmic.
     pub(super) fn is_log(&self) -> bool {
         self.logarithmic
     }
@@ -75,7 +75,7 @@ impl Axis {
         }
     }
 
-    /// Where a value lies on paper; `None` where it has no place.
+    /// Returns the position of a value on paper; `None` if it has none.
     pub(super) fn place(&self, value: f64) -> Option<f64> {
         let place = if self.logarithmic {
             value.log10()

@@ -21,7 +21,7 @@ const DOT: f64 = 3.0;
 const SMALL: f64 = 2.0;
 const MANY: usize = 150;
 
-/// Where values lie in a panel.
+/// Mapping of values to the drawing area of a panel.
 struct Frame<'a> {
     plot: &'a Plot,
     panel: &'a Panel,
@@ -141,7 +141,7 @@ impl Frame<'_> {
         self.top + self.height * (self.y.to - place) / (self.y.to - self.y.from)
     }
 
-    /// Where a value lies in dots.
+    /// Returns the position of a value in dots.
     fn place(&self, (x, y): (f64, f64)) -> Option<(f64, f64)> {
         let (x, y) = (self.plot.x.place(x)?, self.panel.y.place(y)?);
         Some((self.at_x(x), self.at_y(y)))

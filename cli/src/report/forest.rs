@@ -6,7 +6,7 @@ use super::svg::{Svg, WIDTH, escaped, fitted, text_width};
 /// Parameters of one unit over one axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group {
-    /// What they are, with the unit.
+    /// Label of the group, with the unit.
     pub label: String,
     /// The parameters.
     pub rows: Vec<Row>,

@@ -34,7 +34,7 @@ pub struct Report {
     exports: Vec<[String; 2]>,
 }
 
-/// How good it is.
+/// Quality level of a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Level {
     /// Nothing speaks against it.
@@ -77,7 +77,7 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// What it is, how much, and what to think of it.
+    /// Builds a figure from its name, its value and a note.
     pub fn new(label: &str, value: impl Into<String>, note: impl Into<String>) -> Self {
         Self {
             label: safe(label),
@@ -95,9 +95,9 @@ impl Figure {
 /// A limit that was asked for, and whether it holds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limit {
-    /// Whether it holds.
+    /// True if the limit is kept.
     pub passed: bool,
-    /// What was asked and what was found.
+    /// Requirement and value found, in words.
     pub words: String,
 }
 
@@ -327,7 +327,7 @@ impl Report {
         SCRIPT
     }
 
-    /// What the page may do: nothing but its own style and script.
+    /// Returns the content security policy of the page: nothing but its own style and script.
     fn policy(&self) -> String {
         policy(&self.style(), Some(self.script()))
     }

@@ -29,7 +29,7 @@ impl From<Plot> for Picture {
 }
 
 impl Picture {
-    /// What it shows.
+    /// Returns the title of the picture.
     pub fn title(&self) -> &str {
         match self {
             Self::Plot(plot) => &plot.title,

@@ -1,4 +1,4 @@
-//! What is plotted; how it is drawn is `draw`'s affair.
+//! Data of a plot. Module `draw` draws it.
 
 use super::axis::Axis;
 use crate::show;
@@ -199,7 +199,7 @@ impl Plot {
         self
     }
 
-    /// Whether there is nothing in any panel.
+    /// Returns true if no panel has any data.
     pub fn is_empty(&self) -> bool {
         let mut all = self.panels.iter().flat_map(|panel| &panel.series);
         all.all(|series| series.extent().iter().all(|(x, _)| !x.is_finite()))

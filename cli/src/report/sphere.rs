@@ -16,9 +16,9 @@ pub struct Placed {
 /// Placements and the directions that are missing.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sphere {
-    /// What there is.
+    /// Directions of the placements.
     pub placed: Vec<Placed>,
-    /// What is missing, with words.
+    /// Missing directions, with words.
     pub missing: Vec<([f64; 3], String)>,
 }
 

@@ -53,7 +53,7 @@ pub fn page(parts: &Parts) -> Result<String, String> {
     Ok(page)
 }
 
-/// What the page may do: run its script and the program, start threads of its own, and nothing of the network.
+/// Returns the content security policy of the page: its own script, the program and its threads, and no network.
 fn policy(script: &str, style: &str) -> String {
     let hash = |text: &str| format!("'sha256-{}'", BASE64_STANDARD.encode(Sha256::digest(text)));
     format!(

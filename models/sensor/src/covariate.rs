@@ -1,4 +1,4 @@
-//! What an error can depend on, by name.
+//! Covariates of an error, by name.
 
 use std::fmt;
 
@@ -42,7 +42,7 @@ pub enum Covariate {
     RateSize(Axis),
 }
 
-/// What a product of covariates is measured in: powers of (m/s², rad/s, rad/s², s, K).
+/// Unit of a product of covariates: powers of (m/s², rad/s, rad/s², s, K).
 pub(crate) type Dimension = [i32; 6];
 
 impl Covariate {
@@ -127,7 +127,7 @@ impl Covariate {
         }
     }
 
-    /// What it means, and its unit.
+    /// Returns the meaning of the covariate and its unit.
     pub(crate) fn meaning(self) -> (&'static str, &'static str) {
         match self {
             Self::SpecificForce(_) => ("specific force", "m/s²"),

@@ -56,13 +56,13 @@ pub trait Effect: Send + Sync + 'static {
     /// Size of a coefficient in a consumer-grade device, in its unit: what a simulation draws from. It
     /// is meant for the parameters that are 0 in a perfect sensor.
     const TYPICAL: f64;
-    /// Whether the error is `F p`: linear in the parameters, with an `F` that does not depend on this
-    /// sensor's own signal. Fits of such an effect are faster; `false` is always right.
+    /// True if the error is `F p`: linear in the parameters, with an `F` that does not depend on this sensor's own
+    /// signal. Fits of such an effect are faster; `false` is always right.
     const LINEAR: bool = false;
-    /// What it looks at in the truth, its own signal aside. Where that cannot be known the effect is refused, with the
-    /// quantity's name. `None`: it is found out by trying ([`observed_needs`]).
+    /// Quantities that the effect depends on, except its own signal. An effect is refused if one of them is not known,
+    /// and the message names it. `None`: they are determined by trial ([`observed_needs`]).
     const NEEDS: Option<&'static [Quantity]> = None;
-    /// What it is, where that is no error of the sensor.
+    /// Nature of the effect, for one that is not an error of the sensor.
     const NATURE: Nature = Nature::SensorError;
     /// The effect of lower order that comes with it: it stands for a reference, such as that of the temperature, which is
     /// nobody's to choose.

@@ -6,7 +6,7 @@ use solver::{Scalar, lit};
 
 use crate::attitude::Attitude;
 
-/// Which sensor a model or an effect belongs to.
+/// Kind of sensor that a model or an effect belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Sensor {
@@ -96,11 +96,11 @@ pub struct Kinematics<D> {
     pub vibration: Vector3<f64>,
     /// Derivative of the temperature, K/s.
     pub temperature_rate: f64,
-    /// Whether the device warms up (1) or cools down (−1); 0 where neither is known.
+    /// Sign of the last temperature change: 1 warming up, −1 cooling down, 0 if unknown.
     pub warming: f64,
     /// Rotation vector of the last turn that is over, rad; zero before the first.
     pub last_turn: Vector3<f64>,
-    /// How long ago it ended: all of the time that a mean is taken over.
+    /// Time since the end of the last turn, s; an interval where a mean over time is taken.
     pub since_turn: Since,
     /// Body to the level reference frame (z up).
     pub attitude: Attitude<f64>,
@@ -217,7 +217,7 @@ impl<D: Scalar> Kinematics<D> {
         }
     }
 
-    /// Which way the last turn went about each axis: −1, 1, or 0 of hardly any.
+    /// Returns the sense of the last turn about each axis: −1, 1, or 0 for a negligible angle.
     pub fn way_of_last_turn(&self) -> Vector3<f64> {
         self.last_turn.map(|rotation| {
             if rotation.abs() < LEAST_ROTATION {

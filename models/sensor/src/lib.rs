@@ -1,4 +1,4 @@
-//! What every sensor model is made of: `raw = base⁻¹(truth + Σ effect(truth))`.
+//! Building blocks of every sensor model: `raw = base⁻¹(truth + Σ effect(truth))`.
 //!
 //! ```text
 //! Kinematics ──► Effect (one file each) ─┐

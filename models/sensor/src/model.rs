@@ -47,7 +47,7 @@ impl Model {
         &self.effects
     }
 
-    /// Whether no effect depends on the sensor's own signal.
+    /// Returns true if no effect depends on the sensor's own signal.
     pub fn is_apart_from_signal(&self) -> bool {
         self.effects.iter().all(|effect| effect.is_linear())
     }
@@ -68,7 +68,7 @@ impl Model {
         parameters
     }
 
-    /// How many parameters there are, without their names.
+    /// Returns the number of parameters.
     pub fn parameter_count(&self) -> usize {
         let own = self.effects.iter().map(|effect| effect.params().len());
         BASE_PARAMETERS + own.sum::<usize>()

@@ -11,13 +11,13 @@ pub struct Param {
     pub nominal: f64,
     /// Size in a consumer-grade device, where it is not that of the effect.
     pub typical: Option<f64>,
-    /// What kind of number it is.
+    /// Role of the parameter.
     pub role: Role,
     /// Values at which it is tried where it has to be found; empty where it is a factor, or where the usual ones do.
     pub tried: &'static [f64],
 }
 
-/// What kind of number a parameter is.
+/// Role of a parameter.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Role {
     /// A factor: it belongs to the device.
@@ -70,7 +70,7 @@ impl Param {
         Self { role, ..self }
     }
 
-    /// What kind of number it is; one of an effect written as text says it by its name.
+    /// Returns the role. For an effect written as text, the names `tau` and `t0` determine it.
     pub fn role_by_name(&self) -> Role {
         match (self.role, self.name) {
             (Role::Coefficient, "tau") => Role::TimeConstant,

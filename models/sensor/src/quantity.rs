@@ -1,4 +1,4 @@
-//! What an effect has to be told of an instant.
+//! Quantities of an instant that an effect can depend on.
 
 use std::fmt;
 
@@ -37,7 +37,7 @@ pub enum Quantity {
     Vibration,
     /// Derivative of the temperature, K/s.
     TemperatureRate,
-    /// Whether the device warms up or cools down: the sign of the last change of temperature.
+    /// Sign of the last temperature change: warming up or cooling down.
     Warming,
     /// Rotation vector of the last turn, rad.
     LastTurn,
@@ -66,7 +66,7 @@ impl Quantity {
         Self::Attitude,
     ];
 
-    /// What a sensor measures.
+    /// Returns the quantity that a sensor measures.
     pub fn signal_of(sensor: Sensor) -> Self {
         match sensor {
             Sensor::Accelerometer => Self::SpecificForce,
@@ -92,7 +92,7 @@ impl Quantity {
         }
     }
 
-    /// Whether it is zero wherever the device is at rest.
+    /// Returns true if the quantity is zero whenever the device is static.
     pub fn vanishes_at_rest(self) -> bool {
         matches!(
             self,
@@ -100,7 +100,7 @@ impl Quantity {
         )
     }
 
-    /// Whether it is the temperature or how that moves.
+    /// Returns true if the quantity is the temperature or one of its changes.
     pub fn is_thermal(self) -> bool {
         matches!(
             self,
@@ -108,7 +108,7 @@ impl Quantity {
         )
     }
 
-    /// Whether only static intervals tell it.
+    /// Returns true if the quantity is known only from static intervals.
     pub fn is_told_by_intervals(self) -> bool {
         matches!(
             self,

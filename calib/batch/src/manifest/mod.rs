@@ -1,4 +1,4 @@
-//! Which devices there are, what is read for each and how.
+//! Manifest of a batch: the devices, their input files and their options.
 
 mod device;
 mod folders;
@@ -22,11 +22,13 @@ pub struct Manifest {
 }
 
 impl Manifest {
-    /// Of folders, whose sub-folders and files are a device each, and of manifest files (CSV, TOML or JSON lines).
+    /// Reads the devices from folders and from manifest files (CSV, TOML or JSON lines).
+    ///
+    /// Each sub-folder and each file of a folder is one device.
     ///
     /// # Errors
-    /// [`Error::Manifest`] with the place for an unknown column, a name that is there twice, nothing at all;
-    /// [`Error::Io`] for what cannot be read.
+    /// [`Error::Manifest`] with the place for an unknown column, a duplicate name, or a manifest without devices;
+    /// [`Error::Io`] for a path that cannot be read.
     pub fn read(paths: &[PathBuf]) -> Result<Self, Error> {
         let mut devices = Vec::new();
         for path in paths {

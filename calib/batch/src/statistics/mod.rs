@@ -1,4 +1,4 @@
-//! What a line wants to know of many devices.
+//! Statistics over many devices, for the monitoring of a production line.
 
 mod control;
 mod drift;

@@ -1,8 +1,8 @@
-//! How many pass, why others do not, and what the type has in common.
+//! Yield, causes of failure, and effects that many devices of a type share.
 
 use crate::record::{Record, Status};
 
-/// How many devices ended how.
+/// Number of devices: all, passed, and by status.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Yield {
     /// All devices.

@@ -19,7 +19,7 @@ const CALIBRATED: &str = "calibrated";
 const SCALE_MISALIGNMENT: &str = "scale-misalignment";
 const SIZE_EFFECT: &str = "scale-misalignment-size-effect";
 
-/// How far `C Cᵀ` of a rotation that was written with a few digits may be from the identity.
+/// Largest deviation of `C Cᵀ` from the identity for a rotation written with few digits.
 const NO_ROTATION: f64 = 1e-3;
 
 /// A calibration of Kalibr: `a_m = M_a a + b_a`, `w_m = M_g C w + A C a + b_g` as `T_a = M_a⁻¹`, `T_g = (M_g C)⁻¹`,
@@ -163,7 +163,7 @@ impl<'a> Imu<'a> {
         Ok(Some((base, t * a * c)))
     }
 
-    /// What the import is worth.
+    /// Returns the warnings about the import: no standard errors, and sensors without a bias.
     fn worth(&self, has_force: bool, has_rate: bool) -> Vec<Finding> {
         let there = [has_force, has_rate];
         let without = SENSORS.iter().zip(there).filter(|((name, _), there)| {
@@ -180,7 +180,7 @@ impl<'a> Imu<'a> {
         worth
     }
 
-    /// What is said of a sensor's entries that nothing here knows.
+    /// Returns a warning for each entry of a sensor that the import does not know.
     fn unread(&self) -> Vec<Finding> {
         let mut said = Vec::new();
         for (name, known) in SENSORS {

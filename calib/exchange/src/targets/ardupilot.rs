@@ -12,9 +12,9 @@ use crate::kept::Kept;
 use crate::source::{Source, by_axis};
 use crate::target::{Settings, Target, Written};
 
-/// What ArduPilot takes for a scale factor, and for an offset in m/s²: `@Range: 0.8 1.2` of `ACCSCAL_X` and `-3.5 3.5` of
-/// `ACCOFFS_X` in `AP_InertialSensor_Params.cpp`. Its own calibration refuses other scale factors too, but offsets from
-/// 1 g on only (`AccelCalibrator::accept_result`).
+/// Ranges that ArduPilot accepts for a scale factor and for an offset (m/s²): `@Range: 0.8 1.2` of `ACCSCAL_X` and
+/// `-3.5 3.5` of `ACCOFFS_X` in `AP_InertialSensor_Params.cpp`. Its own calibration refuses scale factors outside this
+/// range too, but offsets only from 1 g on (`AccelCalibrator::accept_result`).
 const SCALES: (f64, f64) = (0.8, 1.2);
 const OFFSETS: (f64, f64) = (-3.5, 3.5);
 
@@ -105,7 +105,7 @@ impl Target for ArduPilot {
     }
 }
 
-/// What the parameters of accelerometer and gyroscope of an instance begin with.
+/// Returns the prefixes of the accelerometer and gyroscope parameters of an instance.
 fn numbered(instance: usize) -> Result<[&'static str; 2], Error> {
     match instance {
         0 => Ok(["INS_ACC", "INS_GYR"]),

@@ -13,7 +13,8 @@ pub fn document(source: &Source<'_>) -> Result<Value, Error> {
     serde_json::to_value(source.calibration).map_err(|e| Error::unwritten(&e))
 }
 
-/// What functions that apply the base models and the g-sensitivity leave out, though the document beside them holds it.
+/// Returns the losses of functions that apply only the base models and the g-sensitivity, while the document beside
+/// them holds the whole calibration.
 pub fn not_applied(source: &Source<'_>) -> Vec<Finding> {
     let applied = Kept {
         g_sensitivity: true,

@@ -11,9 +11,9 @@ use crate::error::Error;
 use crate::source::{AXES, Source, diagonal};
 use crate::target::Settings;
 
-/// What a flight controller calls its parameters of one sensor.
+/// Parameter names of one sensor in a flight controller.
 pub(super) struct Names {
-    /// As in `CAL_ACC0_{axis}OFF`.
+    /// Pattern of the offset names, such as `CAL_ACC0_{axis}OFF`.
     pub offset: String,
     /// The same of the scale factors; a gyroscope has none.
     pub scale: Option<String>,
@@ -21,11 +21,11 @@ pub(super) struct Names {
 
 /// A flight controller that replaces its parameters by those of the export.
 pub(super) struct Controller {
-    /// As claims of what was applied before call it, and as the target is called.
+    /// Name of the target, which is also the name in a calibration for corrections applied before.
     pub system: &'static str,
     /// Parameters that turn the readings after the correction: each must be absent or at most 0.
     pub turning: Vec<String>,
-    /// What it logs raw, for advice.
+    /// Source of uncorrected logs, for the advice to the user.
     pub raw: &'static str,
 }
 
@@ -115,7 +115,7 @@ impl Controller {
         }
     }
 
-    /// Whether nothing is stated of a sensor's readings, so that it is for the user to know.
+    /// Returns true if neither the calibration nor the settings state whether the readings were corrected.
     pub fn is_unknown(source: &Source<'_>, settings: &Settings) -> bool {
         let sensors = [Sensor::Accelerometer, Sensor::Gyroscope].into_iter();
         let there = sensors.filter(|sensor| source.calibration.triad(*sensor).is_some());

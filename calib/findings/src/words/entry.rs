@@ -29,12 +29,12 @@ pub struct Entry {
     pub severity: f64,
     /// The reason in a few words, as a verdict says it.
     pub reason: &'static str,
-    /// What was found, in sentences.
+    /// Template of the message, in sentences.
     ///
-    /// `{name}` stands for a number or a word, `{sensor}` and `{at}` for the place; what stands between `[` and `]` is left out
-    /// where a name in it is not given.
+    /// `{name}` stands for a number or a word, `{sensor}` and `{at}` for the place. Text between `[` and `]` is left
+    /// out if a name in it is not given.
     pub text: &'static str,
-    /// What to do, an imperative, where no remedy of [`Remedy`] says it; a template as `text` is.
+    /// Template of the advice, an imperative, where no [`Remedy`] gives it. The form is that of `text`.
     pub advice: &'static str,
     /// Usual ways out.
     pub remedies: fn() -> Vec<Remedy>,

@@ -20,7 +20,7 @@ use crate::kind::Kind;
 use crate::level::Level;
 use crate::remedy::Remedy;
 
-/// What a remark ends with that asks for nothing.
+/// End of a remark that requires no action.
 const NOTHING_TO_DO: &str = "nothing has to be done";
 
 /// The table of all kinds for the manual: name, level, text with its names in braces, ways out.
@@ -98,7 +98,7 @@ impl Finding {
         text
     }
 
-    /// What was found, without its place and without what to do.
+    /// Returns the message without its place and without advice.
     pub fn what(&self) -> String {
         let finding = Self {
             place: Place {
@@ -126,7 +126,7 @@ impl Finding {
         template::filled(template, self)
     }
 
-    /// What to do about it; none where nothing helps or nothing has to be done.
+    /// Returns the advice; `None` if nothing helps or nothing has to be done.
     pub fn advice(&self, front: Front) -> Option<String> {
         let own = template::filled(entry(self.kind).advice, self);
         let own = (!own.is_empty()).then_some(own);

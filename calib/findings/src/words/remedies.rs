@@ -369,7 +369,7 @@ fn given(any_of: &[Setting], front: Front) -> String {
     all.join(" or ")
 }
 
-/// What an option does, an imperative, where one gives nothing by it but switches something on.
+/// Returns the action of an option, an imperative; `None` for an option that is named by the value it gives.
 fn doing(setting: &Setting) -> Option<String> {
     use OptionName as O;
     let doing = match (setting.option, setting.value.as_deref()) {

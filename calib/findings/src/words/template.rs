@@ -45,7 +45,7 @@ fn plain(template: &str, finding: &Finding) -> (String, bool) {
     (text, all_known)
 }
 
-/// What stands for a name.
+/// Returns the text for a name in a template; `None` if the finding does not give it.
 fn known(name: &str, finding: &Finding) -> Option<String> {
     let place = &finding.place;
     match name {

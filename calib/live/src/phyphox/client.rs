@@ -56,7 +56,7 @@ impl Client {
         self.get_within(path, left.max(Duration::from_millis(1)), EXPORT)
     }
 
-    /// What an error says may be the phone's words.
+    /// Returns the body of the answer, at most `most` bytes. The text of an error may contain the phone's words.
     fn get_within(
         &self,
         path: &str,

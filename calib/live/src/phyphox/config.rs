@@ -16,12 +16,12 @@ pub(super) struct Buffers {
     pub(super) time: String,
 }
 
-/// What is open on the phone.
+/// Experiment that is open on the phone.
 #[derive(Clone, Debug)]
 pub(super) struct Experiment {
     pub(super) title: String,
     inputs: Vec<(String, Option<Buffers>)>,
-    /// How many sets of buffers its export has.
+    /// Number of buffer sets in its export.
     pub(super) export_sets: usize,
 }
 

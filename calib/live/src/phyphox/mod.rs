@@ -65,7 +65,7 @@ pub struct Phyphox {
     experiment: Experiment,
     sensors: [Buffers; 2],
     recorder: Recorder,
-    /// Where the exported file goes.
+    /// Path of the exported file.
     export: PathBuf,
     /// Last stamps of both sensors by the phone's clock, s.
     last: [Option<f64>; 2],
@@ -215,7 +215,7 @@ impl Phyphox {
         Ok((reply, fresh))
     }
 
-    /// Whether the app was started again or its data were cleared.
+    /// Returns true if the app was restarted or its data were cleared.
     fn has_begun_anew(&self, reply: &Reply, fresh: &[Stream; 2]) -> bool {
         let Some(last) = self.last[0] else {
             return false;
@@ -258,7 +258,7 @@ impl Phyphox {
         }
     }
 
-    /// What is later than all before, with pauses counted.
+    /// Returns the samples later than all before, with pauses included in the time stamps.
     fn newer(&mut self, sensor: usize, fresh: Stream) -> Stream {
         let from = self.last[sensor].map_or(0, |last| fresh.t.partition_point(|t| *t <= last));
         if let Some(t) = fresh.t.last().filter(|_| from < fresh.len()) {

@@ -28,7 +28,7 @@ struct Pause {
     at: f64,
     /// Length, s.
     length: f64,
-    /// Of this and all before, s.
+    /// Total length of this pause and all before, s.
     in_all: f64,
 }
 

@@ -18,7 +18,7 @@ const LARGEST: f64 = 1e5;
 /// Most values of a buffer in an answer: hours.
 const MOST: usize = 4_000_000;
 
-/// Whether this is a time of an experiment.
+/// Returns true if `t` (s) is a possible time of an experiment.
 pub(super) fn is_time(t: f64) -> bool {
     (-1.0..=LONGEST).contains(&t)
 }
@@ -90,7 +90,7 @@ impl Reply {
         })
     }
 
-    /// Whether all of a sensor's buffers was sent, asked for or not.
+    /// Returns true if the reply has the whole buffers of a sensor.
     pub(super) fn is_full(&self, buffers: &Buffers) -> bool {
         self.buffer
             .get(&buffers.time)

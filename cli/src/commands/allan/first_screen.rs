@@ -9,7 +9,7 @@ use crate::commands::shared::first_screen::{Screen, Step};
 use crate::show;
 use crate::show::command_line;
 
-/// What is on it.
+/// Builds the first screen.
 pub fn screen(args: &Args, summary: &NoiseSummary) -> Screen {
     let recording = command_line(&args.recording) + &args.read.command_line();
     let mut next = Vec::new();

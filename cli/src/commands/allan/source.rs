@@ -1,4 +1,4 @@
-//! What `allan` analyses: a recording, or the rest in it.
+//! Source of the samples for `allan`: a whole recording, or its static part.
 
 use ::findings::Front;
 use calib::Recording;

@@ -22,7 +22,7 @@ pub fn shown_unit(term: NoiseTerm, sensor: Sensor, noise: &SensorNoise) -> (&'st
     }
 }
 
-/// Whether the readings were in counts.
+/// Returns true if the readings are in counts.
 pub fn is_in_counts(noise: &SensorNoise) -> bool {
     noise.unit == "counts"
 }
@@ -59,7 +59,7 @@ pub fn significant(v: f64) -> String {
     format!("{v:.decimals$}")
 }
 
-/// How much was analysed.
+/// Returns the amount of data analysed: length, rate and interruptions.
 pub fn extent(noise: &SensorNoise) -> String {
     let seconds = (noise.samples + noise.bridged) as f64 * noise.step;
     let length = match seconds {
@@ -87,7 +87,7 @@ pub fn extent(noise: &SensorNoise) -> String {
     )
 }
 
-/// How long to rest before a calibration.
+/// Returns the recommended static time before a calibration, in words.
 pub fn advice(summary: &NoiseSummary) -> String {
     match (summary.initial_static_time, &summary.gyroscope) {
         (Some(time), _) => format!(

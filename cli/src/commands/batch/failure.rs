@@ -1,4 +1,4 @@
-//! What is wrong with a batch as a whole, in words.
+//! Failures of a batch as a whole, in words.
 
 use batch::Error;
 use findings::Front;

@@ -29,7 +29,7 @@ fn refuse_with_discover(args: &Args) -> Result<(), Failure> {
     }
 }
 
-/// What every device is calibrated by.
+/// Builds the options that all devices share from the arguments.
 pub fn of(args: &Args) -> Result<Options, Failure> {
     refuse_with_discover(args)?;
     let gravity = args.place.gravity()?;

@@ -1,4 +1,4 @@
-//! What `calibrate` is asked.
+//! Arguments of `calibrate`.
 
 use std::path::PathBuf;
 

@@ -30,7 +30,7 @@ pub struct Shown<'a> {
     pub residual: String,
 }
 
-/// What is on it.
+/// Builds the first screen.
 pub fn screen(shown: &Shown<'_>) -> Screen {
     let Shown {
         args,
@@ -80,7 +80,7 @@ pub fn screen(shown: &Shown<'_>) -> Screen {
     }
 }
 
-/// How far corrected readings may be off.
+/// Returns the standard errors of corrected readings, in words.
 fn of_readings(calibration: &Calibration) -> Option<[String; 2]> {
     let error = reading_error::of(calibration);
     let mut parts = Vec::new();
@@ -96,7 +96,7 @@ fn of_readings(calibration: &Calibration) -> Option<[String; 2]> {
     (!parts.is_empty()).then(|| ["corrected reading".into(), parts.join(", ")])
 }
 
-/// What was written.
+/// Returns a sentence with the files that were written.
 fn written(args: &Args) -> String {
     let mut files: Vec<String> = args.output.iter().map(|path| show::path(path)).collect();
     files.extend(args.pictures.paths().iter().map(|path| show::path(path)));

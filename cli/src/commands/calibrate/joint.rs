@@ -1,4 +1,4 @@
-//! What the joint method says beyond the tables of the parameters.
+//! Output of the joint method in addition to the tables of parameters.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::fmt::Write as _;

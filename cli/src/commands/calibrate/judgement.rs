@@ -3,9 +3,9 @@
 use ::findings::{Finding, Front, Grade, Level as Weight, gravest_first};
 use calib::Calibration;
 
-/// How good a calibration is, why, and what was said with that.
+/// Judgement of a calibration: grade, verdict and findings.
 pub struct Judgement {
-    /// How good.
+    /// Grade of the calibration.
     pub grade: Grade,
     /// The verdict in a sentence.
     pub sentence: String,

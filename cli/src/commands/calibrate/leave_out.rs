@@ -6,7 +6,7 @@ use calib::calibrate::Instant;
 
 use crate::exit::{Failure, USAGE};
 
-/// What `--leave-out` names.
+/// Argument of `--leave-out`: an instant within a static interval.
 #[derive(Clone, Copy, Debug)]
 pub struct LeftOut(Instant);
 

@@ -1,4 +1,4 @@
-//! What the standard errors take for granted: that no effect was left out.
+//! Table of the standard errors with a possible unmodelled effect.
 
 use calib::Calibration;
 
@@ -8,7 +8,7 @@ use crate::show;
 const WORTH_SHOWING: f64 = 2.0;
 const MOST_SHOWN: usize = 4;
 
-/// What the table says.
+/// Caption of the table.
 pub const SENTENCE: &str = "The standard errors hold for sensors without further effects. Where a sensor has one, as large as is \
                             usual in consumer-grade sensors and no larger than this recording would show, errors are larger:";
 

@@ -172,7 +172,7 @@ pub fn shown(lines: &[LimitLine]) -> Vec<report::Limit> {
     own.into_iter().map(shown).collect()
 }
 
-/// How many limits of a file are kept, in a few words; `None` where no file was given.
+/// Returns the number of limits of the file that are kept or fail, in a few words; `None` without a limits file.
 pub fn kept(lines: &[LimitLine]) -> Option<String> {
     let own = lines.iter().filter(|line| !line.built_in);
     let (good, bad): (Vec<&LimitLine>, Vec<&LimitLine>) = own.partition(|line| line.pass);

@@ -1,4 +1,4 @@
-//! Which method follows which option of `calibrate`.
+//! Options of `calibrate` that only some methods use.
 
 use super::arguments::Args;
 pub use super::arguments::Method;
@@ -6,7 +6,7 @@ use crate::exit::{Failure, USAGE};
 
 /// An option that not every method follows.
 pub struct OfMethods {
-    /// As it is written.
+    /// Name of the option, with dashes.
     pub option: &'static str,
     /// The methods that follow it.
     pub methods: &'static [Method],

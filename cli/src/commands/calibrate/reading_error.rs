@@ -1,4 +1,4 @@
-//! How far a corrected reading may be off, by the covariance of a calibration.
+//! Standard errors of corrected readings, from the covariance of a calibration.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -13,9 +13,9 @@ use super::joint::TURN_TIME;
 /// Standard errors of corrected readings at their worst over the axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ReadingError {
-    /// Of an axis of specific force with a face of the device up, m/s².
+    /// Standard error of one axis of specific force with a face of the device up, m/s².
     pub force: Option<f64>,
-    /// Of a heading after a turn of 90° in three seconds, rad.
+    /// Standard error of the heading after a turn of 90° in three seconds, rad.
     pub heading: Option<f64>,
 }
 

@@ -23,7 +23,7 @@ use crate::pages::{calibration, parameters, provenance, verdict as judge};
 use crate::report::{Axis, Figure, Picture, Plot, Report, ReportTable, Series};
 use crate::show;
 
-/// What the options of `calibrate` say to this method.
+/// Inputs and options of a six-position calibration.
 #[derive(Debug)]
 pub struct Call<'a> {
     /// The arguments.
@@ -40,9 +40,9 @@ pub struct Call<'a> {
     pub json: bool,
     /// Limits that it must keep.
     pub limits: Option<Limits>,
-    /// Where the calibration goes.
+    /// Output file of the calibration.
     pub output: Option<Output>,
-    /// Where the report goes.
+    /// Output files of the report and the plots.
     pub pictures: Pictures,
 }
 
@@ -95,7 +95,7 @@ pub fn run(call: Call<'_>) -> Result<(), Failure> {
     gate(&calibration)
 }
 
-/// What is left of gravity's norm on each face.
+/// Builds the plot of the residual of gravity's norm on each face, mm/s².
 fn plot(solution: &SixPosition) -> Plot {
     let left = |correct: &dyn Fn(&Vector3<f64>) -> Vector3<f64>| {
         (0..6)
@@ -241,7 +241,7 @@ fn rates(part: &GyroscopePart) -> ([&'static str; 5], Vec<[String; 5]>) {
     (header, AXES.iter().enumerate().map(row).collect())
 }
 
-/// What the gyroscope's part is worth.
+/// Returns the verdict on the gyroscope's part.
 fn verdict(part: &GyroscopePart) -> &'static str {
     match part.earth_rotation() {
         EarthRotation::Seen => {

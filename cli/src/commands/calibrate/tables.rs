@@ -227,7 +227,7 @@ fn bias_time(triad: &Triad, factor: f64, unit: &str) -> String {
     )
 }
 
-/// How far the residual lies above the noise within the intervals.
+/// Returns the ratio of the residual to the noise within the intervals, in words.
 pub fn over_noise(triad: &Triad) -> String {
     triad.reduced_chi2.map_or(String::new(), |chi2| {
         format!(" ({:.1} times the noise in the intervals)", chi2.sqrt())

@@ -1,9 +1,9 @@
-//! What to record next, and what would show what did not show here.
+//! Advice on the next recordings.
 
 use ::findings::{Front, Remedy};
 use calib::discover::{Findings, Integrity};
 
-/// What a recording must have for effects to show whose names contain one of the first.
+/// Recordings in which effects can show, each with parts of the effects' names.
 const TO_SHOW: [(&[&str], &str); 7] = [
     (
         &["_step"],
@@ -64,7 +64,7 @@ pub fn to_show(not_observable: &[String], whole: bool) -> Vec<String> {
     all.into_iter().map(line).collect()
 }
 
-/// What to do against a fault, where that is more than to record the interval again.
+/// Returns the remedy for a fault; `None` if the only remedy is to record the interval again or leave it out.
 pub fn remedy_of(fault: &Integrity) -> Option<String> {
     let again = [Remedy::RecordAgain, Remedy::LeaveOut];
     let remedies = &fault.finding.remedies;
@@ -72,7 +72,7 @@ pub fn remedy_of(fault: &Integrity) -> Option<String> {
     more.then(|| fault.finding.advice(Front::CommandLine))?
 }
 
-/// What to record next, the most telling first.
+/// Returns the recordings to make next, the most informative first.
 pub fn next_recordings(findings: &Findings) -> Vec<String> {
     let mut next: Vec<String> = Vec::new();
     let mut add = |text: String| {

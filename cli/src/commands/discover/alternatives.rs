@@ -1,10 +1,10 @@
-//! What may hold instead of a named effect, or beside it.
+//! Alternatives to a named effect, and effects that may exist in addition to it.
 
 use calib::discover::{Beside, EffectFinding, Findings};
 
 use crate::show;
 
-/// What cannot be told from a named effect, in a sentence each.
+/// Returns a sentence for each effect that cannot be distinguished from a named one.
 pub fn ties(findings: &Findings) -> Vec<String> {
     let mut all = Vec::new();
     for effect in &findings.effects {
@@ -25,7 +25,8 @@ pub fn ties(findings: &Findings) -> Vec<String> {
     all
 }
 
-/// What may be there beside a named effect, and what hangs on it.
+/// Returns a sentence for each effect that may exist in addition to a named one, with its influence on the
+/// coefficients.
 pub fn beside(findings: &Findings) -> Vec<String> {
     let all = findings.effects.iter();
     let of = |effect: &EffectFinding| {

@@ -20,7 +20,7 @@ use crate::show::command_line;
 /// Names, faults and ties that are said one by one.
 const MOST: usize = 3;
 
-/// What is on it.
+/// Builds the first screen.
 pub fn screen(
     args: &Args,
     findings: &Findings,
@@ -180,7 +180,7 @@ fn named(findings: &Findings) -> String {
     lines.join("\n")
 }
 
-/// What could not be told, a line or two each.
+/// Returns the undecided questions, a line or two each.
 fn open(findings: &Findings) -> String {
     let mut lines = Vec::new();
     if let Some(proposal) = &findings.proposed {

@@ -114,7 +114,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     gate(&findings.calibration)
 }
 
-/// What several units of one type share.
+/// Runs the search over several units of one type for the effects that they share.
 fn of_units(
     args: &Args,
     recordings: &[Recording],

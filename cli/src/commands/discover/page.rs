@@ -165,7 +165,7 @@ fn figures(findings: &Findings, coverage: Option<&Coverage>) -> Vec<Figure> {
     all
 }
 
-/// What to do next: use what was named, mend what is at fault, then the recordings that would tell more.
+/// Returns the next steps: use the named effects, correct the faults, make further recordings.
 fn next(findings: &Findings) -> Vec<String> {
     let mut all = Vec::new();
     if !findings.effects.is_empty() {

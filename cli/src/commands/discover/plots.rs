@@ -60,7 +60,8 @@ pub fn plots(discovery: &Discovery) -> Vec<(String, report::Picture)> {
     named
 }
 
-/// What the models leave of every interval, a panel for each channel; the base models beside it where something is named.
+/// Builds the plot of the residual by interval, one panel per channel, with the base models beside it if an effect is
+/// named.
 fn remainder(all: &[Left], is_named: bool) -> Option<Plot> {
     let axis = |left: &Left| {
         let (measured, unit, _) = measured(left.channel);
@@ -192,7 +193,7 @@ fn residual_plots(picture: &Picture) -> Vec<Plot> {
     plots
 }
 
-/// What the residual of a channel is, its unit, and how many of it make the SI unit.
+/// Returns the residual of a channel: its name, its unit, and the factor from the SI unit.
 fn measured(channel: Channel) -> (&'static str, &'static str, f64) {
     match channel {
         Channel::StaticNorm => ("norm less gravity", "mm/s²", 1e3),

@@ -1,4 +1,4 @@
-//! How large an effect is, in a unit that people use.
+//! Size of an effect in a familiar unit.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -48,7 +48,7 @@ fn at_a_state(effect: &dyn AnyEffect, p: &[f64], gravity: f64) -> Option<String>
     Some(format!("{} {unit} {at}", show::rounded(factor * error, 2)))
 }
 
-/// What the recording shows of it, or its largest coefficient.
+/// Returns the rms of the effect in the recording, or its largest coefficient.
 fn shown(effect: &EffectFinding) -> Option<String> {
     if let Some((before, after)) = effect.rms_before.zip(effect.rms_after)
         && before > after

@@ -61,7 +61,7 @@ pub fn gaps(findings: &Findings) -> Rows<5> {
     (header, rows)
 }
 
-/// Where the gap of an effect was measured, before and after.
+/// Returns the places where the gap of an effect was measured, each with the gap before and after.
 pub fn places(findings: &Findings, effect: &EffectFinding) -> Vec<(String, f64, f64)> {
     let mut places = vec![
         ("in the fit".into(), effect.gap_before, effect.gap_after),
@@ -93,7 +93,7 @@ pub fn parameters(effect: &EffectFinding) -> Vec<[String; 4]> {
     effect.parameters.iter().map(row).collect()
 }
 
-/// Which coefficient of an effect is nothing by convention; `None` of most.
+/// Returns a note on the coefficient that is 0 by convention; `None` for most effects.
 pub fn reference(effect: &EffectFinding) -> Option<String> {
     let reference = effect_named(&effect.name)?.reference()?;
     Some(format!(
@@ -102,7 +102,7 @@ pub fn reference(effect: &EffectFinding) -> Option<String> {
     ))
 }
 
-/// How fast a rotation is that is taken for the earth's; `None` of other effects.
+/// Returns a note on the rate of the rotation that is taken for the earth's; `None` for other effects.
 pub fn of_the_earth(effect: &EffectFinding) -> Option<String> {
     if effect_named(&effect.name)?.nature() != Nature::EarthRotation {
         return None;
@@ -178,7 +178,7 @@ pub fn ranking(findings: &Findings) -> Rows<4> {
     (header, rows.collect())
 }
 
-/// Where the base models disagree with the data.
+/// Returns the table of disagreements between the base models and the data.
 pub fn disagreement(findings: &Findings) -> Rows<5> {
     let header = [
         "base models disagree in",
@@ -241,7 +241,7 @@ fn last_part(recording: &str) -> String {
     )
 }
 
-/// What the validation recording says of the names, in a sentence per channel.
+/// Returns a sentence per channel on the named effects or the proposed formula in the validation recordings.
 pub fn validated(findings: &Findings) -> Vec<String> {
     let of = |v: &Validation| {
         // Of a complete model chi² per degree of freedom is 1 within two of these.
@@ -282,7 +282,7 @@ pub fn validated(findings: &Findings) -> Vec<String> {
     findings.validation.iter().map(of).collect()
 }
 
-/// What is not seen here, in sentences.
+/// Returns the effects that these recordings cannot show, in sentences.
 pub fn not_seen(findings: &Findings) -> Vec<String> {
     let mut all = not_observable(findings, true);
     if !findings.never_visible.is_empty() {
@@ -293,7 +293,7 @@ pub fn not_seen(findings: &Findings) -> Vec<String> {
     all
 }
 
-/// What did not show here, by what would show it; `whole` with all names.
+/// Returns the effects that were not observable, grouped by the recording that would show them; `whole` with all names.
 pub fn not_observable(findings: &Findings, whole: bool) -> Vec<String> {
     let lines = to_show(&findings.not_observable, whole);
     if lines.is_empty() {
@@ -305,7 +305,7 @@ pub fn not_observable(findings: &Findings, whole: bool) -> Vec<String> {
     std::iter::once(first.into()).chain(lines).collect()
 }
 
-/// What no recording of this kind shows, without the reasons.
+/// Returns the effects that no recording by hand can show, without the reasons.
 pub fn never_visible(findings: &Findings) -> Option<String> {
     let all = findings.never_visible.iter();
     let short: Vec<String> = all.map(|found| found.reason()).collect();

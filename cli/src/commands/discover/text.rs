@@ -22,7 +22,7 @@ use crate::{show, terminal};
 const P_OF_WALKS: &str = "p averages over what the random walk of the biases may be, the likelihood ratio takes the likeliest. The last \
                           column allows for the effects and places that were tried.\n";
 
-/// What it takes to be named.
+/// Explanation of the criterion for naming an effect.
 const NAMED_WHERE: &str = "Each on its own. An effect is named where p stays below --alpha beside all else that is named, and no shape \
                            of the remainder explains more.\n";
 

@@ -32,7 +32,7 @@ pub fn look(recordings: &[Recording], request: &Request) -> Result<UnitFindings,
     Ok(findings)
 }
 
-/// What is to be known of the units' calibrations.
+/// Returns the warnings of the units' calibrations, each with the name of the unit.
 pub fn warnings(findings: &UnitFindings) -> Vec<String> {
     let of = |unit: &UnitAlone| {
         let name = label(&unit.recording);
@@ -225,7 +225,7 @@ fn alone(unit: &UnitAlone) -> String {
     }
 }
 
-/// What an effect does in each unit.
+/// Builds the table of an effect in each unit.
 fn in_each(effect: &SharedEffect) -> String {
     let mut table = show::table(&[&effect.name, "p, alone", "gap before", "after", "of the"]);
     for size in &effect.sizes {
@@ -283,7 +283,7 @@ fn sizes(effect: &SharedEffect) -> String {
     table.to_string()
 }
 
-/// What to do next.
+/// Returns the next steps.
 fn next(findings: &UnitFindings) -> Vec<String> {
     if findings.shared.is_empty() {
         return Vec::new();

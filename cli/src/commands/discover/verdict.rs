@@ -44,7 +44,7 @@ pub fn verdict(findings: &Findings) -> String {
     format!("{}{}.", first.unwrap_or_default(), letters.as_str())
 }
 
-/// What the noise contains that is not the sensor's.
+/// Returns a clause on the largest angle that turns may have lost between samples, ° rms; empty if there is none.
 fn between_samples(findings: &Findings) -> String {
     let clocks = findings.calibration.clocks.iter();
     let missing = clocks.filter_map(|clock| clock.between_samples.as_ref());
@@ -79,7 +79,7 @@ fn named(effects: &[EffectFinding]) -> String {
     format!("the base models lack {}; {gaps}", names.join(" and "))
 }
 
-/// What one effect does to the gap of its channel.
+/// Returns the gap of the channel without one effect and with it, in words.
 fn taken_by(what: &str, effect: &EffectFinding) -> String {
     format!(
         "{what} takes the gap of the {} from {} ({}left out: {})",
@@ -90,7 +90,7 @@ fn taken_by(what: &str, effect: &EffectFinding) -> String {
     )
 }
 
-/// What several effects of one channel do to its gap: with all of them, and without each.
+/// Returns the gap of a channel with all of its effects, and without each of them, in words.
 fn taken_together(channel: Channel, effects: &[&EffectFinding]) -> String {
     let size = |gap: f64, rms: Option<f64>| {
         let (factor, unit) = unit_of(channel);
@@ -192,7 +192,7 @@ fn of_fault(size: Size) -> String {
     format!("{}{space}{unit}", show::figures(value, 2))
 }
 
-/// What remains; `is_explained` by a formula.
+/// Returns the verdict on an unexplained remainder; `is_explained` if a formula explains it.
 fn unexplained(rest: &Unexplained, is_explained: bool) -> String {
     let by = match is_explained {
         true => ", though the formula below does",
@@ -217,7 +217,7 @@ fn unexplained(rest: &Unexplained, is_explained: bool) -> String {
     }
 }
 
-/// What remains, with its size: `accelerometer: fine pattern over orientation (gap 1.03 …)`.
+/// Returns the remainder with its size: `accelerometer: fine pattern over orientation (gap 1.03 …)`.
 pub fn remains(rest: &Unexplained) -> String {
     // A shape in a few rows shows where the channel as a whole is within its noise.
     let gap = if rest.size > 1.0 {

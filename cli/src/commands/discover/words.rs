@@ -4,7 +4,7 @@ use calib::discover::{Channel, EffectFinding, Findings, Proposal};
 
 use crate::show;
 
-/// What a gap of 1 means, and which gaps chance makes in the channels of the names.
+/// Explains a gap of 1, and the gaps by chance in the channels of the named effects.
 pub fn by_chance(effects: &[EffectFinding]) -> String {
     let mut all: Vec<String> = Vec::new();
     for effect in effects {
@@ -91,7 +91,7 @@ pub fn or<T: AsRef<str>>(name: &str, ties: &[T]) -> String {
     format!("{name} (or {})", ties.join(" or "))
 }
 
-/// What is proposed, in sentences.
+/// Describes the proposed formula, in sentences.
 pub fn proposed(proposal: &Proposal) -> String {
     let instead = match proposal.alternatives.as_slice() {
         [] => "another formula may do as well".to_owned(),

@@ -21,7 +21,7 @@ pub struct Clock {
 }
 
 impl Clock {
-    /// Of a stream that has samples.
+    /// Computes the figures of a stream; `None` without samples.
     pub fn of(stream: &Stream) -> Option<Self> {
         let (first, last) = stream.t.first().zip(stream.t.last())?;
         let step = stream.median_step().unwrap_or(0.0);

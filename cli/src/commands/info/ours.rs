@@ -44,7 +44,7 @@ const KINDS: [(&str, &str, &str); 7] = [
     ("stillpoint.", "a file of this program", "stillpoint --help"),
 ];
 
-/// What a document of ours is and the next command; `None` for any other file.
+/// Document of this program, with its kind and the next command.
 #[derive(Debug, PartialEq)]
 pub struct Ours {
     schema: String,

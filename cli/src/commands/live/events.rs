@@ -1,4 +1,4 @@
-//! What happens, for programs: a JSON document a line.
+//! Events of a session for programs: one JSON document per line.
 
 use std::path::Path;
 

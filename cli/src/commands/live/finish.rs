@@ -1,4 +1,4 @@
-//! What a session comes to, as its page shows it.
+//! Result of a session, as its page shows it.
 
 use calib::Recording;
 use calib::calibrate::Outcome;
@@ -22,7 +22,7 @@ pub(super) struct Finish {
 }
 
 impl Finish {
-    /// Of a calibration that was made.
+    /// Builds the result from a finished calibration.
     pub(super) fn of(recordings: &[Recording], outcome: &Outcome) -> Result<Self, Failure> {
         let calibration = &outcome.calibration;
         let session = calibrate::session(recordings, outcome)?;

@@ -38,7 +38,7 @@ impl Screen {
         }
     }
 
-    /// What is said once, where nothing can change in place.
+    /// Prints an instruction on a line of its own, if the output cannot change in place.
     pub(super) fn instruction(&self, instruction: &Instruction, view: &View) {
         if !self.bar.is_hidden() {
             return;
@@ -73,7 +73,7 @@ impl Screen {
         self.bar.tick();
     }
 
-    /// What was reached.
+    /// Prints the final placements and standard errors.
     pub(super) fn end(&self, view: &View) {
         self.bar.finish_and_clear();
         let [accelerometer, gyroscope] = words::known(view);

@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 const MOST: usize = 128;
 /// Longest request, bytes.
 const LONGEST: usize = 8 << 10;
-/// What is read and thrown away after the answer, bytes: who still sends would not see it otherwise.
+/// Most bytes read and discarded after the answer. A client that still sends would otherwise not see the answer.
 const THROWN_AWAY: usize = 256 << 10;
 /// Longest life of a connection.
 const PATIENCE: Duration = Duration::from_secs(3);
@@ -33,12 +33,12 @@ struct Visitor {
     stream: TcpStream,
     since: Instant,
     request: Vec<u8>,
-    /// What is still to be sent; `None` until the request is there.
+    /// Remaining bytes of the answer; `None` until the request is complete.
     answer: Option<Vec<u8>>,
     thrown_away: usize,
 }
 
-/// What a visitor did.
+/// Result of one step of a connection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Did {
     Something,
@@ -104,7 +104,7 @@ impl Visitor {
         }
     }
 
-    /// What can be done without waiting.
+    /// Does one step of the connection without waiting.
     fn go_on(&mut self, answer: &impl Fn(&[u8]) -> Vec<u8>) -> Did {
         if self.since.elapsed() > PATIENCE {
             return Did::Leave;

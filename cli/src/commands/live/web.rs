@@ -17,11 +17,11 @@ use crate::exit::{Failure, OUTPUT};
 
 const PAGE: &str = include_str!("page.html");
 
-/// What the page offers after the session, and of which kind it is.
+/// Files that the page offers after the session, and their media types.
 const NAMES: [&str; 2] = ["cal.json", "report.html"];
 const KINDS: [&str; 2] = ["application/json", "text/html"];
 
-/// What requests are answered with.
+/// State shared by the threads that answer requests.
 #[derive(Debug)]
 struct Shared {
     address: SocketAddr,
@@ -31,7 +31,7 @@ struct Shared {
     state: Mutex<State>,
 }
 
-/// What a page that asks is told.
+/// State of the session for the page.
 #[derive(Debug)]
 struct State {
     /// The session, and what it came to.
@@ -80,7 +80,7 @@ impl Web {
         Ok(Self(shared))
     }
 
-    /// Where it is.
+    /// Returns the address of the page.
     pub(super) fn address(&self) -> String {
         format!("http://{}/{}/", self.0.address, self.0.token)
     }
@@ -120,14 +120,14 @@ impl Web {
         }
     }
 
-    /// Whether somebody has the page open.
+    /// Returns true if somebody has the page open.
     pub(super) fn is_open(&self) -> bool {
         let asked = self.0.state().asked;
         asked.is_some_and(|asked| asked.elapsed() < CLOSED)
     }
 }
 
-/// Whether the first line of a request asks for a file of this name.
+/// Returns true if the first line of a request asks for a file of this name.
 fn asked_for(request: &[u8], name: &str) -> bool {
     let line = request.split(|b| *b == b'\r').next().unwrap_or(request);
     let path = line.split(|b| *b == b' ').nth(1).unwrap_or(line);

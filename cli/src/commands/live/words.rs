@@ -4,7 +4,7 @@ use live::{Direction, Errors, Event, Instruction, PROMISE, Shortfall, Verdict, V
 
 use crate::show;
 
-/// What to do, in a few words, and what more there is to say.
+/// Returns the instruction in a few words, and additional advice.
 pub(super) fn instruction(instruction: &Instruction) -> [String; 2] {
     let two = |a: &str, b: &str| [a.to_owned(), b.to_owned()];
     match instruction {
@@ -61,7 +61,7 @@ fn verdict(verdict: Verdict) -> &'static str {
     }
 }
 
-/// What a session ends with.
+/// Returns the promised accuracy, in words.
 pub(super) fn promise() -> String {
     format!(
         "scale to {} %, misalignment to {} mrad ({:.1}°)",
@@ -71,7 +71,7 @@ pub(super) fn promise() -> String {
     )
 }
 
-/// What is short of it, and what helps.
+/// Returns the shortfall from the promise and the advice, in words.
 fn short(of: &Shortfall) -> String {
     let sensor = if of.gyroscope {
         "gyroscope"
@@ -158,7 +158,7 @@ pub(super) fn errors(errors: &Errors, gyroscope: bool) -> String {
     )
 }
 
-/// What is known so far, a line for each sensor.
+/// Returns the current standard errors, a line for each sensor.
 pub(super) fn known(view: &View) -> [String; 2] {
     let line = |which: &Option<Errors>, gyroscope| match which {
         Some(e) => format!("± {}", errors(e, gyroscope)),
@@ -170,7 +170,7 @@ pub(super) fn known(view: &View) -> [String; 2] {
     ]
 }
 
-/// What happened to the source; `None` where the instruction says it.
+/// Returns the event of the source in words; `None` if the instruction states it.
 pub(super) fn event(event: &Event) -> Option<String> {
     match event {
         Event::Connected { name } => Some(format!("connected: {name}")),

@@ -90,7 +90,7 @@ pub(super) enum Named {
     ImuTk,
 }
 
-/// What placements are best for.
+/// Optimality criterion of the placements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum By {
     /// Error of a corrected reading, of what is easy to hold
@@ -162,7 +162,7 @@ impl Args {
         }
     }
 
-    /// Whether the plan is a session from nothing that a person follows, and no protocol or criterion by name.
+    /// Returns true if the plan is a complete session for a person, with the default protocol and criterion.
     pub(super) fn is_for_a_hand(&self) -> bool {
         self.protocol == Named::Optimal && self.criterion.is_none()
     }

@@ -1,4 +1,4 @@
-//! What an input knows already.
+//! Prior knowledge for a plan from an input: a recording, a calibration or findings.
 
 use std::path::Path;
 
@@ -25,15 +25,16 @@ const FEWEST: usize = 3;
 
 /// A recording, a calibration or findings.
 pub struct Input {
-    /// What it is called.
+    /// Name of the input.
     pub name: String,
-    /// What is known with it.
+    /// Prior knowledge from the input.
     pub known: Known,
-    /// Which placements are there, of a recording.
+    /// Coverage by the placements of a recording.
     pub coverage: Option<Coverage>,
-    /// What would tell tied effects apart, of findings; what no placement tells, of a calibration.
+    /// Notes for the user: recordings that distinguish tied effects (findings), or parameters that no placement
+    /// determines (calibration).
     pub notes: Vec<String>,
-    /// What was recorded of them.
+    /// Tied effects of findings.
     pub rivals: Rivals,
     /// The accelerometer's information in noises of one placement.
     force: ForceMatrix,
@@ -84,7 +85,7 @@ pub fn gravity(document: &Value) -> Option<f64> {
     calibration(document).get("gravity")?.as_f64()
 }
 
-/// What a placement misses beyond white noise by a calibration, mm/s².
+/// Returns the error of a placement beyond white noise, from the residuals of a calibration, mm/s².
 pub fn misfit(document: &Value) -> Option<f64> {
     let misfits = calibration(document).get("misfit")?.as_array()?;
     let norm = misfits.iter().find(|m| m["channel"] == "static_norm")?;
@@ -221,7 +222,7 @@ fn of_recording(
     })
 }
 
-/// What the findings say would tell effects apart.
+/// Returns a note for each tied effect, with the recording that would distinguish it.
 fn ties(document: &Value) -> Vec<String> {
     let effects = document.get("effects").and_then(Value::as_array);
     let words = |effect: &Value| {

@@ -127,7 +127,7 @@ fn placements(args: &Args, input: Option<&Input>) -> Vec<Vector3<f64>> {
     }
 }
 
-/// What else to do.
+/// Returns further notes for the user.
 fn notes(args: &Args, input: Option<&Input>, aim: Option<&Aim>) -> Vec<String> {
     let mut notes = vec![format!("The requirement: {REQUIREMENT}.")];
     if let Some(aim) = aim {
@@ -190,7 +190,7 @@ fn document(
     document
 }
 
-/// What the placements come to beside the best that any could.
+/// Returns the efficiency of the placements relative to the optimal design, in words.
 fn efficiency_words(efficiency: &Efficiency) -> String {
     format!(
         "Placements: {:.1} % of the best that any so many could come to by the error of a reading, {:.1} % by the volume of the \

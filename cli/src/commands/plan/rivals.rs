@@ -13,7 +13,7 @@ use crate::exit::{Failure, INPUT};
 /// From here on a tie is told apart in 95 of 100 recordings, if not 20 to 1.
 const LIKELY: f64 = 10.8;
 
-/// What findings say of effects that are tied.
+/// Tied effects of findings, and the noise of the sensors.
 #[derive(Debug, Default)]
 pub struct Rivals {
     ties: Vec<Rivalry>,
@@ -21,7 +21,7 @@ pub struct Rivals {
     white: [f64; 2],
 }
 
-/// How sure a tie is told apart.
+/// Confidence with which a tie is resolved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ToldApart {
@@ -57,15 +57,15 @@ impl ToldApart {
 pub struct Row {
     /// The named effect.
     pub named: String,
-    /// What it is tied to.
+    /// Name of the effect that it is tied to.
     pub tied_to: String,
     /// `λ (1 − ρ²)` by what was recorded.
     pub before: f64,
     /// With the planned recording.
     pub after: f64,
-    /// Whether that is enough.
+    /// Confidence with which the plan resolves the tie.
     pub told_apart: ToldApart,
-    /// What would, where it is not.
+    /// Alternative that would resolve the tie, if the plan does not.
     pub instead: Option<&'static str>,
 }
 
@@ -94,7 +94,7 @@ impl Rivals {
         }
     }
 
-    /// Whether nothing is tied.
+    /// Returns true if there are no tied effects.
     pub fn is_empty(&self) -> bool {
         self.ties.is_empty()
     }
@@ -148,7 +148,7 @@ pub fn rows(aim: &Aim) -> Vec<Row> {
     aim.ties.iter().map(row).collect()
 }
 
-/// What would tell a tie apart that the plan leaves.
+/// Returns the alternative that would resolve a tie left by the plan.
 fn instead(tie: &Separated) -> &'static str {
     match tie.shown_by() {
         ShownBy::Temperature => {
@@ -166,7 +166,7 @@ fn instead(tie: &Separated) -> &'static str {
     }
 }
 
-/// What the figures mean, and what would tell the ties apart that stay.
+/// Explains the figures, and names the alternative for each remaining tie.
 pub fn words(rows: &[Row]) -> Vec<String> {
     if rows.is_empty() {
         return Vec::new();

@@ -11,13 +11,13 @@ use crate::show;
 
 /// Half the sides of a phone.
 const HALF: [f64; 3] = [0.36, 0.72, 0.06];
-/// Where the eye is: turned about the vertical, then raised, °.
+/// Viewpoint: azimuth about the vertical, then elevation, °.
 const EYE: [f64; 2] = [28.0, 22.0];
 /// Pixels per length, the middle of the picture, and where the table is.
 const SCALE: f64 = 78.0;
 const MIDDLE: f64 = 100.0;
 const TABLE: f64 = 158.0;
-/// How far the axes are drawn out of the device.
+/// Length of the drawn axes outside the device.
 const OUT: [f64; 3] = [0.2, 0.2, 0.4];
 /// From the top of the device to the middle of the word for it, across and up, pixels.
 const BESIDE: [f64; 2] = [46.0, 38.0];
@@ -136,7 +136,8 @@ fn picture(step: &Step) -> String {
     svg
 }
 
-/// How far the lowest corner is below the middle of the device on the picture, pixels, below zero.
+/// Returns the height of the lowest corner relative to the middle of the device on the picture, pixels, negative
+/// downwards.
 fn lowest(attitude: &Rotation3<f64>) -> f64 {
     let all = (0..6).flat_map(corners).map(|c| (attitude * c).z);
     SCALE * all.fold(0.0, f64::min)

@@ -78,7 +78,7 @@ pub fn instruction(step: &Step, force_only: bool) -> String {
     format!("{}: {there}.", show::capital(turn))
 }
 
-/// What the words of a plan mean, and how long to wait.
+/// Explains the words of a plan and the static times.
 pub fn legend(plan: &Plan, force_only: bool, words: Words) -> Vec<String> {
     let mut rests: Vec<String> = plan
         .steps
@@ -133,7 +133,7 @@ fn push(text: &mut String, begin: &str, words: &str) {
     let _ = writeln!(text, "{}", line.trim_end());
 }
 
-/// How far tied effects are apart before and after.
+/// Builds the table of the separation of tied effects before and after the plan.
 fn separations(ties: &[Row]) -> comfy_table::Table {
     let mut table = show::table(&["named", "tied to", "before", "after", "told apart"]);
     let figure = |v: f64| {

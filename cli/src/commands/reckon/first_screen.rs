@@ -10,7 +10,7 @@ use crate::show;
 /// Recordings that are listed one by one.
 const LISTED: usize = 12;
 
-/// What is on it; `written` are the files.
+/// Builds the first screen; `written` are the files.
 pub(super) fn screen(runs: &[Run], remarks: Vec<String>, written: &[String]) -> Screen {
     let whole: Vec<&str> = runs.iter().map(|run| run.recording.as_str()).collect();
     let names = Names::of_words(&whole);
@@ -34,7 +34,7 @@ pub(super) fn screen(runs: &[Run], remarks: Vec<String>, written: &[String]) -> 
     }
 }
 
-/// What is off, where the truth is known: the mean over the axes, or the horizontal distance.
+/// Returns the error if the truth is known: the mean over the axes, or that of the horizontal distance, m.
 fn error(outcome: &Outcome) -> Option<f64> {
     outcome
         .mean_error()

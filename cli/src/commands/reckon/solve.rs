@@ -27,7 +27,7 @@ pub(super) struct Named {
 #[derive(Debug)]
 enum Correction {
     None,
-    /// Of the accelerometer alone.
+    /// Base model of the accelerometer alone.
     Base(Base<f64>),
     File(Box<Calibration>),
 }
@@ -75,7 +75,7 @@ impl Named {
     }
 }
 
-/// What is known of the true motion.
+/// Known truth of the motion.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Known {
     Nothing,
@@ -100,7 +100,7 @@ pub(super) struct Run {
 #[derive(Debug, Serialize)]
 pub(super) struct Outcome {
     pub calibration: String,
-    /// Where the motion ended, m.
+    /// Position at the end of the motion, m.
     pub displacement: [f64; 3],
     /// In the horizontal plane, m; not known to the published procedure.
     pub horizontal: Option<f64>,
@@ -192,7 +192,7 @@ pub(super) fn equations(
     })
 }
 
-/// As the authors did.
+/// Solves by the procedure of the published paper.
 pub(super) fn published(
     recording: &Recording,
     calibrations: &[Named],

@@ -15,7 +15,7 @@ const OF_A_REMARK: usize = 3;
 /// Columns of the words before a command, at most.
 const LABEL: usize = 26;
 
-/// What is on the first screen, from top to bottom.
+/// Content of the first screen, from top to bottom.
 #[derive(Clone, Debug, Default)]
 pub struct Screen {
     /// The verdict or the main figure, then its reasons: a paragraph each.
@@ -24,9 +24,9 @@ pub struct Screen {
     pub figures: Vec<[String; 2]>,
     /// A table, or several lines that go together.
     pub tables: Vec<String>,
-    /// What to do next, the most telling first.
+    /// Next steps, the most informative first.
     pub next: Vec<Step>,
-    /// What was written.
+    /// Sentence with the files that were written.
     pub written: String,
     /// Warnings that the verdict or the next steps have said already: again only with `-v`.
     pub said: Vec<String>,
@@ -39,7 +39,7 @@ pub struct Screen {
 /// Something to do next.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Step {
-    /// What it gives, in a few words; or all that can be said.
+    /// Purpose of the step in a few words, or the whole advice if there is no command.
     pub what: String,
     /// The command, ready for a shell.
     pub command: Option<String>,

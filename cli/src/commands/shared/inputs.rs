@@ -100,7 +100,7 @@ pub fn check_gravity(gravity: f64) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What is said of a place that is not on the earth.
+/// Builds the failure for a place that is not on the earth.
 fn nowhere(what: NotOnEarth) -> Failure {
     let message = match what {
         NotOnEarth::Gravity(gravity) => format!(
@@ -123,7 +123,7 @@ fn nowhere(what: NotOnEarth) -> Failure {
 }
 
 impl PlaceArgs {
-    /// What was given of it, as a shell takes it, each with a blank before it.
+    /// Returns the given options of the place for a shell, each preceded by a blank.
     pub fn command_line(&self) -> String {
         let given = [
             ("--gravity", self.gravity),

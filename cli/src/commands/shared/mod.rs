@@ -1,4 +1,4 @@
-//! What several commands share: their inputs, their first screen, and where their pictures go.
+//! Shared parts of several commands: inputs, first screen, names and pictures.
 
 pub mod figures;
 pub mod first_screen;

@@ -4,18 +4,18 @@ use calib::Recording;
 
 use crate::pages::session::short_names;
 
-/// What recordings are called in what is shown, by their whole names.
+/// Short names of recordings for display, by their full names.
 #[derive(Clone, Debug, Default)]
 pub struct Names(Vec<(String, String)>);
 
 impl Names {
-    /// Of recordings.
+    /// Builds the short names of recordings.
     pub fn of<'a>(recordings: impl IntoIterator<Item = &'a Recording>) -> Self {
         let names = recordings.into_iter().map(|r| r.name.as_str());
         Self::of_words(&names.collect::<Vec<_>>())
     }
 
-    /// Of whole names.
+    /// Builds the short names from full names.
     pub fn of_words(whole: &[&str]) -> Self {
         let mut whole = whole.to_vec();
         whole.dedup();

@@ -1,4 +1,4 @@
-//! Where reports and plots go.
+//! Output of reports and plots.
 
 use std::path::{Path, PathBuf};
 
@@ -36,7 +36,7 @@ struct PlotFiles {
 }
 
 impl PictureArgs {
-    /// What it writes, where anything.
+    /// Returns the paths of the report and the plots, if given.
     pub fn paths(&self) -> Vec<&Path> {
         let all = self.report.iter().chain(&self.plots);
         all.map(PathBuf::as_path).collect()
@@ -75,7 +75,7 @@ impl PictureArgs {
 }
 
 impl Pictures {
-    /// Whether anything is to be drawn.
+    /// Returns true if anything is to be drawn.
     pub fn wanted(&self) -> bool {
         self.report.is_some() || !self.plots.is_empty()
     }

@@ -1,4 +1,4 @@
-//! What an effect that a user wrote may cost, and where it failed.
+//! Computing budget of an effect that a user wrote, and its first fault.
 
 use std::mem::size_of;
 use std::sync::OnceLock;
@@ -12,7 +12,7 @@ use crate::kinematics::Kinematics;
 /// Steps per reading in all fits of a command together: ten times what a fit of an effect as costly as any takes.
 const STEPS_PER_READING: u64 = 60_000;
 
-/// What went wrong with an effect that a user wrote.
+/// Fault of an effect that a user wrote.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum EffectFault {
@@ -81,7 +81,7 @@ impl Budget {
         }
     }
 
-    /// What went wrong.
+    /// Returns the fault, if there is one.
     pub fn fault(&self) -> Option<EffectFault> {
         let (spent, granted) = (
             self.spent.load(Ordering::Relaxed),

@@ -130,8 +130,8 @@ pub fn grant_steps(effect: &dyn AnyEffect, samples: usize) {
     }
 }
 
-/// What went wrong with a defined effect since [`grant_steps`]: its steps are spent, or it was no number
-/// somewhere.
+/// Returns the fault of a defined effect since [`grant_steps`]: its steps are spent, or its error was not a number at
+/// some instant.
 pub fn fault_of(effect: &dyn AnyEffect) -> Option<EffectFault> {
     defined(effect)?.budget.fault()
 }

@@ -1,4 +1,4 @@
-//! What can be wrong with a definition.
+//! Errors in the definition of an effect.
 
 use std::fmt;
 
@@ -9,7 +9,7 @@ use crate::expression::ParseError;
 pub struct DefinitionError {
     /// The entry: `name`, `x`, `parameters.1.typical` …
     pub key: String,
-    /// What is wrong with it.
+    /// Fault of the entry.
     pub fault: DefinitionFault,
 }
 
@@ -22,7 +22,7 @@ impl DefinitionError {
     }
 }
 
-/// What is wrong with an entry of a definition.
+/// Fault of an entry of a definition.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum DefinitionFault {
@@ -42,7 +42,7 @@ pub enum DefinitionFault {
     Unreadable {
         /// The expression.
         text: String,
-        /// What stands where.
+        /// Position and cause of the error.
         error: ParseError,
     },
     /// There is no expression on any axis.

@@ -28,7 +28,7 @@ use crate::kinematics::Sensor;
 pub struct Formula {
     /// The sensor that has the error.
     pub sensor: Sensor,
-    /// What it is a sum of.
+    /// Terms of the sum.
     pub terms: Vec<Term>,
 }
 
@@ -37,16 +37,16 @@ pub struct Formula {
 pub struct Term {
     /// The axis that reads it.
     pub axis: Axis,
-    /// What is multiplied; nothing makes a bias.
+    /// Factors of the product; none for a bias.
     pub factors: Vec<Factor>,
-    /// How large the coefficient is: the estimate that proposed it, or what a simulation draws from.
+    /// Size of the coefficient: the estimate that proposed it, or the scale from which a simulation draws.
     pub size: f64,
 }
 
 /// A covariate to a power.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Factor {
-    /// What.
+    /// Covariate of the factor.
     pub covariate: Covariate,
     /// The power, 1 or more.
     pub power: u32,

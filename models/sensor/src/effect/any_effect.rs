@@ -8,7 +8,7 @@ use crate::kinematics::{Kinematics, Sensor};
 use crate::param::{Param, Role};
 use crate::quantity::Quantity;
 
-/// What an effect is, for those who have to treat it apart.
+/// Nature of an effect, for code that treats some effects differently.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Nature {
     /// An error of the sensor.
@@ -33,13 +33,13 @@ pub trait AnyEffect: Send + Sync {
     fn params(&self) -> &[Param];
     /// Size of a coefficient in a consumer-grade device.
     fn typical(&self) -> f64;
-    /// Whether the error is `F p` with an `F` that does not depend on the sensor's own signal.
+    /// Returns true if the error is `F p` with an `F` that does not depend on the sensor's own signal.
     fn is_linear(&self) -> bool {
         false
     }
-    /// What it looks at in the truth.
+    /// Returns the quantities that the effect depends on.
     fn needs(&self) -> Vec<Quantity>;
-    /// What it is.
+    /// Returns the nature of the effect.
     fn nature(&self) -> Nature {
         Nature::SensorError
     }

@@ -1,4 +1,4 @@
-//! What an effect is seen to depend on, by trying it.
+//! Quantities that an effect depends on, determined by trial.
 
 use nalgebra::Vector3;
 
@@ -7,9 +7,9 @@ use crate::effect::any_effect::AnyEffect;
 use crate::kinematics::{Kinematics, Since};
 use crate::quantity::Quantity;
 
-/// What `effect` is seen to depend on: its error at some instants and parameters changes with the quantity.
+/// Returns the quantities that change the error of `effect` at some of the trial instants and parameters.
 ///
-/// That is what an effect needs that does not declare it, and what a declaration is tested against.
+/// They are the needs of an effect that does not declare them, and the reference to test a declaration.
 pub fn observed_needs(effect: &dyn AnyEffect) -> Vec<Quantity> {
     let depends = |quantity: &Quantity| {
         trials(effect).any(|(truth, p)| {

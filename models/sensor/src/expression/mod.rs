@@ -31,12 +31,12 @@ impl Expression {
         parse::parse(text, names).map(|root| Self { root })
     }
 
-    /// What an evaluation takes, in steps about as long as an addition.
+    /// Returns the cost of one evaluation, in steps of about one addition.
     pub fn cost(&self) -> u64 {
         self.root.cost()
     }
 
-    /// Whether variable `k` stands in it.
+    /// Returns true if the expression contains variable `k`.
     pub fn uses(&self, k: usize) -> bool {
         self.root.uses(k)
     }

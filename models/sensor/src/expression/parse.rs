@@ -10,16 +10,16 @@ const LONGEST: usize = 2000;
 /// Deepest nesting.
 const DEEPEST: usize = 100;
 
-/// What cannot be read, and where; the words are those of the crate `findings`.
+/// Syntax error with its column. The crate `findings` gives the words.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ParseError {
     /// Place in the text, counted in characters from 1.
     pub column: usize,
-    /// What cannot be read.
+    /// Kind of the error.
     pub fault: ParseFault,
 }
 
-/// What cannot be read of an expression.
+/// Kind of a syntax error in an expression.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ParseFault {
@@ -33,9 +33,9 @@ pub enum ParseFault {
     NoMeaning(char),
     /// Something else stands where it has to go on otherwise.
     Unexpected {
-        /// How it has to go on.
+        /// Expected continuation.
         expected: Expected,
-        /// What stands there; none at the end.
+        /// Text found instead; `None` at the end.
         found: Option<String>,
     },
     /// An exponent is no constant.
@@ -51,7 +51,7 @@ pub enum ParseFault {
     },
 }
 
-/// How an expression has to go on.
+/// Expected continuation of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Expected {
     /// With an operator.
@@ -80,7 +80,7 @@ enum Token {
 }
 
 impl Token {
-    /// As it is written; none at the end.
+    /// Returns the token as written; `None` at the end.
     fn written(&self) -> Option<String> {
         match self {
             Self::Number(number) => Some(format!("{number}")),

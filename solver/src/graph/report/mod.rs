@@ -1,4 +1,4 @@
-//! What is said of the point where a run ends.
+//! Report on the end point of a run.
 
 mod display;
 mod ending;

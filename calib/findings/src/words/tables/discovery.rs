@@ -6,7 +6,7 @@ use crate::remedy::{OptionName, Remedy};
 
 use crate::words::entry::Entry;
 
-/// What tells an error of the device from one of the day.
+/// Advice that separates an error of the device from an error of that day.
 const ONCE_MORE: &str = "record the device once more (an error that returns belongs to the device, any other to that day)";
 
 pub(super) const ENTRIES: &[Entry] = &[

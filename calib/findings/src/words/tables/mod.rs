@@ -71,7 +71,7 @@ pub fn entries() -> impl Iterator<Item = &'static Entry> {
 }
 
 impl Kind {
-    /// Whether a search for what is missing finds it, and no calibration does.
+    /// Returns true if only an effect search produces this kind, and no calibration does.
     pub fn is_of_a_search(self) -> bool {
         discovery::ENTRIES.iter().any(|entry| entry.kind == self)
     }

@@ -1,4 +1,4 @@
-//! How each parameter is distributed over the devices.
+//! Distribution of each parameter over the devices.
 
 use batch::Record;
 use batch::statistics::{median, spread};

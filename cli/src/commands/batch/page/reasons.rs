@@ -11,7 +11,7 @@ use crate::show;
 
 /// Bars of the picture.
 const BARS: usize = 24;
-/// What the axis of devices reaches at least: fewer would have ticks between whole numbers.
+/// Smallest upper end of the device axis. A smaller one would have ticks between whole numbers.
 const FEWEST: f64 = 5.0;
 
 /// Reasons, the commonest first, and what is left when each is cured.

@@ -8,7 +8,7 @@ use crate::commands::batch::tables::short;
 use crate::commands::calibrate::limits::number;
 use crate::report::{Report, ReportTable};
 
-/// What was found in many devices.
+/// Adds the section on the effects found in many devices.
 pub(super) fn shared(report: Report, records: &[Record]) -> Report {
     let found = shared_effects(records);
     let unexplained = records

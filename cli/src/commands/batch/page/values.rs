@@ -1,4 +1,4 @@
-//! What every table of devices takes.
+//! Row limit and parameter values for the tables of devices.
 
 use batch::Record;
 

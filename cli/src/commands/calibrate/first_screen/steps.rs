@@ -98,7 +98,7 @@ pub fn next(
 /// A place that leaves more of the errors is not asked for.
 const WORTH_IT: f64 = 0.8;
 
-/// What the place would do to the scale factors.
+/// Returns a step that states the gain in scale factor errors from a known place; `None` if the gain is small.
 fn gained(calibration: &Calibration) -> Option<String> {
     let stds = calibration.accelerometer.iter().flat_map(|triad| {
         let of = |k: usize| Some((triad.t_std[k][k]?, triad.t[k][k]));
