@@ -5,8 +5,8 @@ use std::borrow::Borrow;
 use std::sync::Arc;
 
 use estimate::calibrate::{
-    Account, Frame, gyroscope_of_one_device, none_is_there_twice, none_is_turned, not_in_one_plane,
-    of_one_device, own_effects, refuse_unobservable, without_copies, written_down,
+    Account, Frame, gyroscope_of_one_device, not_in_one_plane, of_one_device,
+    of_one_recording_each, own_effects, refuse_unobservable, written_down,
 };
 use estimate::calibration::Calibration;
 use estimate::methods::joint::SensorNoise;
@@ -59,16 +59,10 @@ pub fn discover<R: Borrow<Recording>>(
 ) -> Result<Discovery, Error> {
     let recordings: Vec<&Recording> = recordings.iter().map(R::borrow).collect();
     own_effects::grant_steps(&request.catalogue, recordings.iter().copied());
-    let (recordings, copies) = without_copies(recordings);
-    let mut discovery = discover_all(&recordings, request)?;
+    let mut discovery = discover_in(&mut Session::new(&recordings, request)?, request)?;
     let warnings = &mut discovery.findings.calibration.warnings;
     warnings.extend(own_effects::left_out(&request.catalogue));
-    warnings.extend(copies);
     Ok(discovery)
-}
-
-fn discover_all(recordings: &[&Recording], request: &Request) -> Result<Discovery, Error> {
-    discover_in(&mut Session::new(recordings, request)?, request)
 }
 
 /// The same in a session, which knows its clocks and whether its biases flicker afterwards.
@@ -82,13 +76,11 @@ pub(super) fn discover_in(
         .map(|(r, choice)| static_means(r, &choice.segmentation))
         .collect();
     not_in_one_plane(&means)?;
-    let recordings: Vec<&Recording> = session.recordings.iter().map(|(r, _)| *r).collect();
     if !request.force_device {
         let cut = session.recordings.iter();
-        let cut = cut.map(|(recording, choice)| (*recording, &choice.segmentation));
-        none_is_there_twice(cut.clone())?;
-        none_is_turned(cut, request.gravity)?;
-        of_one_device(&recordings, &means, request.gravity)?;
+        let cut = cut.map(|(recording, choice)| (recording.as_ref(), &choice.segmentation));
+        of_one_recording_each(cut, request.gravity)?;
+        of_one_device(&session.ready(), &means, request.gravity)?;
     }
     let base = State::fit(session, super::Extension::default())?;
     session.clocks = Some(base.fit.data.decided_clocks());
@@ -96,7 +88,7 @@ pub(super) fn discover_in(
     refuse_unobservable(&base.fit)?;
     enough_to_compare(session, &base)?;
     if !request.force_device {
-        gyroscope_of_one_device(&base.fit, &recordings, false)?;
+        gyroscope_of_one_device(&base.fit, &session.ready(), false)?;
     }
     let mut faults = integrity(session, &base);
     let is_spoilt = faults.iter().any(|fault| SPOILT.contains(&fault.name));
@@ -130,7 +122,7 @@ pub(super) fn discover_in(
     calibration
         .warnings
         .extend(unknown_temperature(&search.last));
-    let another = gyroscope_of_one_device(&search.last.fit, &recordings, true)?;
+    let another = gyroscope_of_one_device(&search.last.fit, &session.ready(), true)?;
     calibration.warnings.extend(another);
     calibration.warnings.extend(search.spent.clone());
     let named = |name: &&Name| matches!(name.claim, Claim::Effect(_));
@@ -171,8 +163,9 @@ pub(super) fn discover_in(
         (false, true) => Verdict::Unexplained,
         (true, true) => Verdict::NamedAndUnexplained,
     };
-    let inputs = session.recordings.iter();
-    let inputs = inputs.map(|(r, choice)| (*r, Some(&choice.segmentation)));
+    let cut = session.recordings.iter();
+    let cut = cut.map(|(_, choice)| Some(&choice.segmentation));
+    let inputs = session.originals.iter().copied().zip(cut);
     calibration.state_inputs(inputs, None);
     calibration
         .warnings
@@ -232,9 +225,9 @@ fn calibration_that(
     last: &State,
     request: &Request,
 ) -> Result<Calibration, Error> {
-    let recordings: Vec<&Recording> = session.recordings.iter().map(|(r, _)| *r).collect();
+    let recordings: Vec<&Recording> = session.ready();
     let choices: Vec<_> = session.recordings.iter().map(|(_, c)| c).collect();
-    let mut warnings = ::findings::Findings::from(session.cut_down.clone());
+    let mut warnings = session.remarks.clone();
     let account = Account {
         gravity: request.gravity,
         gravity_source: request.gravity_source,

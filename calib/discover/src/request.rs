@@ -1,9 +1,10 @@
 //! Request and session of a search.
 
-use std::borrow::Borrow;
+use std::borrow::{Borrow, Cow};
 use std::sync::Arc;
 
 use effects::{follows_turns, stands_in_the_room};
+use estimate::calibrate::Prepared;
 use estimate::gravity::GravitySource;
 use estimate::methods::earth::on_the_earth;
 use estimate::methods::joint::{
@@ -103,8 +104,10 @@ fn is_looked_for(effect: &dyn AnyEffect) -> bool {
 /// Recordings of one device, cut, with all that stays the same while models change.
 #[derive(Clone, Debug)]
 pub struct Session<'a> {
-    /// The recordings with their rests and turns.
-    pub recordings: Vec<(&'a Recording, Choice)>,
+    /// The recordings made ready, with their static intervals and turns.
+    pub recordings: Vec<(Cow<'a, Recording>, Choice)>,
+    /// The same as they were read.
+    pub originals: Vec<&'a Recording>,
     /// Local gravity, m/s².
     pub gravity: f64,
     /// Noise of the biases, where it is known.
@@ -119,8 +122,9 @@ pub struct Session<'a> {
     pub clocks: Option<Vec<DecidedClock>>,
     /// A fit that others begin at: that of the base models, once it is there.
     pub base: Option<Arc<JointFit>>,
-    /// Findings that name the static intervals in use, for recordings with more than the joint problem takes.
-    pub cut_down: Vec<::findings::Finding>,
+    /// Findings about the recordings: what reading them said, what was done to make them ready, and the static intervals in use
+    /// where there are more than the joint problem takes.
+    pub remarks: ::findings::Findings,
 }
 
 impl<'a> Session<'a> {
@@ -138,14 +142,17 @@ impl<'a> Session<'a> {
             ..request.detector
         };
         let choose = request.choose_multiplier;
-        let all: Vec<&Recording> = recordings.iter().map(R::borrow).collect();
+        let ready = Prepared::of(recordings.iter().map(R::borrow));
+        let all = ready.all();
         let mut choices = cut_several(all.len(), &detector, |k, detector| {
             cut(all[k], detector, choose, request.gravity)
         })?;
-        let cut_down = within_budget(&all, &mut choices, MOST_IN_A_SEARCH);
+        let mut remarks = ready.remarks.clone();
+        remarks.extend(within_budget(&all, &mut choices, MOST_IN_A_SEARCH));
         Ok(Self {
-            cut_down,
-            recordings: all.into_iter().zip(choices).collect(),
+            remarks,
+            originals: ready.originals,
+            recordings: ready.recordings.into_iter().zip(choices).collect(),
             gravity: request.gravity,
             noise: request.noise,
             flicker: request.flicker,
@@ -154,6 +161,11 @@ impl<'a> Session<'a> {
             clocks: None,
             base: None,
         })
+    }
+
+    /// The recordings made ready.
+    pub fn ready(&self) -> Vec<&Recording> {
+        self.recordings.iter().map(|(r, _)| r.as_ref()).collect()
     }
 
     /// Returns true if other fits start at the minimum of the base models.
@@ -210,7 +222,7 @@ impl<'a> Session<'a> {
             ..JointRequest::new(
                 self.recordings
                     .iter()
-                    .map(|(r, c)| (*r, &c.segmentation))
+                    .map(|(r, c)| (r.as_ref(), &c.segmentation))
                     .collect(),
                 self.gravity,
             )

@@ -20,7 +20,7 @@ pub fn noncentrality(without: &Spec, with: &Spec, walks: [f64; 2]) -> Result<Opt
     let session = Session::new(&clean, &request)?;
     let mut other = session.clone();
     for (pair, recording) in other.recordings.iter_mut().zip(&hidden) {
-        pair.0 = recording;
+        pair.0 = std::borrow::Cow::Borrowed(recording);
     }
     let base = State::fit(&session, Extension::default())?;
     let moved = State::fit(&other, Extension::default())?;

@@ -1,5 +1,7 @@
 //! Doubts about the clocks of the recordings, and recordings on an even clock.
 
+use std::borrow::Cow;
+
 use findings::{Finding, Findings, Kind};
 use recording::{
     ClockDrift, Recording, Stamps, Stream, bursts, clock_drift, clock_offset, even_clock,
@@ -42,65 +44,47 @@ pub(super) fn doubts(fit: &JointFit) -> Vec<Finding> {
     doubts
 }
 
-/// The recordings with the gyroscope's stamps of an even clock, where theirs scatter about one.
-pub(super) fn on_even_clocks(recordings: &[&Recording]) -> Vec<Recording> {
-    let evened = |recording: &&Recording| {
-        let mut recording = (*recording).clone();
-        recording.gyroscope =
-            recording
-                .gyroscope
-                .take()
-                .map(|stream| match even_clock(&stream.t) {
-                    Stamps::Scattered(clock) => Stream {
-                        t: clock.even,
-                        ..stream
-                    },
-                    _ => stream,
-                });
-        recording
+/// The recording with the gyroscope's stamps of an even clock; `None` where its stamps do not scatter about one.
+pub(super) fn on_even_clocks(recording: &Recording) -> Option<Recording> {
+    let stream = recording.gyroscope.as_ref()?;
+    let Stamps::Scattered(clock) = even_clock(&stream.t) else {
+        return None;
     };
-    recordings.iter().map(evened).collect()
+    let gyroscope = Stream {
+        t: clock.even,
+        ..stream.clone()
+    };
+    Some(Recording {
+        gyroscope: Some(gyroscope),
+        ..recording.clone()
+    })
 }
 
-/// The recordings with even clocks where their stamps come in bursts, and what is said of it; `None` where none do.
-pub(crate) fn without_bursts(recordings: &[&Recording]) -> Option<(Vec<Recording>, Findings)> {
-    let in_bursts = |recording: &&Recording| {
-        let streams = [&recording.accelerometer, &recording.gyroscope];
-        streams
-            .into_iter()
-            .flatten()
-            .any(|stream| bursts(&stream.t).is_some())
-    };
-    if !recordings.iter().any(in_bursts) {
-        return None;
-    }
-    let mut warnings = Findings::new();
-    let mut all = Vec::with_capacity(recordings.len());
-    for recording in recordings {
-        let mut own = (*recording).clone();
-        let sensors = [
-            (Sensor::Accelerometer, &mut own.accelerometer),
-            (Sensor::Gyroscope, &mut own.gyroscope),
-        ];
-        for (sensor, stream) in sensors {
-            let Some(stream) = stream else { continue };
-            let Some(found) = bursts(&stream.t) else {
-                continue;
-            };
-            let bursts = Finding::of(Kind::StampsInBursts)
-                .in_recording(&recording.name)
-                .of_sensor(sensor)
-                .number("size", found.size, "1")
-                .number("rate", 1.0 / found.step, "Hz");
-            warnings.push(match found.lost {
-                0 => bursts,
-                lost => bursts.number("lost", lost as f64, "count"),
-            });
-            stream.t = found.even;
+/// The recording with even clocks where its stamps come in bursts, and the findings about them; `None` where none do.
+pub(super) fn without_bursts(recording: &Recording) -> Option<(Recording, Findings)> {
+    let mut evened = Cow::Borrowed(recording);
+    let mut found = Findings::new();
+    for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+        let Some(bursts) = recording
+            .stream(sensor)
+            .and_then(|stream| bursts(&stream.t))
+        else {
+            continue;
+        };
+        let finding = Finding::of(Kind::StampsInBursts)
+            .in_recording(&recording.name)
+            .of_sensor(sensor)
+            .number("size", bursts.size, "1")
+            .number("rate", 1.0 / bursts.step, "Hz");
+        found.push(match bursts.lost {
+            0 => finding,
+            lost => finding.number("lost", lost as f64, "count"),
+        });
+        if let Some(stream) = evened.to_mut().stream_mut(sensor) {
+            stream.t = bursts.even;
         }
-        all.push(own);
     }
-    (!warnings.is_empty()).then_some((all, warnings))
+    (!found.is_empty()).then(|| (evened.into_owned(), found))
 }
 
 /// Sensors whose clocks are apart: offsets first, then drifts.

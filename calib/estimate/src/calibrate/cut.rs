@@ -1,15 +1,101 @@
-//! The rests and turns of a recording, by the request.
+//! Static intervals and turns of recordings, by the request.
 
+use findings::{Finding, Findings};
 use recording::intervals::{Detector, Segmentation};
 use recording::{Error, Recording};
 use sensor::Quantity;
 
+use super::checks::{self, none_is_there_twice, none_is_turned};
 use super::request::{Method, Request};
-use crate::methods::{self, Choice};
+use crate::methods::joint::{MOST_STATIC_INTERVALS, within_budget};
+use crate::methods::{self, Choice, cut_several};
+
+/// Recordings with their static intervals and turns.
+#[derive(Clone, Debug)]
+pub(super) struct Cut<'a> {
+    /// The recordings.
+    pub recordings: Vec<&'a Recording>,
+    /// How each was cut.
+    pub choices: Vec<Choice>,
+}
+
+impl<'a> Cut<'a> {
+    /// Cuts the recordings of one device, and lists the findings about how they were cut.
+    ///
+    /// # Errors
+    /// A recording that cannot be cut; two that hold the same readings, or whose axes are turned against each other.
+    pub fn of(
+        recordings: Vec<&'a Recording>,
+        request: &Request,
+    ) -> Result<(Self, Findings), Error> {
+        let mut choices = cut_several(recordings.len(), &request.detector, |k, detector| {
+            let request = Request {
+                detector: *detector,
+                ..request.clone()
+            };
+            cut(recordings[k], &request, Some(k))
+        })?;
+        if !request.force_device {
+            let cut = choices.iter().map(|choice| &choice.segmentation);
+            of_one_recording_each(recordings.iter().copied().zip(cut), request.gravity)?;
+        }
+        let mut found = Findings::new();
+        if request.method == Method::Joint {
+            let most = MOST_STATIC_INTERVALS;
+            found.extend(within_budget(&recordings, &mut choices, most));
+        }
+        let cut = Self {
+            recordings,
+            choices,
+        };
+        found.extend(cut.found());
+        Ok((cut, found))
+    }
+
+    /// Cuts recordings for the gyroscope alone, for which no sections are given.
+    ///
+    /// # Errors
+    /// A recording that cannot be cut.
+    pub fn of_turns(
+        recordings: Vec<&'a Recording>,
+        request: &Request,
+    ) -> Result<(Self, Findings), Error> {
+        let choices = recordings.iter().map(|r| cut(r, request, None));
+        let cut = Self {
+            choices: choices.collect::<Result<_, _>>()?,
+            recordings,
+        };
+        let found = cut.found().collect();
+        Ok((cut, found))
+    }
+
+    /// The recordings with how each was cut.
+    pub fn each(&self) -> impl Iterator<Item = (&'a Recording, &Segmentation)> + Clone {
+        let recordings = self.recordings.iter().copied();
+        recordings.zip(self.choices.iter().map(|choice| &choice.segmentation))
+    }
+
+    fn found(&self) -> impl Iterator<Item = Finding> {
+        let each = self.recordings.iter().zip(&self.choices);
+        each.flat_map(|(recording, choice)| checks::of_the_detector(recording, choice))
+    }
+}
+
+/// Refuses recordings that hold the same readings, or whose axes are turned against each other's.
+///
+/// # Errors
+/// The two recordings and what they share.
+pub fn of_one_recording_each<'a>(
+    cut: impl Iterator<Item = (&'a Recording, &'a Segmentation)> + Clone,
+    gravity: f64,
+) -> Result<(), Error> {
+    none_is_there_twice(cut.clone())?;
+    none_is_turned(cut, gravity)
+}
 
 /// The rests and turns of a recording without those that are left out; `k` is its place among those that sections were
 /// given for.
-pub(super) fn cut(
+fn cut(
     recording: &Recording,
     request: &Request,
     k: Option<usize>,

@@ -103,7 +103,8 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         pictures.write(&plots, &page(&discovery, &recordings, &request, &plots)?)?;
     }
     if args.json {
-        let warnings = findings.calibration.warnings.texts(Front::CommandLine);
+        let mut warnings = findings.calibration.warnings.texts(Front::CommandLine);
+        warnings.retain(|warning| !remarks.contains(warning));
         show::warn_all(&[remarks, warnings].concat());
         show::print(&json)?;
     } else {

@@ -19,9 +19,11 @@ pub(super) use determined::{
 pub(super) use norm::the_norm_tells_them;
 pub(super) use on_top::{corrected_before, reads_zero_at_rest};
 pub(super) use plausible::{ForceFit, RateFit, diagonal_std, signed_axes, turned_field};
-pub use plausible::{Said, implausible, implausible_base, none_is_turned};
+pub(super) use plausible::none_is_turned;
+pub use plausible::{Said, implausible, implausible_base};
 pub(super) use rests::{disagreeing_rests, long_turns, restless};
-pub use twice::{none_is_there_twice, without_copies};
+pub(super) use twice::none_is_there_twice;
+pub use twice::without_copies;
 pub(super) use unknowable::{refuse_attitude, refuse_unknowable};
 
 use ::findings::{Finding, Kind};

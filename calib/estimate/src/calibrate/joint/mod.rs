@@ -13,46 +13,36 @@ pub use self::determined::refuse_unobservable;
 pub use self::latitude::LatitudeDoubt;
 pub use self::written_down::{Account, written_down};
 use super::checks;
-use super::cut::cut;
+use super::cut::Cut;
 use super::outcome::Outcome;
 use super::request::Request;
 use super::same_device::{gyroscope_of_one_device, of_one_device};
 use crate::calibration::Calibration;
-use crate::methods::Choice;
+use crate::methods::{Choice, static_means};
 use crate::methods::earth::{self, on_the_earth};
 use crate::methods::joint::{JointRequest, fit_joint};
 
 /// Calibrates by the joint method.
-pub fn calibrate(
-    recordings: &[&Recording],
-    gyro_recordings: &[&Recording],
-    choices: Vec<Choice>,
+pub(super) fn calibrate(
+    recordings: &Cut<'_>,
+    turning: &Cut<'_>,
     request: &Request,
     mut warnings: Findings,
 ) -> Result<Outcome, Error> {
-    if !request.static_means.is_empty() || recordings.iter().any(|r| r.accelerometer.is_none()) {
+    let no_force = |r: &&Recording| r.accelerometer.is_none();
+    if !request.static_means.is_empty() || recordings.recordings.iter().any(no_force) {
         return Err(Error::usage(Finding::of(Kind::MethodNeedsForce)));
     }
-    let means: Vec<_> = recordings
-        .iter()
-        .zip(&choices)
-        .map(|(recording, choice)| crate::methods::static_means(recording, &choice.segmentation))
-        .collect();
-    checks::enough_rests(recordings, &choices, &means)?;
+    let means = recordings.each().map(|(r, cut)| static_means(r, cut));
+    let means: Vec<_> = means.collect();
+    checks::enough_rests(&recordings.recordings, &recordings.choices, &means)?;
     checks::not_in_one_plane(&means)?;
     if !request.force_device {
-        warnings.extend(of_one_device(recordings, &means, request.gravity)?);
+        let known = of_one_device(&recordings.recordings, &means, request.gravity)?;
+        warnings.extend(known);
     }
-    let mut recordings = recordings.to_vec();
-    let mut choices = choices;
-    for recording in gyro_recordings {
-        let choice = cut(recording, request, None)?;
-        warnings.extend(checks::of_the_detector(recording, &choice));
-        choices.push(choice);
-        recordings.push(recording);
-    }
-    let cut = choices.iter().map(|c| &c.segmentation);
-    checks::refuse_unknowable(recordings.iter().copied().zip(cut), &request.effects)?;
+    let cut: Vec<_> = recordings.each().chain(turning.each()).collect();
+    checks::refuse_unknowable(cut.iter().copied(), &request.effects)?;
     let (mut accelerometer, mut gyroscope) = (accelerometer::model(), gyroscope::model());
     for effect in &request.effects {
         accelerometer = accelerometer.with(*effect);
@@ -74,21 +64,17 @@ pub fn calibrate(
         held,
         clock: request.clock,
         earth,
-        ..JointRequest::new(
-            recordings
-                .iter()
-                .copied()
-                .zip(choices.iter().map(|c| &c.segmentation))
-                .collect(),
-            request.gravity,
-        )
+        ..JointRequest::new(cut, request.gravity)
     })?;
+    let choices = recordings.choices.iter().chain(&turning.choices);
+    let chosen: Vec<&Choice> = choices.collect();
+    let recordings = recordings.recordings.iter().chain(&turning.recordings);
+    let recordings: Vec<&Recording> = recordings.copied().collect();
     warnings.extend(gyroscope_of_one_device(
         &fit,
         &recordings,
         request.force_device,
     )?);
-    let chosen: Vec<&Choice> = choices.iter().collect();
     let account = Account {
         gravity: request.gravity,
         gravity_source: request.gravity_source,
@@ -105,7 +91,7 @@ pub fn calibrate(
     calibration.carry_gravity(request.gravity_source);
     Ok(Outcome {
         calibration,
-        choices,
+        choices: chosen.into_iter().cloned().collect(),
         accelerometer: None,
         gyroscope: None,
         joint: Some(fit),

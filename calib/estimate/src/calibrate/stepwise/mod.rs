@@ -8,7 +8,7 @@ use recording::intervals::Segmentation;
 use recording::{Error, Recording};
 use sensor::{AnyEffect, Model, Quantity};
 
-use super::cut::cut;
+use super::cut::Cut;
 use super::outcome::Outcome;
 use super::request::Request;
 use super::same_device::{celsius, same_accelerometer};
@@ -27,41 +27,29 @@ const HISTORIES: usize = 4;
 
 /// Accelerometer first, then the gyroscope.
 pub(super) fn stepwise(
-    recordings: &[&Recording],
-    gyro_recordings: &[&Recording],
-    choices: Vec<Choice>,
+    recordings: &Cut<'_>,
+    separate: &Cut<'_>,
     request: &Request,
     mut warnings: Findings,
 ) -> Result<Outcome, Error> {
     if request.static_means.is_empty() {
-        let cut = choices.iter().map(|c| &c.segmentation);
-        checks::refuse_unknowable(recordings.iter().copied().zip(cut), &request.effects)?;
+        checks::refuse_unknowable(recordings.each(), &request.effects)?;
         checks::refuse_attitude(&request.effects)?;
     }
-    let accelerometer = accelerometer(recordings, &choices, request, &mut warnings)?;
-    let separate = gyro_recordings
-        .iter()
-        .map(|recording| {
-            let choice = cut(recording, request, None)?;
-            warnings.extend(checks::of_the_detector(recording, &choice));
-            Ok((recording, choice.segmentation))
-        })
-        .collect::<Result<Vec<_>, Error>>()?;
-    let turning: Vec<(&Recording, &Segmentation)> = if separate.is_empty() {
-        recordings
-            .iter()
-            .copied()
-            .zip(choices.iter().map(|c| &c.segmentation))
-            .collect()
-    } else {
-        separate.iter().map(|(r, s)| (**r, s)).collect()
-    };
-    if !separate.is_empty() {
+    let is_separate = !separate.recordings.is_empty();
+    let turning = if is_separate { separate } else { recordings };
+    let turning: Vec<(&Recording, &Segmentation)> = turning.each().collect();
+    let Cut {
+        recordings,
+        choices,
+    } = recordings;
+    let accelerometer = accelerometer(recordings, choices, request, &mut warnings)?;
+    if is_separate {
         checks::refuse_unknowable(turning.iter().copied(), &request.effects)?;
     }
     let gyroscope = gyroscope(
         &turning,
-        separate.is_empty(),
+        !is_separate,
         accelerometer.as_ref(),
         request,
         &mut warnings,
@@ -76,7 +64,7 @@ pub(super) fn stepwise(
     let mut calibration = assemble::calibration(assemble::Parts {
         recordings,
         turning: &turning,
-        choices: &choices,
+        choices,
         accelerometer: accelerometer.as_ref(),
         gyroscope: gyroscope.as_ref(),
         request,
@@ -88,7 +76,7 @@ pub(super) fn stepwise(
             clocks,
             ..calibration
         },
-        choices,
+        choices: choices.clone(),
         accelerometer,
         gyroscope,
         joint: None,

@@ -22,7 +22,7 @@ mod turned;
 pub(in crate::calibrate) use apart::{ForceFit, RateFit, diagonal_std};
 pub(in crate::calibrate) use field::turned_field;
 pub use readings::{implausible, implausible_base};
-pub use turned::none_is_turned;
+pub(in crate::calibrate) use turned::none_is_turned;
 
 use findings::{Finding, Findings, Level};
 use nalgebra::Matrix3;

@@ -1,0 +1,133 @@
+//! Fit of cut recordings by the requested method; of the accelerometer alone where the turns do not determine the gyroscope.
+
+use findings::{Finding, Findings, Kind};
+use recording::intervals::{Segmentation, Span};
+use recording::readings::{FASTEST_HAND, Symptom, tremor};
+use recording::{Error, Recording};
+
+use super::cut::Cut;
+use super::joint;
+use super::outcome::Outcome;
+use super::remarks::with_changes;
+use super::request::{Method, Request};
+use super::stepwise::stepwise;
+use super::unusable_turns::TurnCount;
+use crate::methods::Choice;
+
+/// Inputs of a fit.
+#[derive(Clone, Copy)]
+pub(super) struct Fit<'a> {
+    /// The recordings.
+    pub recordings: &'a Cut<'a>,
+    /// Recordings for the gyroscope alone; empty where the others serve.
+    pub turning: &'a Cut<'a>,
+    /// The request.
+    pub request: &'a Request,
+    /// Remarks so far.
+    pub remarks: &'a Findings,
+}
+
+impl Fit<'_> {
+    /// Fits the sensors.
+    ///
+    /// # Errors
+    /// As the method; a fit that fails for want of sound data names the hand where the readings show one.
+    pub fn run(&self) -> Result<Outcome, Error> {
+        if self.request.accelerometer_alone {
+            return self.accelerometer_alone();
+        }
+        match self.by_method() {
+            Ok(outcome) => {
+                let recordings = &self.recordings.recordings;
+                Ok(with_changes(outcome, recordings, self.request.gravity))
+            }
+            Err(Error::NotConverged(reason)) => {
+                Err(Error::not_converged(self.in_the_hand(reason)))
+            }
+            Err(Error::NotEnough(refused)) => self
+                .without_gyroscope(&refused)
+                .ok_or_else(|| Error::not_enough(self.in_the_hand(refused))),
+            other => other,
+        }
+    }
+
+    fn by_method(&self) -> Result<Outcome, Error> {
+        let remarks = self.remarks.clone();
+        match self.request.method {
+            Method::Joint => joint::calibrate(self.recordings, self.turning, self.request, remarks),
+            Method::Auto | Method::Stepwise => {
+                stepwise(self.recordings, self.turning, self.request, remarks)
+            }
+        }
+    }
+
+    /// Fits the accelerometer and marks the gyroscope as not calibrated, where the turns are the reason of the refusal.
+    fn without_gyroscope(&self, refused: &Finding) -> Option<Outcome> {
+        if !self.turning.recordings.is_empty() {
+            return None;
+        }
+        let count = TurnCount::of_cut(self.recordings.each().map(|(_, cut)| cut));
+        let reason = count.reason()?;
+        let mark = count.mark(reason, refused, self.recordings.each().last());
+        let mut outcome = self.accelerometer_alone().ok()?;
+        let calibration = &mut outcome.calibration;
+        calibration.failed_gates.push(mark.gate());
+        calibration.not_calibrated.push(mark);
+        Some(outcome)
+    }
+
+    /// Fits the accelerometer as if nothing else had been recorded.
+    fn accelerometer_alone(&self) -> Result<Outcome, Error> {
+        let Cut {
+            recordings,
+            choices,
+        } = self.recordings;
+        let bare: Vec<Recording> = recordings
+            .iter()
+            .map(|recording| Recording {
+                name: recording.name.clone(),
+                accelerometer: recording.accelerometer.clone(),
+                temperature: recording.temperature.clone(),
+                ..Recording::default()
+            })
+            .collect();
+        let only_force = bare.iter().zip(choices).map(|(recording, choice)| {
+            let spans: Vec<Span> = choice.segmentation.statics.iter().map(|s| s.span).collect();
+            let multiplier = choice.segmentation.multiplier;
+            Choice {
+                segmentation: Segmentation::from_spans(recording, &spans, multiplier),
+                ..choice.clone()
+            }
+        });
+        let alone = Cut {
+            choices: only_force.collect(),
+            recordings: bare.iter().collect(),
+        };
+        let fit = Fit {
+            recordings: &alone,
+            ..*self
+        };
+        let mut outcome = fit.by_method()?;
+        outcome.choices = choices.clone();
+        outcome
+            .calibration
+            .warnings
+            .retain(|f| f.kind != Kind::NoGyroscope);
+        Ok(outcome)
+    }
+
+    /// The reason, with the hand that held the device as its cause where the readings show one.
+    fn in_the_hand(&self, reason: Box<Finding>) -> Box<Finding> {
+        let cause = self.recordings.recordings.iter().find_map(|r| {
+            let rate = tremor(r)?;
+            Some(match rate < FASTEST_HAND {
+                true => Symptom::HandHeld { rate }.in_recording(r),
+                false => Finding::of(Kind::NeverQuiet).number("rate", rate, "rad/s"),
+            })
+        });
+        match cause {
+            Some(cause) => Box::new(reason.because(cause)),
+            None => reason,
+        }
+    }
+}
