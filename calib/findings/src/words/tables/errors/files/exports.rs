@@ -80,7 +80,7 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
         Kind::InstanceBeyond,
         "the calibration is of sensor {instance}, and {system} has parameters for 0 to {most} only",
         "",
-        || vec![Remedy::set(OptionName::Instance)],
+        || vec![Remedy::such_as(OptionName::Instance, "0")],
     ),
     Entry::error(
         Kind::ScaleZero,
