@@ -87,8 +87,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.001,
         reason: "how long the first rest must be is not known",
-        text: "the recording is too short to tell how long the first rest of a calibration must be: the mean of the \
-               gyroscope does not settle in it (its Allan deviation reaches no flat part)",
+        text: "the recording is too short to tell how long the first rest of a calibration must be. The mean of the gyroscope does not settle in it",
         advice: "",
         remedies: || vec![Remedy::RestLonger],
     },
