@@ -300,7 +300,7 @@ fn a_time_base_that_is_wrong_by_two_fails_the_gate() {
         let run = stillpoint(&folder, &["calibrate", "slow.csv"]);
         assert_eq!(status(&run), 1, "{factor}: {}", stderr(&run));
         assert!(
-            stderr(&run).contains("its unit or its rate is wrong"),
+            stderr(&run).contains("its unit or its sampling rate is wrong"),
             "{}",
             stderr(&run)
         );

@@ -56,7 +56,7 @@ fn a_hidden_effect_is_named_added_and_its_gap_shrinks() {
     assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
     let said = stdout(&run);
     assert!(
-        said.starts_with("With care: the base models lack gyro_g_sensitivity."),
+        said.starts_with("With care: the usual sensor model lacks gyro_g_sensitivity."),
         "{said}"
     );
     assert!(

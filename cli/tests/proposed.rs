@@ -67,7 +67,7 @@ fn a_hidden_product_is_proposed_and_written_as_source_and_named_with_its_definit
     let named = stillpoint(folder, &[&defined[..], &report].concat());
     let said = String::from_utf8_lossy(&named.stdout).into_owned();
     assert!(
-        said.starts_with("With care: the base models lack gyro_swirl."),
+        said.starts_with("With care: the usual sensor model lacks gyro_swirl."),
         "{said}"
     );
     let page = std::fs::read_to_string(folder.join("named.html")).unwrap();

@@ -133,7 +133,7 @@ impl Error {
                 .detail("of", *sensor)
                 .detail("axis", *axis)
                 .detail("value", value.to_string())
-                .remedy(Remedy::set_to(OptionName::Flip, flip)),
+                .only_remedies([Remedy::set_to(OptionName::Flip, flip)]),
             Self::Settings(found) | Self::Input(found) | Self::Format(found) => (**found).clone(),
             Self::Missing(path) => Finding::of(Kind::PieceMissing).in_file(shown_path(path)),
         }

@@ -207,7 +207,7 @@ fn every_other_target_says_what_the_calibration_is_on_top_of() {
         ("px4", "PX4"),
         ("ardupilot", "ArduPilot"),
         ("ios", "iOS"),
-        ("unknown", "the recording system"),
+        ("unknown", "the recording software"),
     ] {
         let corrected = calibration(by, false);
         for target in TARGETS.iter().filter(|target| target.name() != by) {

@@ -305,7 +305,7 @@ fn what_the_page_says_of_a_touched_device_mends_the_calibration() {
         said.contains("static interval 8 (") && said.contains(touched),
         "{said}"
     );
-    assert!(page.contains("does not use the force read then"), "{said}");
+    assert!(page.contains("does not use the accelerometer"), "{said}");
     let stepwise = |more: &[&str]| calibrate(&[&["--method", "stepwise"], more].concat());
     let (output, page) = stepwise(&[]);
     // The turns on either side are sound.

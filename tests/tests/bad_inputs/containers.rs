@@ -380,7 +380,7 @@ fn cases_058_and_059_what_logs_lost_is_counted() {
     );
     calibrate("a.ulg", log, &[])
         .ends(0)
-        .says(&["dropout", "0.120 s"]);
+        .says(&["the log lost samples", "0.120 s"]);
     let mut log = make::ardupilot(&rows, &[]);
     let at = log.len() - 40;
     log.splice(at..at, [0u8; 4096]);

@@ -220,7 +220,7 @@ fn one_row_in_ten_twice_or_not_at_all() {
         "repeated earlier rows",
         Place::Words("rows between lines"),
     );
-    let kind = "its unit or its rate is wrong";
+    let kind = "its unit or its sampling rate is wrong";
     let all = Place::Words("on all axes");
     named(&stamped(twice()), kind, all);
     let rows = good().iter().enumerate().filter(|(k, _)| !is_chosen(*k));

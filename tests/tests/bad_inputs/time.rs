@@ -260,7 +260,7 @@ fn case_073_a_time_base_that_is_wrong_by_two() {
     let rows = spoilt(|_, row| row[0] *= 0.5);
     calibrate(csv(&rows), &[])
         .ends(1)
-        .says(&["its unit or its rate is wrong"]);
+        .says(&["its unit or its sampling rate is wrong"]);
 }
 
 #[test]
@@ -293,7 +293,7 @@ fn case_072_stamps_of_arrival_in_bursts() {
     let rows = spoilt(|k, row| row[0] = arrived(k));
     let run = calibrate(csv(&rows), &["--json"]);
     run.ends(0)
-        .says(&["come in bursts of 10 samples", "even clock"]);
+        .says(&["come in bursts of 10 samples", "equal time steps"]);
     let usual = calibrate(csv(good()), &["--json"]);
     for k in 0..3 {
         let scale = |run: &Run| run.json()["gyroscope"]["T"][k][k].as_f64().unwrap();
@@ -331,9 +331,9 @@ fn case_072_stamps_that_are_coarser_than_the_rate() {
 #[test]
 fn a_rate_that_the_stamps_contradict_is_noticed() {
     let wrong = calibrate(csv(good()), &["--rate", "101"]);
-    wrong.says(&["by its stamps the rate is 100 Hz and not 101", "--rate 100"]);
+    wrong.says(&["tell a rate of 100 Hz, but 101 Hz was given", "--rate 100"]);
     let right = calibrate(csv(good()), &["--rate", "100"]);
-    right.is_silent_on(&["by its stamps"]);
+    right.is_silent_on(&["tell a rate of"]);
 }
 
 #[test]
@@ -355,7 +355,7 @@ fn case_075_thirty_kilohertz() {
     run.ends(0).says(&[
         "sampled at 30 kHz",
         "means over 30 samples",
-        "boxcar filter, then 1000 Hz",
+        "which leaves 1000 Hz",
     ]);
 }
 

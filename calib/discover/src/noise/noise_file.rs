@@ -154,7 +154,7 @@ mod tests {
         assert!(said.contains("not bounded"), "{said}");
         let absurd = file([(1e300, 1e299, None); 3], NOISE_SCHEMA);
         let said = noise_in(absurd.path()).unwrap_err().to_string();
-        assert!(said.contains("no inertial sensor wanders"), "{said}");
+        assert!(said.contains("no such sensor wanders"), "{said}");
         let other = file([(1.0, 1.0, None); 3], "stillpoint.noise/9");
         let said = noise_in(other.path()).unwrap_err().to_string();
         assert!(said.contains("noise/9"), "{said}");

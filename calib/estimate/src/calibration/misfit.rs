@@ -127,7 +127,7 @@ impl Remainder {
         })
     }
 
-    /// `norm of specific force at static intervals`.
+    /// `length of the accelerometer's reading at rest`.
     pub fn what(&self) -> &'static str {
         match self.channel {
             Channel::Force => names::NORM_AT_REST,

@@ -29,7 +29,7 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
             "columns",
         ],
         O::Effects => [
-            "the effects of the model",
+            "the effects (sources of error) of the model",
             "--effects",
             "Request::effects",
             "effects",
@@ -41,7 +41,7 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
             "entry",
         ],
         O::Field => [
-            "the norm of the magnetic field",
+            "the strength of the magnetic field",
             "--field",
             "Request::field",
             "field",
@@ -90,7 +90,7 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
             "leave_out",
         ],
         O::LoggedWith => [
-            "the parameters that were in force",
+            "the parameters that the vehicle had while it logged",
             "--logged-with",
             "Settings::logged_with",
             "logged_with",
@@ -122,7 +122,7 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
         ],
         O::Motion => ["when the motion was", "--motion", "motion", "motion"],
         O::Multiplier => [
-            "the threshold of the detector",
+            "the threshold of the search for static intervals",
             "--multiplier",
             "DetectorOptions::multiplier",
             "multiplier",
@@ -174,7 +174,7 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
         ],
         O::Topic => ["the topic", "--topic", "ReadOptions::topics", "topic"],
         O::Window => [
-            "the window of the detector",
+            "the window of the search for static intervals",
             "--window",
             "DetectorOptions::window",
             "window",
@@ -201,7 +201,7 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
             return turns::add_placements(placements);
         }
         Remedy::AddTurns { turns } => return turns::add_turns(turns),
-        Remedy::OtherMethod { method } => return format!("use the method {method}"),
+        Remedy::OtherMethod { method } => return other_method(method, front),
         Remedy::ConvertToCsv { by } => return format!("convert the file to CSV, as by `{by}`"),
         Remedy::ExportAs { format } => return format!("export the file as {format}"),
         Remedy::Build { feature } => {
@@ -209,10 +209,10 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
                 Front::CommandLine => format!(" (`--features {feature}`)"),
                 _ => String::new(),
             };
-            return format!("build with the feature `{feature}`{flag}");
+            return format!("build the program with the feature `{feature}`{flag}");
         }
         Remedy::RunShard { shard } => return run_shard(shard.as_deref(), front),
-        Remedy::Discover => "search for the missing effect",
+        Remedy::Discover => "search for the missing source of error",
         Remedy::Plan => "plan the next recording",
         Remedy::RecordAgain => "record again",
         Remedy::LeaveOut => "leave the static interval out",
@@ -221,7 +221,7 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         Remedy::SortRows => "sort the rows by their time stamps",
         Remedy::FilePerSensor => "name the file of each sensor",
         Remedy::OneSensor => "calibrate one sensor alone and name only its columns",
-        Remedy::LayDown => "lay the device down",
+        Remedy::LayDown => "lay the device down and record again",
         Remedy::RestLonger => "keep the device still for longer",
         Remedy::TurnSlower => "turn more slowly",
         Remedy::TurnBetween => "turn the device between the placements",
@@ -247,7 +247,9 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         }
         Remedy::OtherOrder => "record a second time with the placements in another order",
         Remedy::LargerRange => "record with a larger range of the sensor",
-        Remedy::SensorStamps => "record the time stamps of the sensor itself",
+        Remedy::SensorStamps => {
+            "record the time stamps of the sensor itself, where the app or logger offers them"
+        }
         Remedy::OneClock => "record all sensors by one clock",
         Remedy::RawReadings => "record readings that are neither rounded nor filtered",
         Remedy::Uncalibrated => {
@@ -255,7 +257,7 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         }
         Remedy::WriteFolder => "write a folder, which keeps the clocks of both sensors",
         Remedy::Thermometer => "record the temperature too",
-        Remedy::WarmUp => "let the device reach a steady temperature first",
+        Remedy::WarmUp => "let the device reach a steady temperature before recording",
         Remedy::FixSensor => "fix the sensor to its case and record again",
         Remedy::AwayFromIron => "move away from iron and currents",
         Remedy::UpdateBias => "estimate the bias again",
@@ -319,6 +321,15 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         _ => "",
     };
     format!("{fixed}{command}")
+}
+
+/// `use the joint method (--method joint)`.
+fn other_method(method: &str, front: Front) -> String {
+    let words = format!("use the {method} method");
+    match front {
+        Front::Plain => words,
+        _ => with_setting(&words, &Setting::to(OptionName::Method, method), front),
+    }
 }
 
 fn run_shard(shard: Option<&str>, front: Front) -> String {

@@ -28,7 +28,7 @@ pub fn system_name(by: &str) -> &str {
         "px4" => "PX4",
         "ardupilot" => "ArduPilot",
         "ios" => "iOS",
-        AppliedBefore::UNKNOWN => "the recording system",
+        AppliedBefore::UNKNOWN => "the recording software",
         other => other,
     }
 }

@@ -114,8 +114,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "the file is cut short",
         text: "the file ends within {within}[ at byte {byte}][ in line {line}]. The program has read what comes \
                before. The end of the recording may be missing",
-        advice: "",
-        remedies: || vec![Remedy::RecordAgain],
+        advice: "record again if the missing end matters",
+        remedies: Vec::new,
     },
     Entry {
         kind: Kind::FileNotClosed,
@@ -169,10 +169,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 1.0,
         reason: "no variable is called as a sensor is",
-        text: "the file has no variable with a name that the program knows. The program reads matrices `acc` and `gyro` with the columns t, x, y, z, or `t`, `acc` and `gyro` \
-               apart, or `t`, `ax` to `gz`. In MATLAB, save('FILE', '-struct', 'S') writes the fields of a structure S \
-               as variables",
-        advice: "",
+        text: "the file has no variable with a name that the program knows. It reads matrices `acc` and `gyro` with the columns t, x, y, z, or `t`, `acc` and `gyro` apart, or `t`, `ax` to `gz`",
+        advice: "rename the variables, or write the fields of a structure S as variables (in MATLAB: save('FILE', '-struct', 'S'))",
         remedies: Vec::new,
     },
     Entry {

@@ -2,7 +2,7 @@
 
 use crate::kind::Kind;
 use crate::level::Level;
-use crate::remedy::Remedy;
+use crate::remedy::{OptionName, Remedy};
 
 use crate::words::entry::Entry;
 
@@ -42,11 +42,10 @@ pub(super) const ENTRIES: &[Entry] = &[
         kind: Kind::Frozen,
         level: Level::Remark,
         severity: 0.05,
-        reason: "the readings of the {sensors} stand still for a while",
-        text: "{rows:row} repeated the reading of the {sensors} before, in {places:place} ({listed}). The program \
-               leaves out these frozen readings",
-        advice: "",
-        remedies: || vec![Remedy::RecordAgain],
+        reason: "readings of the {sensors} repeat for a while",
+        text: "{rows:row} repeated the reading of the {sensors} from the row before, in {places:place} ({listed}). The program leaves these rows out",
+        advice: "record again if these are many",
+        remedies: Vec::new,
     },
     Entry {
         kind: Kind::ErasedTail,
@@ -85,7 +84,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.1,
         reason: "the device did not lie still in {intervals}",
-        text: "the {sensor} is up to {ratio} times noisier in {intervals} than in the others, as from vibration or a hand",
+        text: "the {sensor} is up to {ratio} times noisier in {intervals} than in the others: its readings scatter more, as from vibration or a hand",
         advice: "",
         remedies: || vec![Remedy::LayDown],
     },
@@ -94,8 +93,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.1,
         reason: "the noise of the {sensor} changes part of the way",
-        text: "the {sensor} is up to {ratio} times noisier in {intervals} than in the others. Perhaps a fan or a motor \
-               ran then, or the range or the filter was changed",
+        text: "the {sensor} is up to {ratio} times noisier in {intervals} than before: its readings scatter more. Perhaps a fan or a motor ran then, or a setting of the sensor was changed",
         advice: "",
         remedies: || vec![Remedy::RecordAgain, Remedy::Split],
     },
@@ -133,9 +131,14 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 1.0,
         reason: "the recording has no sensor",
-        text: "the program found no sensor in the recording[ (columns not used: {unused})]",
+        text: "the program found no columns of an accelerometer or a gyroscope in the recording[ (columns not used: {unused})]",
         advice: "",
-        remedies: || vec![Remedy::LookInto],
+        remedies: || {
+            vec![
+                Remedy::LookInto,
+                Remedy::such_as(OptionName::Columns, "ax=NAME,ay=NAME,az=NAME"),
+            ]
+        },
     },
     Entry {
         kind: Kind::SignTurned,
@@ -180,9 +183,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         kind: Kind::GravityAdded,
         level: Level::Care,
         severity: 0.3,
-        reason: "the accelerometer is the sum of two columns that the system worked out",
-        text: "the accelerometer is the sum of `{linear}`, .. and gravity `{gravity}`, ..: the system has worked both \
-               out. A calibration comes on top of the system's own",
+        reason: "the accelerometer is the sum of two columns that the phone's software computed",
+        text: "the accelerometer is the sum of `{linear}`, .. and gravity `{gravity}`, .., both computed by the phone's software. That software has corrected them by a calibration of its own",
         advice: "",
         remedies: || vec![Remedy::Uncalibrated],
     },
@@ -200,8 +202,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.001,
         reason: "the {sensor} was read as means over blocks",
-        text: "the {sensor} was sampled at {rate}, and no hand turns so fast. The program reads it as means over \
-               {block} samples (a boxcar filter, then {then})",
+        text: "the {sensor} was sampled at {rate}, more often than a motion by hand needs. The program takes means of {block} samples each, which leaves {then}",
         advice: "",
         remedies: Vec::new,
     },

@@ -41,8 +41,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.05,
         reason: "the stamps tell when samples arrived, not when they were taken",
-        text: "stamps of the {sensor} come in bursts (median step {median}, mean {mean}). They tell when samples \
-               arrived and not when they were taken",
+        text: "the time stamps of the {sensor} come in bursts (median step {median}, mean {mean}). They tell when samples arrived at the recorder and not when they were taken",
         advice: "",
         remedies: || vec![Remedy::SensorStamps],
     },
@@ -52,17 +51,17 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.05,
         reason: "samples of the {sensor} are missing",
         text: "the {sensor} has {count:gap} without samples, the longest of {longest} from t = {t0} on",
-        advice: "",
-        remedies: || vec![Remedy::RecordAgain],
+        advice: "record again if the gaps are many or long",
+        remedies: Vec::new,
     },
     Entry {
         kind: Kind::LogDropouts,
         level: Level::Remark,
         severity: 0.05,
         reason: "the log lost samples",
-        text: "the log lost samples: it has {count:dropout} of {missing} in all, from t = {t0} on ({listed})",
-        advice: "",
-        remedies: || vec![Remedy::RecordAgain],
+        text: "the log lost samples {count:time}, for {missing} in all, first at t = {t0} ({listed})",
+        advice: "record again if that is often or long",
+        remedies: Vec::new,
     },
     Entry {
         kind: Kind::Paused,
@@ -144,17 +143,20 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 1.0,
         reason: "the stamps tell another rate than the given one",
-        text: "by its stamps the rate is {rate} and not {given}[. The given rate passes over {missing:sample} that are \
-               missing]. Angles between rests come out {share} too {size}",
+        text: "the time stamps tell a rate of {rate}, but {given} was given[. The given rate passes over {missing:sample} that are missing]. Angles of turns come out {share} too {size}",
         advice: "",
-        remedies: Vec::new,
+        remedies: || {
+            vec![Remedy::Omit {
+                option: OptionName::Rate,
+            }]
+        },
     },
     Entry {
         kind: Kind::ClockJoined,
         level: Level::Remark,
         severity: 0.001,
         reason: "the {sensor} was interpolated to other stamps",
-        text: "the {sensor} has a clock of its own. The program interpolates it to the stamps of the {other}",
+        text: "the {sensor} has time stamps of its own. The program interpolates it to the stamps of the {other}",
         advice: "",
         remedies: || vec![Remedy::WriteFolder],
     },

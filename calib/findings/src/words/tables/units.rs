@@ -85,10 +85,9 @@ pub(super) const ENTRIES: &[Entry] = &[
         kind: Kind::TemperatureInCounts,
         level: Level::Remark,
         severity: 0.001,
-        reason: "the temperatures are counts of the sensor",
-        text: "temperatures of {least} to {most} are counts of the sensor and no °C. The program leaves them out[. The \
-               formula of its data sheet makes {formulas} of them]",
-        advice: "",
+        reason: "the temperatures are raw whole numbers and no °C",
+        text: "the temperatures ({least} to {most}) are raw whole numbers of the sensor (counts) and no °C. The program leaves them out[. Formulas of data sheets make {formulas} of them]",
+        advice: "if you want to use them, convert them to °C",
         remedies: Vec::new,
     },
     Entry {
@@ -96,9 +95,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.001,
         reason: "the temperatures cannot be °C",
-        text: "temperatures of {least} to {most} are beyond -60 to 150 °C, left out by the program[. A formula makes \
-               {formulas} of them]",
-        advice: "",
+        text: "the temperatures ({least} to {most}) cannot be °C: they are beyond -60 to 150. The program leaves them out[. A formula makes {formulas} of them]",
+        advice: "if you want to use them, convert them to °C",
         remedies: || {
             vec![Remedy::NameUnit {
                 example: "temp [K]".into(),

@@ -43,10 +43,10 @@ pub(in crate::calibrate) fn turned_field(
     }
     let turned = of(Kind::FieldTurned).detail("axes", axes.in_words());
     Some(match axes.is_half_turn() {
-        false => turned.at_level(Level::Remark),
+        false => turned.at_level(Level::Remark).only_remedies([]),
         true => turned
             .detail("half", if inclination < 0.0 { "south" } else { "north" })
-            .only_remedies([read(), Remedy::set(OptionName::Latitude)]),
+            .only_remedies([Remedy::set(OptionName::Latitude), read()]),
     })
 }
 

@@ -127,12 +127,12 @@ fn unit(fit: &RateFit<'_>) -> Option<Finding> {
     Some(if (scale.to_degrees() - 1.0).abs() < 0.15 {
         of(Kind::ReadingsInDegrees)
             .detail("unit", "degrees per second")
-            .remedy(unit("deg/s"))
+            .only_remedies([unit("deg/s")])
     } else if (scale.to_radians() - 1.0).abs() < 0.15 {
         of(Kind::ReadingsInDegrees)
             .detail("unit", "rad/s")
             .detail("read", "degrees per second")
-            .remedy(unit("rad/s"))
+            .only_remedies([unit("rad/s")])
     } else {
         of(Kind::RawCounts).number("scale", scale, "rad/s")
     })

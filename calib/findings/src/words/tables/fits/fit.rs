@@ -11,10 +11,8 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         kind: Kind::Misfit,
         level: Level::Care,
         severity: 0.02,
-        reason: "the {channel} misfits: {rms} is left where the noise makes {noise}",
-        text: "the {channel} misfits: {rms} rms is left after the fit where the noise makes {noise} ({ratio} times the \
-               noise, p {p})[. It changes with the orientation, most like {pattern} (p {pattern_p}), as neither noise \
-               nor a slow change of the bias does]. The program has enlarged the standard errors to cover it",
+        reason: "the fit misses the {channel} by {rms}, more than the noise ({noise})",
+        text: "the fitted model differs from the {channel} by {rms} (rms), {ratio} times the noise ({noise})[. The difference changes with the orientation, most like {pattern}]. The program has enlarged the standard errors to cover it",
         advice: "",
         remedies: || vec![Remedy::Discover],
     },
@@ -22,9 +20,8 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         kind: Kind::EffectMissing,
         level: Level::Care,
         severity: 0.02,
-        reason: "the model of the {sensor} lacks an effect, most like {effect}",
-        text: "the model of the {sensor} lacks an effect, most like {effect} (χ² {statistic} of {dof} degrees of \
-               freedom, p = {p}). The standard errors do not cover it",
+        reason: "the model of the {sensor} lacks a source of error, most like {effect}",
+        text: "the model of the {sensor} lacks a source of error, most like {effect}. The standard errors do not cover it",
         advice: "",
         remedies: || vec![Remedy::Discover],
     },
@@ -51,10 +48,9 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.05,
         reason: "{parameter} depends on {at} alone",
-        text: "without {at} {parameter} would change by {change} of its standard errors, because too few other \
-               intervals determine it",
-        advice: "leave the interval out if the device was not still in it",
-        remedies: || vec![Remedy::RecordAgain],
+        text: "without {at} {parameter} would change by {change} of its standard errors, because too few other intervals determine it. The program takes the device as still in that time",
+        advice: "",
+        remedies: || vec![Remedy::if_wrong([OptionName::LeaveOut])],
     },
     Entry {
         kind: Kind::GravityAssumed,

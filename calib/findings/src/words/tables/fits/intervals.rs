@@ -2,7 +2,7 @@
 
 use crate::kind::Kind;
 use crate::level::Level;
-use crate::remedy::{OptionName, Remedy};
+use crate::remedy::{OptionName, Remedy, Setting};
 
 use crate::words::entry::Entry;
 
@@ -48,9 +48,9 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.02,
         reason: "the device sways while it should rest",
-        text: "the device sways while it should rest, as a device in a hand does. Turns then begin and end a little beside the mean direction. A slow slip would look the same",
-        advice: "",
-        remedies: || vec![Remedy::LayDown],
+        text: "the device sways while it should rest, as in a hand or by a slow slip. Turns then begin and end a little beside the mean direction",
+        advice: "lay the device down in the next recording",
+        remedies: Vec::new,
     },
     Entry {
         kind: Kind::BiasStepped,
@@ -66,7 +66,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.05,
         reason: "the readings drift in {at}",
-        text: "[{at}: ]the readings drift[ by {size}] while the device should rest, as when it slowly slips or the sensor warms up. The program fits the drift[ ({angle} in all, a slope of up to {slope} in the force)]",
+        text: "[{at}: ]the readings drift[ by {size}] while the device should rest, as when it slowly slips or the sensor warms up. The program fits the drift[ ({angle} in all, up to {slope} in the accelerometer's reading)]",
         advice: "",
         remedies: || vec![Remedy::RecordAgain, Remedy::LeaveOut],
     },
@@ -84,7 +84,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.03,
         reason: "something touched the device in {at}",
-        text: "[{at}: ]something touched or pushed the device[, by {size}]. The program does not use the force read then[ (off by {force})][ (shakes at t = {shaken}, {times} times as much as usual)][ (it cut a {cut} in two: the shorter part counts as part of a turn)]",
+        text: "[{at}: ]something touched or pushed the device[, by {size}]. The program does not use the accelerometer's reading in this interval[ (off by {force})][ (shakes at t = {shaken}, {times} times as much as usual)][ (this cut a {cut} in two, and the shorter part counts as part of a turn)]",
         advice: "",
         remedies: || vec![Remedy::RecordAgain, Remedy::LeaveOut],
     },
@@ -102,22 +102,27 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.1,
         reason: "{at} misses gravity, and is not used",
-        text: "[{at}: ]the turn misses gravity[ by {size},] by far more than the noise: it does not lead to the direction that the accelerometer reads after it. The program does not use the turn[ (shakes at t = {shaken}, {times} times as much as usual)]",
+        text: "[{at}: ]the turn misses gravity[ by {size},] by far more than the noise: it does not lead to the direction of gravity that the accelerometer reads after it. The program does not use the turn[ (shakes at t = {shaken}, {times} times as much as usual)]",
         advice: "",
-        remedies: || vec![Remedy::RecordAgain, Remedy::LeaveOut],
+        remedies: || vec![Remedy::RecordAgain],
     },
     Entry {
         kind: Kind::LongTurn,
         level: Level::Remark,
         severity: 0.02,
         reason: "a turn lasts long and may hide a static interval",
-        text: "{at} lasts {length} and no static interval was found in it. If the device was still in that time, it shook or did not rest long enough",
+        text: "{at} lasts {length}, and the program found no static interval (time at rest) in it",
         advice: "",
         remedies: || {
-            vec![Remedy::any_of([
-                OptionName::MinStatic,
-                OptionName::Multiplier,
-            ])]
+            vec![Remedy::IfWrong {
+                any_of: vec![
+                    Setting::to(OptionName::MinStatic, "1"),
+                    Setting {
+                        option: OptionName::Multiplier,
+                        value: None,
+                    },
+                ],
+            }]
         },
     },
     Entry {
@@ -125,7 +130,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Bad,
         severity: 3.0,
         reason: "the device shook in {at}",
-        text: "{at} shakes by {spread}: the device was not still",
+        text: "the readings of the accelerometer shake by {spread} in {at}: the device was not still",
         advice: "",
         remedies: || vec![Remedy::LayDown],
     },
@@ -143,8 +148,8 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.01,
         reason: "only {most} of {all} static intervals are used",
-        text: "only {most} of {all} static intervals are used, numbers {first} to {last} ({where}), in which the device takes the most directions. The program numbers intervals and turns from the first of these",
-        advice: "",
+        text: "the program uses only {most} of {all} static intervals, because more take too long: numbers {first} to {last} ({where}), with the most directions. It numbers intervals and turns from the first of these",
+        advice: "cut the recording into parts to use all",
         remedies: || {
             vec![Remedy::OtherMethod {
                 method: "stepwise".into(),

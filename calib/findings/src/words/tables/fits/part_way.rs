@@ -57,9 +57,9 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.3,
         reason: "{at} misses gravity, and the other turns do not",
-        text: "{at} misses gravity by {size}: the turn does not lead to the direction that the accelerometer reads after it. The other turns do. Rows may be lost, repeated or moved in this turn, or the clock may have jumped",
+        text: "{at} misses gravity by {size}: unlike the other turns, it does not lead to the direction of gravity that the accelerometer reads after it. Perhaps rows are lost, repeated or moved in it, or the clock jumped",
         advice: "",
-        remedies: || vec![Remedy::LeaveOut, Remedy::RecordAgain],
+        remedies: || vec![Remedy::RecordAgain, Remedy::Split],
     },
     Entry {
         kind: Kind::IntervalOff,

@@ -55,8 +55,8 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::EntryElsewhere,
-        "the entry `{entry}` is of another archive",
-        "take the entry from the list of this archive",
+        "the file `{entry}` is in another archive than the one that was opened",
+        "open the archive that lists it, or take a file from the list of this one",
         Vec::new,
     ),
 ];

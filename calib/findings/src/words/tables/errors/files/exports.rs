@@ -19,8 +19,8 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::ParameterOutside,
-        "{name} would be {value}, and {target} takes {least} to {most}",
-        "check the unit of the recording",
+        "the parameter {name} would be {value}, and {target} takes only {least} to {most}",
+        "check that the unit of the recording is right",
         || vec![Remedy::set(OptionName::LoggedWith)],
     ),
     Entry::error(
@@ -31,10 +31,9 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::SignNotKept,
-        "{target} keeps no sign of an axis, and the {of}'s scale factor of {axis} is {value}: it has to \
-         be read with the other sign",
+        "{target} has no negative scale factors, and the {of}'s scale factor of {axis} is {value}: this axis has to be read with the other sign",
         "",
-        Vec::new,
+        || vec![Remedy::such_as(OptionName::Flip, "az")],
     ),
     Entry::error(
         Kind::CorrectedInForce,
@@ -61,20 +60,19 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::ReadingsTurned,
-        "{parameter} turns the readings after they are corrected, so that their axes are not those of the \
-         parameters",
-        "calibrate a recording of {raw}",
+        "{parameter} rotates the readings after they are corrected, so the calibration's axes are not those that the parameters correct",
+        "calibrate a recording of the raw readings ({raw})",
         Vec::new,
     ),
     Entry::error(
         Kind::ParameterMissing,
-        "the file of parameters that were in force has no {parameter}",
+        "the file of the vehicle's parameters (those it had while it logged) lacks {parameter}",
         "export all parameters of the vehicle",
         Vec::new,
     ),
     Entry::error(
         Kind::ParameterLine,
-        "the file of parameters that were in force, line {line}: a parameter's name and a number expected, as in INS_ACCOFFS_X,0.12",
+        "the file of the vehicle's parameters, line {line}: a parameter's name and a number expected, as in INS_ACCOFFS_X,0.12",
         "correct the line",
         Vec::new,
     ),
@@ -82,7 +80,7 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
         Kind::InstanceBeyond,
         "the calibration is of sensor {instance}, and {system} has parameters for 0 to {most} only",
         "",
-        || vec![Remedy::set(OptionName::Instance)],
+        || vec![Remedy::such_as(OptionName::Instance, "0")],
     ),
     Entry::error(
         Kind::ScaleZero,

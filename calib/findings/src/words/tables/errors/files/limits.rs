@@ -25,8 +25,8 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::EntriesTooMany,
-        "the file has more than {limit} {things}, as no recording has",
-        "",
+        "the file or folder holds more than {limit} {things}, as no recording does",
+        "export the recording to a file of its own",
         Vec::new,
     ),
     Entry::error(

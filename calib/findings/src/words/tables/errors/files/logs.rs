@@ -23,20 +23,20 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::MessageBigEndian,
-        "the file has a message in big-endian CDR (encapsulation 0x0000), which the program does not read",
-        "record on a little-endian machine",
+        "the bytes of a message in the file are in an order (big-endian) that the program does not read",
+        "record on a usual computer (x86 or ARM), or convert the recording to CSV on the one that made it",
         Vec::new,
     ),
     Entry::error(
         Kind::MessageCompressed,
-        "the bag has a message that is compressed by itself (compression_mode: message), which the program does not read",
+        "each message of the bag is compressed by itself (compression_mode: message), which the program does not read",
         "let `ros2 bag convert` write the messages uncompressed",
         Vec::new,
     ),
     Entry::error(
         Kind::EncapsulationUnknown,
-        "the file has a message of encapsulation {code}, and the program reads only CDR (0x0001)",
-        "record the topic with CDR, which is the default of ROS 2",
+        "a message in the file is encoded in a way that the program does not read ({code}): it reads only the usual encoding of ROS 2 (CDR, 0x0001)",
+        "record again with the default encoding of ROS 2, or convert the recording to CSV",
         Vec::new,
     ),
     Entry::error(

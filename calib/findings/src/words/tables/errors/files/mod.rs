@@ -16,11 +16,16 @@ use crate::kind::Kind;
 use crate::words::entry::Entry;
 
 pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
-    Entry::error(Kind::Unreadable, "cannot be read: {reason}", "", Vec::new),
+    Entry::error(
+        Kind::Unreadable,
+        "cannot be read: {reason}",
+        "check the name of the file, and that it is complete and may be read",
+        Vec::new,
+    ),
     Entry::error(
         Kind::Unwritable,
         "cannot be written: {reason}",
-        "",
+        "check the folder and the free space of the disk",
         Vec::new,
     ),
 ];

@@ -1,14 +1,19 @@
 //! Words of errors: files of tables.
 
 use crate::kind::Kind;
+use crate::remedy::Remedy;
 use crate::words::entry::Entry;
 
 pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::NotInBuild,
-        "this is {format}, which this build does not read",
+        "this is {format}, which this build of the program does not read",
         "",
-        Vec::new,
+        || {
+            vec![Remedy::ExportAs {
+                format: "CSV".into(),
+            }]
+        },
     ),
     Entry::error(
         Kind::NotWrittenByBuild,
@@ -79,7 +84,7 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::ColumnCompressed,
         "the columns of the file are compressed by {method}, which this build of the program does not unpack",
-        "write it with `compression=\"snappy\"`",
+        "write the file again with `compression=\"snappy\"` (as pandas and pyarrow take it)",
         Vec::new,
     ),
     Entry::error(
@@ -120,27 +125,27 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::NoSheet,
-        "the workbook has no sheet of cells",
+        "the workbook has no visible sheet with cells",
         "",
-        Vec::new,
+        || vec![Remedy::SaveAsCsv],
     ),
     Entry::error(
         Kind::WordsTooMany,
-        "the workbook is damaged: {part} announces {words:word} in {bytes:byte}",
-        "",
-        Vec::new,
+        "the workbook is damaged: its part {part} claims to hold {words:word} in {bytes:byte}, which cannot be",
+        "open it in a spreadsheet program and save it again",
+        || vec![Remedy::SaveAsCsv],
     ),
     Entry::error(
         Kind::CellImpossible,
-        "the workbook is damaged: the cell {cell} stands where no cell can be",
-        "",
-        Vec::new,
+        "the workbook is damaged: the cell {cell} is out of order or outside of any sheet",
+        "open it in a spreadsheet program and save it again",
+        || vec![Remedy::SaveAsCsv],
     ),
     Entry::error(
         Kind::CellTwice,
         "the workbook is damaged: it has the cell {cell} twice",
-        "",
-        Vec::new,
+        "open it in a spreadsheet program and save it again",
+        || vec![Remedy::SaveAsCsv],
     ),
     Entry::error(
         Kind::CellIsDate,
