@@ -41,7 +41,7 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
             "entry",
         ],
         O::Field => [
-            "the norm of the magnetic field",
+            "the strength of the magnetic field",
             "--field",
             "Request::field",
             "field",
@@ -90,7 +90,7 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
             "leave_out",
         ],
         O::LoggedWith => [
-            "the parameters that were in force",
+            "the parameters that the flight controller had then",
             "--logged-with",
             "Settings::logged_with",
             "logged_with",
@@ -122,7 +122,7 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
         ],
         O::Motion => ["when the motion was", "--motion", "motion", "motion"],
         O::Multiplier => [
-            "the threshold of the detector",
+            "the threshold of the search for rests",
             "--multiplier",
             "DetectorOptions::multiplier",
             "multiplier",
@@ -174,7 +174,7 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
         ],
         O::Topic => ["the topic", "--topic", "ReadOptions::topics", "topic"],
         O::Window => [
-            "the window of the detector",
+            "the window of the search for rests",
             "--window",
             "DetectorOptions::window",
             "window",
@@ -190,8 +190,13 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
             return format!("if that is wrong, {}", given(any_of, front));
         }
         Remedy::Example { any_of } => {
-            let all: Vec<String> = any_of.iter().map(|s| example(s, front)).collect();
-            return format!("give {}", all.join(" or "));
+            let before = std::iter::once(None).chain(any_of.iter().map(|s| Some(s.option)));
+            let each = any_of.iter().zip(before);
+            let all = each.map(|(s, before)| match before == Some(s.option) {
+                true => s.text(front),
+                false => example(s, front),
+            });
+            return format!("give {}", all.collect::<Vec<_>>().join(" or "));
         }
         Remedy::Omit { option } => return omitted(*option, front),
         Remedy::NameUnit { example } => {
