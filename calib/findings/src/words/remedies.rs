@@ -90,7 +90,7 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
             "leave_out",
         ],
         O::LoggedWith => [
-            "the parameters that the flight controller had then",
+            "the parameters that the vehicle had while it logged",
             "--logged-with",
             "Settings::logged_with",
             "logged_with",
@@ -122,7 +122,7 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
         ],
         O::Motion => ["when the motion was", "--motion", "motion", "motion"],
         O::Multiplier => [
-            "the threshold of the search for rests",
+            "the threshold of the search for static intervals",
             "--multiplier",
             "DetectorOptions::multiplier",
             "multiplier",
@@ -174,7 +174,7 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
         ],
         O::Topic => ["the topic", "--topic", "ReadOptions::topics", "topic"],
         O::Window => [
-            "the window of the search for rests",
+            "the window of the search for static intervals",
             "--window",
             "DetectorOptions::window",
             "window",

@@ -38,7 +38,7 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     note(
         Kind::MaybeCorrected,
-        "the parameters are for the sensor's own readings. A recording of {stream} holds readings that {system} had already corrected by its parameters of that time",
+        "the parameters are for the sensor's own readings. A recording of {stream} holds readings that {system} had corrected before, by its parameters of that time",
         "do nothing if the recording holds the sensor's own readings",
         || vec![Remedy::set(OptionName::LoggedWith)],
     ),
