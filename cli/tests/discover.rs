@@ -269,7 +269,7 @@ fn recordings_of_two_devices_are_refused_by_discover_and_by_the_joint_method() {
     ] {
         let refused = stillpoint(&folder, call);
         assert_eq!(refused.status.code(), Some(3), "{}", stderr(&refused));
-        assert!(stderr(&refused).contains("recordings of different devices"));
+        assert!(stderr(&refused).contains("recordings are of different devices"));
     }
 }
 

@@ -173,7 +173,7 @@ fn a_costly_or_endless_effect_is_refused_or_given_up_by_its_name() {
     let rooted = effect("gyro_rooted", "k*sqrt(8.3 - fx)");
     assert_eq!(status(&rooted), 5);
     assert!(
-        stderr(&rooted).contains("gyro_rooted is no number at"),
+        stderr(&rooted).contains("gyro_rooted gives no number"),
         "{}",
         stderr(&rooted)
     );

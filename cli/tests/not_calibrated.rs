@@ -66,7 +66,10 @@ fn without_a_usable_turn_the_accelerometer_is_written_and_the_gyroscope_is_marke
     let folder = dir.path();
     write(folder, "gaps.csv", &with_gaps(session(3), 0));
     write(folder, "clipped.csv", &clipped(session(4)));
-    for (name, words) in [("gaps.csv", "with a gap"), ("clipped.csv", "saturated")] {
+    for (name, words) in [
+        ("gaps.csv", "with samples missing"),
+        ("clipped.csv", "faster than the gyroscope can read"),
+    ] {
         for method in ["auto", "joint", "stepwise"] {
             let call = [
                 "calibrate",

@@ -61,7 +61,7 @@ impl Fault {
             Self::Missing { shard } => {
                 let part = format!("{}/{}", shard.k, shard.n);
                 let missing = Finding::of(Kind::BatchPartMissing).detail("part", &part);
-                missing.remedy(Remedy::RunShard { shard: Some(part) })
+                missing.only_remedies([Remedy::RunShard { shard: Some(part) }])
             }
             Self::Lacks { index } => Finding::of(Kind::DeviceInNoPart).count("index", index + 1),
         }

@@ -144,7 +144,9 @@ parameters = [{ name = "k", unit = "1/(m/s^2)", typical = 1e-4 }]
         );
         let message = refused(&SWIRL.replace("x =", "q ="));
         assert!(
-            message.starts_with("a.toml:5:1: unknown field `q`"),
+            message.starts_with(
+                "a.toml:5:1: the program cannot read this place of the file: unknown field `q`"
+            ),
             "{message}"
         );
         let message = refused(&SWIRL.replace("accelerometer", "acelerometer"));

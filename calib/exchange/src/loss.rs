@@ -40,14 +40,19 @@ pub struct Loss {
 
 impl fmt::Display for Loss {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.finding().fmt(f)
+        f.write_str(&self.finding().what())
     }
 }
 
 impl Loss {
     /// The loss as a remark.
     pub fn finding(&self) -> Finding {
-        let lost = Finding::of(Kind::LostInExport).detail("what", &self.what);
+        self.as_kind(Kind::LostInExport)
+    }
+
+    /// The loss as a remark of a kind.
+    pub(crate) fn as_kind(&self, kind: Kind) -> Finding {
+        let lost = Finding::of(kind).detail("what", &self.what);
         let size = match (self.size, self.unit) {
             (Some(size), "m/s^2") => format!("{:.3} mm/s²", 1e3 * size),
             (Some(size), unit) => format!("{size:.3e} {unit}"),

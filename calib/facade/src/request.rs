@@ -8,7 +8,7 @@ use calib::intervals::{DetectorOptions, Span};
 use calib::methods::joint::{BiasNoise, ClockMode};
 use calib::recording::figure;
 use calib::residuals::Integrator;
-use findings::{Finding, Kind, Remedy};
+use findings::{Finding, Kind};
 use sensor::AnyEffect;
 
 use crate::{Catalogue, Error, Recording, Watch};
@@ -242,7 +242,7 @@ impl Request {
         let find = |name: &String| {
             let mut all = catalogue_with(self.catalogue.own());
             all.find(|effect| effect.name() == name).ok_or_else(|| {
-                let unknown = Finding::of(Kind::EffectUnknown).remedy(Remedy::ListEffects);
+                let unknown = Finding::of(Kind::EffectUnknown);
                 let unknown = unknown.detail("effect", format!("`{name}`"));
                 Error::usage(unknown.or_nearest(name, self.catalogue.names()))
             })

@@ -116,14 +116,20 @@ mod tests {
         for (text, said) in [
             (
                 "x + q*y",
-                "column 5: there is no `q`: the variables are x, y".to_owned(),
+                "column 5: there is no `q`: the variables are x, y; use one of these".to_owned(),
             ),
             ("x + ", format!("column 5: {value}, the end found")),
             ("x * * y", format!("column 5: {value}, `*` found")),
             ("(x + y", "column 7: `)` expected, the end found".into()),
             ("x y", "column 3: an operator expected, `y` found".into()),
-            ("x $ y", "column 3: `$` has no meaning here".into()),
-            ("1.2.3", "column 1: `1.2.3` is no number".into()),
+            (
+                "x $ y",
+                "column 3: `$` has no meaning here; remove it".into(),
+            ),
+            (
+                "1.2.3",
+                "column 1: `1.2.3` is no number; write it as in 1.5 or 2e-3".into(),
+            ),
         ] {
             assert_eq!(refused(text), said);
         }
@@ -156,7 +162,7 @@ mod tests {
             |d| d.y = "1 + k".into(),
             "y: is 1 at the nominal parameters",
         );
-        starts(|d| d.x = "k * sqrt(fy)".into(), "x: is NaN at");
+        starts(|d| d.x = "k * sqrt(fy)".into(), "x: is NaN in");
         starts(
             |d| d.name = "Swirl".into(),
             "name: `Swirl` found, a name in snake case",

@@ -134,7 +134,8 @@ impl NoiseSummary {
     /// Curves without any sensor.
     pub fn of(curves: &RecordingCurves) -> Result<Self, Error> {
         if curves.accelerometer.is_none() && curves.gyroscope.is_none() {
-            return Err(Error::not_enough(Finding::of(Kind::NoSamples)));
+            let found = Finding::of(Kind::NoSamples).only_remedies([]);
+            return Err(Error::not_enough(found));
         }
         let mut warnings = Findings::new();
         let mut settling = Vec::new();

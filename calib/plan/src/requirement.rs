@@ -165,7 +165,7 @@ impl Coverage {
             return found;
         }
         let placements = self.wanted.iter().map(Wanted::named).collect();
-        found.remedy(Remedy::AddPlacements { placements })
+        found.only_remedies([Remedy::AddPlacements { placements }])
     }
 
     /// `add 2 placements: 1) z up (a phone: flat on its back, screen up), 2) x down (…)`; empty where nothing is wanted.

@@ -132,8 +132,8 @@ mod tests {
     #[test]
     fn what_is_no_table_of_means_is_refused_with_its_place() {
         for (text, words) in [
-            ("", "no rows of static means"),
-            ("ax,ay,az\n", "m.csv:1: header found"),
+            ("", "no rows of means"),
+            ("ax,ay,az\n", "only a header"),
             ("t,gx,gy,gz\n1,2,3,4\n", "the columns `t`, `gx`"),
             ("1,2,3,4\n", "4 columns without a header"),
             ("ax,ay,az\n1,2,3\n1,two,3\n", "m.csv:3:3: `two` in column 2"),

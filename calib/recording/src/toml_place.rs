@@ -50,8 +50,7 @@ const KNOWN: usize = 800;
 /// ```
 pub fn explain_toml(message: &str) -> String {
     let line = in_one_line(message);
-    let hint = nearest(&line).map(|remedy| Finding::of(Kind::NotToml).remedy(remedy));
-    let hint = hint.and_then(|found| found.advice(Front::Plain));
+    let hint = nearest(&line).map(|remedy| remedy.text(Front::Plain));
     shortened(&line) + &hint.map_or(String::new(), |hint| format!("; {hint}"))
 }
 

@@ -108,7 +108,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         let _ = writeln!(text, "nothing is lost");
     }
     for lost in &export.lost {
-        let _ = writeln!(text, "lost: {lost}");
+        let _ = writeln!(text, "{lost}");
     }
     show::print(&show::wrapped(&text))
 }

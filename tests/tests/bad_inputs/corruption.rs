@@ -317,7 +317,7 @@ fn ranges_that_are_too_small() {
     let words = [
         "gyroscope x is saturated at -",
         "the gyroscope is not calibrated",
-        "saturated: 17",
+        "17 faster than the gyroscope can read",
         "larger range",
     ];
     let bench = Bench::with("r.csv", csv(&clipped(4..7, 1.2)));

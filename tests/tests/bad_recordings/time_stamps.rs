@@ -200,7 +200,7 @@ fn row_65_units_of_time_are_found_by_the_rate_or_the_header() {
         read_as_usual(text.replacen('t', &format!("time_{unit}"), 1), 200);
     }
     let text = stamped((0..200).map(|i| (i * 500).to_string()));
-    refused(text, "", &["step between stamps is 500", "--time-unit"]);
+    refused(text, "", &["Their usual step of 500", "--time-unit"]);
 }
 
 #[test]
@@ -248,7 +248,7 @@ fn row_68_dates_are_iso_or_by_pattern() {
         time_format: Some("%Y".to_owned()),
         ..ReadOptions::default()
     };
-    refused_with(&text, &other, "2:1", &["not of the pattern"]);
+    refused_with(&text, &other, "2:1", &["does not fit the date format"]);
 }
 
 #[test]

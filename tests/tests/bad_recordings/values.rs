@@ -285,6 +285,6 @@ fn row_103_sixteen_bits_that_overflow_are_refused() {
     refused(
         file(HEADER, &lines),
         "59",
-        &["gyroscope x", "16-bit overflow"],
+        &["gyroscope x", "beyond what 16 bits hold"],
     );
 }

@@ -23,7 +23,7 @@ const UNKNOWABLE: [(&str, Option<Method>, &str); 8] = [
     (
         "accel_misalignment_temperature",
         Some(Method::Stepwise),
-        "direction of the specific force",
+        "not at its direction",
     ),
     ("accel_room_field", None, "the orientation"),
     ("gyro_room_field", None, "the orientation"),
@@ -34,7 +34,7 @@ const UNKNOWABLE: [(&str, Option<Method>, &str); 8] = [
     (
         "accel_cross_axis",
         Some(Method::Stepwise),
-        "direction of the specific force",
+        "not at its direction",
     ),
 ];
 

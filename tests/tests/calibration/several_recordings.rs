@@ -252,7 +252,7 @@ fn the_same_readings_on_another_clock_are_not_counted_twice() {
     ] {
         let words = error.to_string();
         assert!(
-            words.contains("again: this recording has the readings of whole"),
+            words.contains("again: this recording repeats readings of whole"),
             "{words}"
         );
     }

@@ -215,7 +215,10 @@ fn the_turn_with_the_gap_is_refused_by_name_and_37_remain() {
         .calibration
         .warnings
         .texts(findings::Front::CommandLine);
-    let refused: Vec<_> = texts.iter().filter(|w| w.contains("gap of 1.4")).collect();
+    let refused: Vec<_> = texts
+        .iter()
+        .filter(|w| w.contains("missing for 1.4"))
+        .collect();
     assert_eq!(refused.len(), 1);
     assert!(
         refused[0].contains("rec_1: turn 6 (t = 27"),

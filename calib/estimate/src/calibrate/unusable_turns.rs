@@ -63,7 +63,7 @@ impl TurnCount {
         }
     }
 
-    /// `none of 24 turns can be used; with a gap: 23; saturated: 1`, and what to do.
+    /// `none of 24 turns can be used; 23 with samples missing; 1 faster than the gyroscope can read`, and what to do.
     pub fn finding(&self) -> Finding {
         if self.all == 0 {
             return Finding::of(Kind::TurnsMissing);
@@ -135,7 +135,7 @@ mod tests {
         assert_eq!(none.reason(), Some(NotCalibratedReason::NoUsableTurn));
         assert_eq!(
             none.finding().to_string(),
-            "none of 3 turns can be used; with a gap: 1; saturated: 2; turn more slowly, or record with a larger range of the sensor"
+            "none of 3 turns can be used; 1 with samples missing; 2 faster than the gyroscope can read; turn more slowly, or record with a larger range of the sensor"
         );
         let few = TurnCount::of(8, faults.iter());
         assert_eq!(few.reason(), Some(NotCalibratedReason::TooFewTurns));

@@ -36,7 +36,7 @@ pub use provenance::{
 };
 pub use units::{TriadUnits, check_units};
 
-use findings::{Finding, Findings, Kind, Remedy};
+use findings::{Finding, Findings, Kind};
 use nalgebra::{Matrix3, Vector3};
 use recording::intervals::Segmentation;
 use recording::shown::shown;
@@ -255,7 +255,7 @@ impl EffectValues {
             None => effect_named(&self.name)
                 .or(self.outside.map(|outside| outside.0))
                 .ok_or_else(|| {
-                    let unknown = Finding::of(Kind::EffectUnknown).remedy(Remedy::ListEffects);
+                    let unknown = Finding::of(Kind::EffectUnknown);
                     Box::new(unknown.detail("effect", shown(&self.name)))
                 }),
         }

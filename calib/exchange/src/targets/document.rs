@@ -22,8 +22,7 @@ pub fn not_applied(source: &Source<'_>) -> Vec<Finding> {
         ..Kept::base_of(source)
     };
     let left = losses(source, &applied).into_iter();
-    left.map(|loss| Finding::of(Kind::NotApplied).detail("loss", loss.to_string()))
-        .collect()
+    left.map(|loss| loss.as_kind(Kind::NotApplied)).collect()
 }
 
 /// A list of numbers, null as not a number; `None` of anything else.

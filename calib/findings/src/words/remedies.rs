@@ -190,8 +190,13 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
             return format!("if that is wrong, {}", given(any_of, front));
         }
         Remedy::Example { any_of } => {
-            let all: Vec<String> = any_of.iter().map(|s| example(s, front)).collect();
-            return format!("give {}", all.join(" or "));
+            let before = std::iter::once(None).chain(any_of.iter().map(|s| Some(s.option)));
+            let each = any_of.iter().zip(before);
+            let all = each.map(|(s, before)| match before == Some(s.option) {
+                true => s.text(front),
+                false => example(s, front),
+            });
+            return format!("give {}", all.collect::<Vec<_>>().join(" or "));
         }
         Remedy::Omit { option } => return omitted(*option, front),
         Remedy::NameUnit { example } => {

@@ -312,7 +312,7 @@ impl Source for Phyphox {
         let answer = self.client.samples(&self.path());
         let mut batch = match answer.and_then(|text| self.understood(&text)) {
             Ok((reply, fresh)) => self.take(&reply, fresh)?,
-            Err(cause) => self.no_answer(now, cause.text(Front::Plain))?,
+            Err(cause) => self.no_answer(now, cause.what())?,
         };
         if !std::mem::replace(&mut self.greeted, true) {
             let name = format!("phyphox, {}", self.experiment.title);

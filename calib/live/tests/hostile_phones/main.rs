@@ -111,9 +111,9 @@ fn an_ordinary_phone_is_no_hostile_one() {
 #[test]
 fn a_time_or_a_reading_that_no_phone_has_is_named_as_the_reason() {
     let expected = [
-        ("1e300 s", "1e300 s have passed"),
-        ("before the beginning", "-5e1 s have passed"),
-        ("1e308 m/s²", "1e308, as no sensor does"),
+        ("1e300 s", "a time of 1e300 s"),
+        ("before the beginning", "a time of -5e1 s"),
+        ("1e308 m/s²", "1e308, as no sensor gives"),
         ("a session every time", "restarted"),
     ];
     for (name, words) in expected {

@@ -136,7 +136,7 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
                     Finding::of(Kind::TimeUnitStated)
                         .detail("unit", unit.name())
                         .detail("rate", figure(rate))
-                        .remedy(Remedy::such_as(OptionName::TimeUnit, other.name())),
+                        .only_remedies([Remedy::such_as(OptionName::TimeUnit, other.name())]),
                 ))
             }
         };
@@ -187,7 +187,7 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
                 &table.name,
                 Finding::of(Kind::TimeUnitOpen)
                     .detail("step", figure(step))
-                    .remedy(Remedy::such_as(OptionName::TimeUnit, unit)),
+                    .only_remedies([Remedy::such_as(OptionName::TimeUnit, unit)]),
             ))
         }
     }

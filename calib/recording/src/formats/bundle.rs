@@ -150,10 +150,10 @@ fn only<'a>(files: &Files, found: &[Found<'a>]) -> Result<&'a Entry, Error> {
                 Finding::of(Kind::EntryOpen)
                     .count("count", names.len())
                     .detail("listed", names.join(", "))
-                    .remedy(Remedy::such_as(
+                    .only_remedies([Remedy::such_as(
                         OptionName::Entry,
                         shown(&likely.entry.name),
-                    )),
+                    )]),
             ))
         }
     }

@@ -95,7 +95,7 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
         return Err(in_file(
             name,
             match why {
-                Some(why) => found.detail("why", shown(&why.to_string())),
+                Some(why) => found.detail("why", shown(&why.what())),
                 None => found,
             },
         ));
@@ -114,7 +114,8 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
             name,
             match known {
                 Some(stream) => {
-                    found.remedy(Remedy::such_as(OptionName::Topic, shown(&stream.source)))
+                    let known = Remedy::such_as(OptionName::Topic, shown(&stream.source));
+                    found.only_remedies([known])
                 }
                 None => found,
             },
@@ -383,7 +384,7 @@ impl Chooser<'_> {
                 .of_sensor(sensor)
                 .count("count", streams.len())
                 .detail("listed", listed.join(", "))
-                .remedy(option),
+                .only_remedies([option]),
         )
     }
 }

@@ -140,7 +140,7 @@ impl Layout {
         }
         Err(Finding::of(Kind::NoSensorColumns)
             .detail("columns", shown_list(self.names.iter()))
-            .remedy(suggestion(&self.names))
+            .only_remedies([suggestion(&self.names)])
             .into())
     }
 
@@ -291,7 +291,7 @@ fn roles_by_name(
                     .count("second", index + 1)
                     .detail("second_name", shown(name))
                     .detail("role", role.name())
-                    .remedy(Remedy::such_as(OptionName::Columns, by_number))
+                    .only_remedies([Remedy::such_as(OptionName::Columns, by_number)])
                     .into());
             }
         }

@@ -284,7 +284,7 @@ impl Start {
                 let other = Finding::of(Kind::HeaderWidth)
                     .count("names", cells.len())
                     .count("width", width)
-                    .remedy(suggestion(&numbers));
+                    .only_remedies([suggestion(&numbers)]);
                 return Err(refuse(other.into()));
             }
             names.resize(width, String::new());
@@ -315,7 +315,7 @@ impl Start {
             let roles = told.or_else(|| self.undecided.then(|| unnamed.two_triads()));
             let roles = roles.ok_or_else(|| {
                 let unknown = Finding::of(Kind::NoHeader).count("width", width);
-                refuse(unknown.remedy(suggestion(&names)).into())
+                refuse(unknown.only_remedies([suggestion(&names)]).into())
             })?;
             // Four columns of a file that is known to hold one sensor need no comment.
             if only.is_none() && !self.undecided {

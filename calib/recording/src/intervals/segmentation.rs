@@ -76,7 +76,8 @@ impl TurnFault {
         let within = |kind: Kind, span: &Span| {
             let length = format!("{:.2}", span.length());
             let found = Finding::of(kind).between(span.from, span.to);
-            found.detail("length", length)
+            let found = found.detail("length", length);
+            found.detail("start", format!("{:.2} s", span.from))
         };
         match self {
             Self::Gap(span) => within(Kind::TurnGap, span),
@@ -91,7 +92,7 @@ impl TurnFault {
 
 impl std::fmt::Display for TurnFault {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        self.finding().fmt(f)
+        f.write_str(&self.finding().what())
     }
 }
 

@@ -11,7 +11,7 @@ pub(crate) mod table;
 
 mod careful;
 
-use findings::{Finding, Kind};
+use findings::{Finding, Kind, OptionName, Remedy};
 use std::io::Read;
 use std::ops::Range;
 
@@ -237,7 +237,9 @@ impl<'a> Rows<'a> {
         }
         if self.rows > self.options.max_rows {
             let limit = self.options.max_rows as usize;
+            let more = Remedy::such_as(OptionName::MaxRows, limit.saturating_mul(2).to_string());
             let found = Finding::of(Kind::TooManyRows).count("limit", limit);
+            let found = found.only_remedies([more]);
             return Err(at_line(&self.table.name, line, found));
         }
         Ok(())

@@ -120,7 +120,7 @@ impl Part {
                 Finding::of(Kind::RowsWithoutTime)
                     .in_file(&input.name)
                     .number("rate", usual, "Hz")
-                    .remedy(Remedy::such_as(OptionName::Rate, usual.to_string())),
+                    .only_remedies([Remedy::such_as(OptionName::Rate, usual.to_string())]),
             ));
         }
         let mut table = Table::read(input, self.only, origin, &options)?;

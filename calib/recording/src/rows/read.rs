@@ -81,7 +81,7 @@ impl Table {
             let names: Vec<String> = (1..=start.layout.width).map(|i| i.to_string()).collect();
             let found = Finding::of(Kind::NoHeaderNoForce)
                 .count("width", start.layout.width)
-                .remedy(suggestion(&names));
+                .only_remedies([suggestion(&names)]);
             return Err(at_line(&table.name, start.after + 1, found));
         }
         memory::room_to_work(&table.name, table.accel.t.len() + table.gyro.t.len())?;
@@ -105,7 +105,7 @@ impl Table {
             let found = Finding::of(Kind::NoHeaderSlow)
                 .count("width", start.layout.width)
                 .count("slow", slow)
-                .remedy(Remedy::such_as(OptionName::Columns, columns));
+                .only_remedies([Remedy::such_as(OptionName::Columns, columns)]);
             return Err(at_line(&self.name, start.after + 1, found));
         }
         let triads = [&self.accel.values[..], &self.gyro.values[..]];
@@ -147,7 +147,7 @@ impl Table {
         let names: Vec<String> = (1..=start.layout.width).map(|i| i.to_string()).collect();
         let found = Finding::of(Kind::NoHeaderUndecided)
             .count("width", start.layout.width)
-            .remedy(suggestion(&names));
+            .only_remedies([suggestion(&names)]);
         at_line(&self.name, start.after + 1, found)
     }
 

@@ -132,7 +132,8 @@ impl Files {
         let found = Finding::of(Kind::NoEntry)
             .detail("entry", shown(name))
             .detail("listed", self.listed());
-        in_file(&self.name, found)
+        let known = self.entries().iter().map(|entry| entry.name.as_str());
+        in_file(&self.name, found.or_nearest(name, known))
     }
 
     /// Builds the error that no entry is a recording.

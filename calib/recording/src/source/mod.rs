@@ -88,10 +88,10 @@ impl Source {
                     .number("rows", metadata.len() as f64 / 70.0, "count")
                     .detail("memory", bytes(metadata.len() as f64 / 70.0 * 128.0))
                     .detail("limit", bytes(options.max_bytes as f64))
-                    .remedy(Remedy::set_to(
+                    .only_remedies([Remedy::set_to(
                         OptionName::MaxBytes,
                         metadata.len().to_string(),
-                    )),
+                    )]),
             ));
         }
         let unchanged = metadata.is_file().then(|| Unchanged::new(path, &metadata));

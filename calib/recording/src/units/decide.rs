@@ -166,7 +166,7 @@ fn refuse_other_gravity(
     let found = match right {
         Some(right) => Finding::of(Kind::GravityInOtherUnit)
             .detail("right", right.name())
-            .remedy(Remedy::set_to(OptionName::AccelUnit, right.name())),
+            .only_remedies([Remedy::set_to(OptionName::AccelUnit, right.name())]),
         // Readings about zero are those of a sensor without gravity, which is said elsewhere.
         None if by_rests.is_none() || in_unit < LEAST / 4.0 => return Ok(()),
         None => {
@@ -206,10 +206,10 @@ fn unknown_unit(
         Finding::of(Kind::UnitStrange)
             .of_sensor(sensor)
             .detail("unit", shown(unit))
-            .remedy(Remedy::examples([
+            .only_remedies([Remedy::examples([
                 (option, example),
                 (OptionName::Columns, &factor),
-            ])),
+            ])]),
     )
 }
 
@@ -323,7 +323,7 @@ fn refuse_other_turns(
         Some(told) if told == unit => return Ok(()),
         Some(told) => Finding::of(Kind::TurnsInOtherUnit)
             .detail("told", told.name())
-            .remedy(Remedy::such_as(OptionName::GyroUnit, told.name())),
+            .only_remedies([Remedy::such_as(OptionName::GyroUnit, told.name())]),
         None => match wrong_by(accel, stream, unit) {
             None => return Ok(()),
             Some(factor) => Finding::of(Kind::TurnsOff).number("factor", factor, "1"),
@@ -374,7 +374,7 @@ fn refuse_restless_rest(
             .detail("unit", unit.name())
             .number("noise", noise, "rad/s")
             .number("bias", bias, "rad/s")
-            .remedy(Remedy::such_as(OptionName::GyroUnit, other.name())),
+            .only_remedies([Remedy::such_as(OptionName::GyroUnit, other.name())]),
     ))
 }
 

@@ -60,7 +60,9 @@ mod tests {
     fn a_misspelled_key_is_named_with_its_line_and_the_nearest_key() {
         let message = refused("seed = 1\nrtae = 3\n");
         assert!(
-            message.starts_with("a.toml:2:1: unknown field `rtae`"),
+            message.starts_with(
+                "a.toml:2:1: the program cannot read this place of the file: unknown field `rtae`"
+            ),
             "{message}"
         );
         assert!(message.ends_with("did you mean `rate`?"), "{message}");
@@ -74,8 +76,8 @@ mod tests {
     #[test]
     fn a_misspelled_effect_or_parameter_is_named_with_its_line() {
         let message = refused("[effects.gyro_drfit]\nx = 1e-6\n");
-        let expected = "a.toml:1:10: effects.gyro_drfit: there is no such effect; \
-                        did you mean `gyro_drift`?";
+        let expected = "a.toml:1:10: effects.gyro_drfit: there is no such effect (source of error); \
+                        did you mean `gyro_drift`?, or see which effects there are";
         assert_eq!(message, expected);
         let message = refused("[effects.gyro_warmup]\nx = 1e-6\ntua = 3.0\n");
         assert!(

@@ -139,9 +139,9 @@ mod tests {
         let found = refusal(&in_plane(Vector3::z()), Kind::PlacementsLeaveOpen)
             .detail("parameters", "accel.s_z");
         let words = found.to_string();
-        assert!(
-            words.starts_with("7 placements, 7 of which differ by more than 20°: not observable")
-        );
+        assert!(words.starts_with(
+            "7 placements, 7 of which differ by more than 20°: accel.s_z cannot be found"
+        ));
         assert!(words.contains(&plan::REQUIREMENT.to_string()), "{words}");
         let advice = found.advice(Front::Plain).unwrap();
         assert!(

@@ -339,7 +339,7 @@ mod tests {
     fn a_share_beyond_the_whole_is_not_known() {
         let words = [2.5e15, 1.2, f64::NAN, 0.314, 0.0567, 0.00031].map(|share| {
             let found = Finding::of(Kind::PlacementsTooFew);
-            known_to(found, "accel.s_x", share, (share, "share")).to_string()
+            known_to(found, "accel.s_x", share, (share, "share")).what()
         });
         let ends = [
             "accel.s_x is not known",

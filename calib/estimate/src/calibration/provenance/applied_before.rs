@@ -90,7 +90,7 @@ impl Calibration {
             by => system_name(by).to_owned(),
         };
         let own = match (own, self.readings(sensor)) {
-            ("", Readings::NotStated) => "none stated".to_owned(),
+            ("", Readings::NotStated) => "no stated system".to_owned(),
             (own, _) => of(own),
         };
         Some(

@@ -93,7 +93,7 @@ pub(crate) fn refuse(tables: &[Table]) -> Result<(), Error> {
                     file,
                     Finding::of(Kind::ColumnsUnclear)
                         .detail("columns", shown_list(unclear.iter()))
-                        .remedy(suggestion(&tables[0].names)),
+                        .only_remedies([suggestion(&tables[0].names)]),
                 ));
             }
             // Parts of a text have its columns under other numbers.
@@ -181,7 +181,7 @@ fn refuse_others(tables: &[Table]) -> Result<(), Error> {
                 Finding::of(Kind::SensorTwice)
                     .of_sensor(sensor)
                     .detail("columns", shown_list(others))
-                    .remedy(Remedy::such_as(OptionName::Columns, taken.join(","))),
+                    .only_remedies([Remedy::such_as(OptionName::Columns, taken.join(","))]),
             ));
         }
     }

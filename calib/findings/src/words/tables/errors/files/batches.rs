@@ -32,13 +32,13 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::DeviceTwice,
         "two devices have the same id, {device}",
-        "give each an id of its own in a manifest",
+        "name the devices in a manifest (table of devices), each with an id of its own",
         Vec::new,
     ),
     Entry::error(
         Kind::NoDevice,
-        "no device is in what was named",
-        "name a folder with a folder or a file for each device, or a manifest",
+        "the program found no device in it",
+        "name a folder with a folder or a file for each device, or a manifest (table of devices)",
         Vec::new,
     ),
     Entry::error(
@@ -49,14 +49,14 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::DeviceEffect,
-        "the manifest gives effect `{effect}`, which is not in the catalogue",
-        "correct the manifest",
-        Vec::new,
+        "the manifest (table of devices) names the source of error `{effect}`, which is not in the list of known ones",
+        "correct the name",
+        || vec![Remedy::ListEffects],
     ),
     Entry::error(
         Kind::DeviceUnit,
-        "the manifest gives {column} `{unit}`, which is no unit that is known",
-        "correct the manifest",
+        "the manifest (table of devices) gives {column} `{unit}`, which is no unit that the program knows",
+        "write a known unit, as m/s^2, g, rad/s, deg/s, uT or counts",
         Vec::new,
     ),
     Entry::error(
@@ -97,15 +97,15 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::PartForeign,
-        "of another run than was expected ({found}: {devices:device} in {shards:shard} by {program}; {expected}: {expected_devices:device} in {expected_shards:shard} by {expected_program} expected)",
-        "name only parts of one run",
+        "this part is of another run of the batch than the others. It is of run {found} ({devices:device} in {shards:part}, by {program}), the others of run {expected} ({expected_devices:device} in {expected_shards:part}, by {expected_program})",
+        "name only the parts of one run",
         Vec::new,
     ),
     Entry::error(
         Kind::BatchPartMissing,
         "part {part} of the batch is missing",
         "",
-        Vec::new,
+        || vec![Remedy::RunShard { shard: None }],
     ),
     Entry::error(
         Kind::DeviceInNoPart,
@@ -115,8 +115,8 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::PartsIncomplete,
-        "the parts of the batch make no whole",
-        "",
+        "the program cannot put the parts of the batch together",
+        "name all parts of one run, and run those again that are missing or damaged",
         Vec::new,
     ),
     Entry::error(
@@ -127,7 +127,7 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::DevicesTooFew,
-        "{found:device} with {parameters:parameter} in common are too few to learn from: at least {needed} are needed",
+        "{found:device} with {parameters:parameter} in common are too few to learn the typical values of a type: at least {needed} are needed",
         "calibrate more devices of the type",
         Vec::new,
     ),
@@ -151,8 +151,8 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::OverBudget,
-        "this device was not done after {seconds}, which is the time that each may take",
-        "allow more time, or give it less data",
+        "the program gave up this device after {seconds}, the longest time that a device may take (its budget)",
+        "run the batch again with a larger budget, or shorten the recording",
         Vec::new,
     ),
 ];

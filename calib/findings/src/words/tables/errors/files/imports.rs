@@ -18,8 +18,8 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::ImportEmpty,
-        "the file is empty",
-        "write it again",
+        "the file is empty, where an imu.yaml of Kalibr was expected",
+        "name the imu.yaml that Kalibr wrote",
         Vec::new,
     ),
     Entry::error(
@@ -36,14 +36,14 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::ModelUnknown,
-        "model: \"{found}\" found, one of {known} expected",
-        "name a file of one of these models",
+        "the file has the IMU model \"{found}\", and the program reads only {known}",
+        "run Kalibr again with one of these models",
         Vec::new,
     ),
     Entry::error(
         Kind::NoRotation,
-        "{entry}: no rotation, whose rows are of length 1 and at right angles",
-        "check whether the file was edited",
+        "{entry} is no rotation: its rows must have length 1, stand at right angles and mirror nothing",
+        "undo what was edited in the file, or run Kalibr again",
         Vec::new,
     ),
     Entry::error(
@@ -66,8 +66,8 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::EntrySingular,
-        "{entry}: the matrix has no inverse: its axes lie in one plane, as no sensor's do",
-        "check whether the file was edited",
+        "{entry}: the three axes of this matrix lie in one plane, as no sensor's do. So it has no inverse",
+        "undo what was edited in the file, or write it again by the tool that made it",
         Vec::new,
     ),
     Entry::error(

@@ -8,14 +8,14 @@ use crate::words::entry::Entry;
 pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     note(
         Kind::FrameTurned,
-        "Kalibr's axes are turned by {angle} against those of the calibration: its matrix M is lower triangular, and the program has turned the parameters to it",
+        "Kalibr lays the axes of the sensors otherwise, turned by {angle} against those of the calibration. The program has turned the parameters to Kalibr's axes",
         "",
         Vec::new,
     ),
     note(
         Kind::TopicToAdd,
-        "the file that was written names no topic of the IMU, which Kalibr needs",
-        "add a line `rostopic` with the topic to the file",
+        "Kalibr needs the topic of the IMU (the name of its stream of messages), and the file that was written has none",
+        "add a line `rostopic: /imu0` with your topic to the file",
         Vec::new,
     ),
     note(
@@ -26,8 +26,8 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     note(
         Kind::OffsetsMeasuredAgain,
-        "{system} measures the gyroscope's offsets again at every start unless {parameter} is 0",
-        "",
+        "{system} measures the gyroscope's offsets (readings at rest) again at every start, and then those of the file are lost",
+        "set {parameter} to 0 if the offsets of the file shall stay",
         Vec::new,
     ),
     note(
@@ -38,9 +38,8 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     note(
         Kind::MaybeCorrected,
-        "the parameters are for what the sensors read. If the recording is of {stream}, {system} had \
-         corrected it by the parameters that were in force",
-        "",
+        "the parameters are for the sensor's own readings. A recording of {stream} holds readings that {system} had corrected before, by its parameters of that time",
+        "do nothing if the recording holds the sensor's own readings",
         || vec![Remedy::set(OptionName::LoggedWith)],
     ),
     note(
@@ -57,13 +56,13 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     note(
         Kind::NotApplied,
-        "the functions that were written do not apply {loss}. Its parameters are in the file",
+        "the functions that were written leave out {what}[: an error of up to {size} at {signal}]. Its numbers are in the file beside them",
         "",
         Vec::new,
     ),
     note(
         Kind::LostInExport,
-        "{what}[: up to {size} at {signal}]",
+        "the export leaves out {what}[: an error of up to {size} at {signal}]",
         "",
         Vec::new,
     ),

@@ -1,7 +1,7 @@
 //! Words of columns that are missing, or not understood.
 
 use crate::kind::Kind;
-use crate::remedy::Remedy;
+use crate::remedy::{OptionName, Remedy};
 use crate::words::entry::Entry;
 
 pub(in super::super::super) const ENTRIES: &[Entry] = &[
@@ -13,15 +13,20 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::NoSensorColumns,
-        "the table has no accelerometer and no gyroscope columns among {columns}; expected t,ax,ay,az,gx,gy,gz, and temp if any",
-        "",
-        Vec::new,
+        "the program finds no columns of an accelerometer or a gyroscope among {columns}",
+        "name the columns t,ax,ay,az,gx,gy,gz (and temp for a temperature)",
+        || {
+            vec![Remedy::such_as(
+                OptionName::Columns,
+                "t=1,ax=2,ay=3,az=4,gx=5,gy=6,gz=7",
+            )]
+        },
     ),
     Entry::error(
         Kind::ColumnsAlike,
-        "the columns {first} (`{first_name}`) and {second} (`{second_name}`) can both be {role}",
+        "the program cannot tell which column is {role}: column {first} (`{first_name}`) or column {second} (`{second_name}`)",
         "",
-        Vec::new,
+        || vec![Remedy::such_as(OptionName::Columns, "ax=2")],
     ),
     Entry::error(
         Kind::ColumnForTwo,
@@ -32,14 +37,19 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::NoSuchColumn,
         "{role}={wanted}: no such column among {count}[; nearest: `{nearest}`]",
-        "",
+        "name a column that is there, by its name or its number",
         Vec::new,
     ),
     Entry::error(
         Kind::ColumnsUnclear,
-        "the names of the columns tell no accelerometer and no gyroscope, but the columns {columns} change and are not used",
+        "the program cannot tell from the names of the columns which are the accelerometer's and which the gyroscope's. The columns {columns} may be theirs",
         "",
-        Vec::new,
+        || {
+            vec![Remedy::such_as(
+                OptionName::Columns,
+                "t=1,ax=2,ay=3,az=4,gx=5,gy=6,gz=7",
+            )]
+        },
     ),
     Entry::error(
         Kind::SensorUnclear,
@@ -49,9 +59,9 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::SensorTwice,
-        "the table has more than one {sensor}: the columns {columns} are there as well",
+        "the table has the columns of more than one {sensor}, and the program cannot tell which are meant. The further ones are {columns}",
         "",
-        Vec::new,
+        || vec![Remedy::such_as(OptionName::Columns, "ax=2,ay=3,az=4")],
     ),
     Entry::error(
         Kind::ColumnsWithoutGravity,
@@ -79,33 +89,58 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::HeaderWidth,
-        "the header has {names} names, the rows have {width} cells: are two names glued together?",
-        "",
-        Vec::new,
+        "the header has {names:name} and the rows have {width:cell}, so that the program cannot tell which name is of which cell",
+        "correct the header (perhaps two names lack a separator)",
+        || {
+            vec![Remedy::such_as(
+                OptionName::Columns,
+                "t=1,ax=2,ay=3,az=4,gx=5,gy=6,gz=7",
+            )]
+        },
     ),
     Entry::error(
         Kind::NoHeader,
-        "the table has {width} columns without a header, and gravity does not tell which are which",
-        "",
-        Vec::new,
+        "the table has {width:column} without a header (a row of names), and the readings do not show which columns are which",
+        "write the names above the rows, as in t,ax,ay,az,gx,gy,gz",
+        || {
+            vec![Remedy::such_as(
+                OptionName::Columns,
+                "t=1,ax=2,ay=3,az=4,gx=5,gy=6,gz=7",
+            )]
+        },
     ),
     Entry::error(
         Kind::NoHeaderNoForce,
-        "the table has {width} columns without a header, and all rest at one reading in all orientations, as a gyroscope does and no accelerometer",
+        "the table has {width:column} without a header (a row of names). None shows gravity: all read the same at rest in every orientation, as a gyroscope does",
         "",
-        Vec::new,
+        || {
+            vec![Remedy::such_as(
+                OptionName::Columns,
+                "t=1,ax=2,ay=3,az=4,gx=5,gy=6,gz=7",
+            )]
+        },
     ),
     Entry::error(
         Kind::NoHeaderSlow,
-        "the table has {width} columns without a header, of which {slow} hardly changes beside the others: a temperature?",
+        "the table has {width:column} without a header (a row of names). Column {slow} hardly changes beside the others, so it may be a temperature",
         "",
-        Vec::new,
+        || {
+            vec![Remedy::such_as(
+                OptionName::Columns,
+                "t=1,ax=2,ay=3,az=4,gx=5,gy=6,gz=7,temp=8",
+            )]
+        },
     ),
     Entry::error(
         Kind::NoHeaderUndecided,
-        "the table has {width} columns without a header, and neither gravity nor what changes between rests tells which are the accelerometer's",
-        "",
-        Vec::new,
+        "the table has {width:column} without a header (a row of names), and the readings do not show which are the accelerometer's",
+        "write the names above the rows, as in t,ax,ay,az,gx,gy,gz",
+        || {
+            vec![Remedy::such_as(
+                OptionName::Columns,
+                "t=1,ax=2,ay=3,az=4,gx=5,gy=6,gz=7",
+            )]
+        },
     ),
     Entry::error(
         Kind::OtherSensor,
@@ -145,19 +180,19 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::NoStaticMeans,
-        "[{found} found, ]no rows of static means",
-        "write one row ax,ay,az for each placement",
+        "the file has no rows of means of the readings at rest[, only a {found}]",
+        "write a row with the means ax,ay,az for each placement",
         Vec::new,
     ),
     Entry::error(
         Kind::StaticMeansColumns,
-        "the file of static means has the columns {columns}, ax,ay,az expected",
+        "the file of means at rest has the columns {columns}, where ax,ay,az are expected",
         "correct the names",
         Vec::new,
     ),
     Entry::error(
         Kind::StaticMeansWidth,
-        "the file of static means has {width} columns without a header, and ax,ay,az are three",
+        "the file of means at rest has {width:column} without a header, and ax,ay,az are three",
         "write the names above the rows, as in ax,ay,az",
         Vec::new,
     ),

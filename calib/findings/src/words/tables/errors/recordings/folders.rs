@@ -7,14 +7,14 @@ use crate::words::entry::Entry;
 pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::SensorUnused,
-        "no file is known to hold the second sensor, and the table {table}, which is not used, may hold it[; {archive} is unpacked before its files are named]",
-        "name the file that was recognised by itself",
+        "the program found the file of one sensor only. The table {table} may hold the other sensor[; {archive} has to be unpacked before its files can be named]",
+        "name the found file alone to go without the other sensor",
         || vec![Remedy::FilePerSensor],
     ),
     Entry::error(
         Kind::NoEntry,
-        "it has no file `{entry}`; found {listed}",
-        "name one of these",
+        "the folder or archive has no file `{entry}`; it holds {listed}",
+        "name one of these files, or add the one that is missing",
         Vec::new,
     ),
     Entry::error(
@@ -25,9 +25,9 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::EntryOpen,
-        "the program cannot tell which recording is meant: there are {count} recordings in it: {listed}",
+        "the folder or archive holds {count:recording}, and the program cannot tell which is meant: {listed}",
         "",
-        Vec::new,
+        || vec![Remedy::such_as(OptionName::Entry, "session1.csv")],
     ),
     Entry::error(
         Kind::FilesOfOneSensor,
@@ -57,9 +57,16 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::ColumnsOfLog,
-        "columns were given, as tables of text have, and this file is none",
+        "columns were given, but this file is a log. It has named streams of messages (topics) and no columns",
         "",
-        || vec![Remedy::any_of([OptionName::Topic, OptionName::Instance])],
+        || {
+            vec![
+                Remedy::Omit {
+                    option: OptionName::Columns,
+                },
+                Remedy::any_of([OptionName::Topic, OptionName::Instance]),
+            ]
+        },
     ),
     Entry::error(
         Kind::InstanceNotNumber,
@@ -93,15 +100,20 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::LogSensorUnclear,
-        "the file has no {sensor} that the program recognises, but {unclear} may be one and is not read",
-        "rename it, or go on without this sensor and choose what is to be read",
-        Vec::new,
+        "the program recognises no {sensor} in the file, but {unclear} may be one",
+        "rename it after its sensor, or go on without the {sensor} and name what is to be read",
+        || vec![Remedy::set(OptionName::Topic)],
     ),
     Entry::error(
         Kind::LogSensorsOpen,
         "the file has {count} {sensor}s, and the program cannot tell which is meant: {listed}",
         "",
-        Vec::new,
+        || {
+            vec![Remedy::examples([
+                (OptionName::Topic, "/imu"),
+                (OptionName::Instance, "0"),
+            ])]
+        },
     ),
     Entry::error(
         Kind::LoggedSlowly,

@@ -1,15 +1,15 @@
 //! Words of static intervals that are given, missing or too few.
 
 use crate::kind::Kind;
-use crate::remedy::Remedy;
+use crate::remedy::{OptionName, Remedy};
 use crate::words::entry::Entry;
 
 pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::NoSamples,
-        "a sensor has no samples",
-        "record the sensor again, or calibrate without it",
-        Vec::new,
+        "the accelerometer or the gyroscope has no samples",
+        "record that sensor again",
+        || vec![Remedy::set(OptionName::Sensor)],
     ),
     Entry::error(
         Kind::TooShort,
@@ -19,9 +19,9 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::SampledSlowly,
-        "the recording has a sample every {step} ({rate}): too few to follow a turn, and the detector's window of {window} holds fewer than {least}",
-        "",
-        || vec![Remedy::SampleFaster],
+        "the recording has a sample every {step} ({rate}), too few to follow a turn. The search for rests needs {least} or more in {window}",
+        "record at 100 Hz or more",
+        Vec::new,
     ),
     Entry::error(
         Kind::SectionsColumns,

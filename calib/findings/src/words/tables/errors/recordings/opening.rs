@@ -37,15 +37,15 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::FileTooLarge,
-        "the file has {size}, about {rows} rows that need {memory} of memory; the limit is {limit}",
+        "the file has {size}, more than the limit of {limit}. Its rows (about {rows}) need {memory} of memory",
         "",
-        Vec::new,
+        || vec![Remedy::set(OptionName::MaxBytes)],
     ),
     Entry::error(
         Kind::TooManyBytes,
-        "the file has more than {limit} bytes[ of {what}], which is the limit",
-        "",
-        || vec![Remedy::set(OptionName::MaxBytes)],
+        "the file has more than {limit} bytes[ of {what}], the most that the program reads",
+        "cut the recording into parts",
+        || vec![Remedy::such_as(OptionName::MaxBytes, "40000000000")],
     ),
     Entry::error(
         Kind::SeveralFiles,
@@ -143,9 +143,9 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::TooManyRows,
-        "the recording has more than {limit} rows, which is the limit",
-        "",
-        || vec![Remedy::set(OptionName::MaxRows)],
+        "the recording has more than {limit} rows, the most that the program reads",
+        "cut the recording into parts",
+        || vec![Remedy::such_as(OptionName::MaxRows, "400000000")],
     ),
     Entry::error(
         Kind::TooLargeForMemory,

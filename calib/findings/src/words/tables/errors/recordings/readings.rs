@@ -43,7 +43,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::Overflow,
-        "{sensor} {axis} jumps from {from} to {to}: a 16-bit overflow",
+        "{sensor} {axis} jumps from {from} to {to}: the true value grew beyond what 16 bits hold, and the number wrapped round",
         "",
         || vec![Remedy::LargerRange],
     ),
@@ -73,9 +73,9 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::DevicesInTable,
-        "the table has rows of {count} devices, told apart by {column}: {listed}",
+        "the table has rows of {count:device}, told apart by {column}: {listed}",
         "",
-        Vec::new,
+        || vec![Remedy::such_as(OptionName::Instance, "1")],
     ),
     Entry::error(
         Kind::DeviceMissing,

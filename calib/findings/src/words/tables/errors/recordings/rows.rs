@@ -67,8 +67,8 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::DecimalComma,
-        "`{cell}` in {column} has a comma as decimal mark, in a file of points",
-        "export with one decimal mark",
+        "`{cell}` in {column} has a decimal comma, and the other numbers of the file have decimal points",
+        "export the file with decimal points only",
         Vec::new,
     ),
     Entry::error(
@@ -96,9 +96,14 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::DateOther,
-        "`{cell}` in {column} is not of the pattern that was given",
+        "`{cell}` in {column} does not fit the date format that was given",
         "",
-        || vec![Remedy::set(OptionName::TimeFormat)],
+        || {
+            vec![Remedy::such_as(
+                OptionName::TimeFormat,
+                "%d.%m.%Y %H:%M:%S%.f",
+            )]
+        },
     ),
     Entry::error(
         Kind::NotANumber,

@@ -7,15 +7,20 @@ use crate::words::entry::Entry;
 pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::NoTime,
-        "the table has no time column[; {likely} may be one]",
+        "the table has no column with the time of each row[; {likely} may be one]",
         "",
-        Vec::new,
+        || {
+            vec![Remedy::examples([
+                (OptionName::Rate, "100"),
+                (OptionName::Columns, "t=1"),
+            ])]
+        },
     ),
     Entry::error(
         Kind::RowsWithoutTime,
-        "the rows of this file have no time stamps: the program that wrote it takes {rate} unless it was changed",
+        "the rows of this file have no time stamps. The program that wrote it takes {rate} unless it was changed",
         "",
-        Vec::new,
+        || vec![Remedy::such_as(OptionName::Rate, "100")],
     ),
     Entry::error(
         Kind::ExpressionOfDates,
@@ -37,15 +42,15 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::TimeUnitStated,
-        "the file states {unit} for the time stamps, in which the rate would be {rate} Hz, as no sensor has",
+        "the file states {unit} for the time stamps. In this unit the sampling rate would be {rate} Hz, as no sensor has",
         "",
-        Vec::new,
+        || vec![Remedy::such_as(OptionName::TimeUnit, "ms")],
     ),
     Entry::error(
         Kind::TimeUnitOpen,
-        "the usual step between stamps is {step}, which fits no unit of time that the program knows",
+        "the program cannot tell the unit of the time stamps. Their usual step of {step} makes a usual rate in no unit that it knows",
         "",
-        Vec::new,
+        || vec![Remedy::such_as(OptionName::TimeUnit, "ms")],
     ),
     Entry::error(
         Kind::StampsByOne,
@@ -84,8 +89,8 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::ClocksRestartApart,
-        "the clock of one sensor begins again, and that of the other does not as often ({most} recordings in all): are both of one recording?",
-        "split both files where a clock begins again",
+        "the time stamps of one sensor begin again more often than those of the other ({most:recording} in all). So the program cannot tell what belongs together",
+        "split both files where the stamps begin again, and calibrate the pairs that belong together",
         Vec::new,
     ),
     Entry::error(
@@ -112,8 +117,8 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::SumOfOtherStamps,
-        "the acceleration without gravity and gravity have other stamps, so that their sum is not what the sensor reads",
-        "[record again with {streams} switched on]",
+        "gravity and the acceleration without gravity have different time stamps. So the program cannot add them to what the sensor reads",
+        "record the accelerometer with gravity[, as {streams}]",
         Vec::new,
     ),
     Entry::error(

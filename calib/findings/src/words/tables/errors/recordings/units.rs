@@ -13,20 +13,26 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::GravityOfNoUnit,
-        "at rest the accelerometer's readings have the length {radius}, which is gravity in no unit that the program knows",
+        "at rest the accelerometer's readings have the length {radius}, which is gravity in no unit that the program knows. They may be raw whole numbers (counts)",
         "",
         || {
             vec![Remedy::examples([
-                (OptionName::AccelUnit, "m/s^2"),
                 (OptionName::AccelUnit, "counts"),
+                (OptionName::AccelUnit, "m/s^2"),
             ])]
         },
     ),
     Entry::error(
         Kind::UnitStrange,
-        "the file states {unit} for the {sensor}, which is no known unit, and the readings do not tell their unit either",
+        "the file states {unit} for the {sensor}, which is no unit that the program knows. The readings do not show their unit either",
         "",
-        Vec::new,
+        || {
+            vec![Remedy::examples([
+                (OptionName::AccelUnit, "m/s^2"),
+                (OptionName::GyroUnit, "deg/s"),
+                (OptionName::Columns, "ax=NAME*0.001"),
+            ])]
+        },
     ),
     Entry::error(
         Kind::GravityRemoved,
@@ -42,31 +48,36 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::GravityInOtherUnit,
-        "at rest the accelerometer reads {radius} in all directions, which is gravity in {right}, not in {unit}, as {by} says",
+        "at rest the accelerometer reads {radius} in all orientations. That is gravity in {right}, and {by} says {unit}",
         "",
-        Vec::new,
+        || vec![Remedy::set_to(OptionName::AccelUnit, "g")],
     ),
     Entry::error(
         Kind::GravityOff,
-        "at rest the accelerometer reads {radius} in all directions, which is {ratio} times gravity in {unit}, as {by} says",
+        "at rest the accelerometer reads {radius} in all orientations, which is {ratio} times gravity in {unit}, as {by} says. They may be raw whole numbers (counts)",
         "",
         || vec![Remedy::set_to(OptionName::AccelUnit, "counts")],
     ),
     Entry::error(
         Kind::TurnsImpossible,
-        "the file states {unit} for the gyroscope, and in that unit the device would turn faster than {fastest} again and again",
+        "the file states {unit} for the gyroscope. In that unit the device would often turn faster than {fastest}, as no hand turns it",
         "",
-        || vec![Remedy::such_as(OptionName::GyroUnit, "counts")],
+        || {
+            vec![Remedy::examples([
+                (OptionName::GyroUnit, "deg/s"),
+                (OptionName::GyroUnit, "counts"),
+            ])]
+        },
     ),
     Entry::error(
         Kind::TurnsInOtherUnit,
-        "{by} {unit} for the gyroscope, but its turns are those that the accelerometer saw in {told}",
+        "{by} {unit} for the gyroscope. But its turns agree with those that the accelerometer saw only in {told}",
         "",
-        Vec::new,
+        || vec![Remedy::such_as(OptionName::GyroUnit, "deg/s")],
     ),
     Entry::error(
         Kind::TurnsOff,
-        "{by} {unit} for the gyroscope, but its turns went about {factor} times as far by what the accelerometer saw: the unit of the gyroscope or of the time stamps is another",
+        "{by} {unit} for the gyroscope. But the accelerometer saw turns about {factor} times as far, so the unit of the gyroscope or of the time stamps is wrong",
         "",
         || {
             vec![Remedy::examples([
@@ -78,9 +89,9 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::RestlessRest,
-        "the gyroscope rests throughout, so that no turn tells its unit. In {unit} its noise would be {noise} and its bias {bias}, as no gyroscope has",
+        "the device never turns, so that no turn shows the gyroscope's unit. In {unit} its noise would be {noise} and its bias (mean at rest) {bias}, as no gyroscope has",
         "",
-        Vec::new,
+        || vec![Remedy::such_as(OptionName::GyroUnit, "deg/s")],
     ),
     Entry::error(
         Kind::SensorsSwapped,

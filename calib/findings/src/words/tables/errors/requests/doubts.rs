@@ -1,7 +1,7 @@
 //! Words of calibrations that seem to be of another device, and of what was corrected before.
 
 use crate::kind::Kind;
-use crate::remedy::Remedy;
+use crate::remedy::{OptionName, Remedy};
 use crate::words::entry::Entry;
 
 pub(in super::super::super) const ENTRIES: &[Entry] = &[
@@ -13,20 +13,20 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::doubt(
         Kind::DirectionOff,
-        "corrected by this calibration the gyroscope misses gravity by {rms} through {count:turn}[; it left {usual} of its own recordings]. The calibration may be of another device, or for another unit, sign or order of the axes",
-        "",
+        "after {count:turn} the corrected gyroscope misses the direction of gravity by {rms} (rms)[, and in the calibration's own recordings by {usual}]. The calibration may be of another device, or for another unit, sign or order of the axes",
+        "check the units and columns of the recording",
         || vec![Remedy::OwnCalibration],
     ),
     Entry::doubt(
         Kind::NormOff,
-        "corrected by this calibration the specific force at rest differs from gravity by {rms} rms[; it left {usual} of its own recordings]. The calibration may be of another device",
+        "at rest the corrected reading of the accelerometer differs from gravity by {rms} (rms)[, and in the calibration's own recordings by {usual}]. The calibration may be of another device",
         "",
         || vec![Remedy::OwnCalibration],
     ),
     Entry::doubt(
         Kind::CorrectedOtherwise,
-        "{by} had corrected the readings of the {sensor} before, and {own} those that the calibration is of: the calibration does not hold for them",
-        "use the calibration on readings of one kind",
+        "{by} had corrected the readings of the {sensor} in this recording before, and {own} those behind the calibration. So the calibration does not hold for this recording",
+        "use it on readings that were corrected in the same way, or calibrate from such as these",
         Vec::new,
     ),
     Entry::doubt(
@@ -49,14 +49,14 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::doubt(
         Kind::EffectOfRecordings,
-        "the calibration does not say which recordings it is from, and its effect {effect} holds in those only ({parameter} = {value})",
-        "use it on those recordings only, or calibrate without the effect",
+        "the calibration has a source of error ({effect}) that holds only in its own recordings ({parameter} = {value}). It does not name them",
+        "use it on those recordings only, or calibrate again without {effect}",
         Vec::new,
     ),
     Entry::doubt(
         Kind::OnlyRestAnalysed,
-        "the device moved, and the program analyses only the longest static interval, {at}",
-        "",
-        Vec::new,
+        "the device moved during the recording. The program analyses only the longest rest, {at}",
+        "leave the device alone for the whole recording next time",
+        || vec![Remedy::such_as(OptionName::Rest, "60,3600")],
     ),
 ];

@@ -43,15 +43,15 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::EffectNeedsStart,
-        "the effect {effect} needs the time since the start of the recording that its {parameter} = {value} was found in ({inputs}), and what that is here cannot be known",
-        "calibrate with recordings from one side of the instant only",
+        "the calibration has a source of error ({effect}) that changes at the time {parameter} = {value} of {inputs}. The program cannot know that moment in this recording",
+        "calibrate again from recordings that lie all before or all after that moment",
         Vec::new,
     ),
     Entry::error(
         Kind::EffectNeedsHeading,
-        "the effect {effect} needs the orientation of the device, which cannot be known: its {parameter} is against the heading of another recording ({inputs})",
-        "calibrate by the joint method with the latitude instead, which keeps it out of the calibration",
-        || vec![Remedy::set_to(OptionName::Method, "joint")],
+        "the calibration has a source of error ({effect}) whose {parameter} depends on the heading of the device in {inputs}. The program cannot know the heading in this recording",
+        "calibrate again with the latitude and by the joint method (the usual one), which keeps it out of the calibration",
+        Vec::new,
     ),
     Entry::error(
         Kind::EffectNeedsAttitude,
@@ -61,8 +61,8 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::EffectNeedsInstant,
-        "the effect {effect} needs the time {parameter}, which a calibration cannot find",
-        "leave the effect out",
+        "the source of error {effect} begins at an unknown time ({parameter}), and a calibration cannot find such a time",
+        "leave it out of the model",
         || vec![Remedy::Discover],
     ),
     Entry::error(
@@ -73,20 +73,20 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::EffectsAlike,
-        "{parameters} cannot be told apart: they need the direction of the specific force, and the stepwise method knows only its size at static intervals",
+        "the stepwise method cannot tell {parameters} apart: at rest it looks only at the length of the accelerometer's reading, not at its direction",
         "",
         || vec![Remedy::set_to(OptionName::Method, "joint")],
     ),
     Entry::error(
         Kind::EffectCostly,
-        "the effect {effect} took more steps than a fit of this recording may take, without getting anywhere: it changes too fast with what it depends on, or is too costly",
-        "write it with fewer functions of smaller arguments",
+        "your source of error {effect} took more steps than a fit of this recording may take. Its formula changes too fast with its quantities, or is too long",
+        "write the formula with fewer functions and smaller arguments",
         Vec::new,
     ),
     Entry::error(
         Kind::EffectNoNumber,
-        "the effect {effect} is no number at a specific force of {force} m/s² and a rate of {rate} rad/s with parameters {parameters}",
-        "write it so that it is a number in every motion",
+        "the formula of your source of error {effect} gives no number, as in a division by zero. It happens at the corrected accelerometer reading {force} m/s² and the rate {rate} rad/s, with the parameters {parameters}",
+        "write the formula so that it is a number in every motion",
         Vec::new,
     ),
     Entry::error(
@@ -97,14 +97,14 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::EffectNotHere,
-        "the calibration has the effect {effect}, and this program does not know what it does",
-        "load it with the crate that has it (`load_with`)",
+        "the calibration has a source of error ({effect}) that this program does not know",
+        "use the program that made the calibration, or in Rust load it with the crate that defines {effect} (`load_with`)",
         Vec::new,
     ),
     Entry::error(
         Kind::EffectsLookFurther,
-        "the calibration has effects that look at more than one reading",
-        "use `apply`",
+        "the calibration has sources of error that depend on more than one reading, so single readings cannot be corrected",
+        "correct the whole recording by `apply`",
         Vec::new,
     ),
 ];

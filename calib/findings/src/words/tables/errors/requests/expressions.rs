@@ -30,8 +30,8 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::NoNumberInMotion,
-        "[{key}: ]is {value} at the typical parameters in some motion, where a number is needed",
-        "write it so that it is a number in every motion",
+        "[{key}: ]is {value} in some motion with parameters of a typical size, where a number is needed",
+        "write it so that it is a number in every motion, as without divisions by what may be zero",
         Vec::new,
     ),
     Entry::error(
@@ -55,13 +55,13 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::ExpressionNoNumber,
         "[{key}: ][`{text}`, ]column {column}: `{found}` is no number",
-        "",
+        "write it as in 1.5 or 2e-3",
         Vec::new,
     ),
     Entry::error(
         Kind::ExpressionCharacter,
         "[{key}: ][`{text}`, ]column {column}: `{found}` has no meaning here",
-        "",
+        "remove it",
         Vec::new,
     ),
     Entry::error(
@@ -97,7 +97,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::VariableUnknown,
         "[{key}: ][`{text}`, ]column {column}: there is no `{found}`: the variables are {known}",
-        "",
+        "use one of these",
         Vec::new,
     ),
 ];

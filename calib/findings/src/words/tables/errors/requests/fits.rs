@@ -4,17 +4,22 @@ use crate::kind::Kind;
 use crate::words::entry::Entry;
 
 pub(in super::super::super) const ENTRIES: &[Entry] = &[
-    Entry::error(Kind::Cancelled, "cancelled", "", Vec::new),
+    Entry::error(
+        Kind::Cancelled,
+        "the work was cancelled before it had a result",
+        "run it again",
+        Vec::new,
+    ),
     Entry::error(
         Kind::SolverRefused,
-        "the solver cannot fit the model[: {reason}]",
-        "check the recording and its units",
+        "the program cannot fit the model to the recording: {reason}",
+        "check the units and the columns of the recording",
         Vec::new,
     ),
     Entry::error(
         Kind::FitStopped,
-        "the {sensor}'s fit stopped after {steps} steps ({ending})[ and leaves {left} of the norms]",
-        "[check that the gravity of {gravity} is right and that the device was still in its static intervals]",
+        "the fit of the {sensor} came to no end in {steps:step} ({ending})[: its readings at rest still differ from gravity by {left}]",
+        "check that [the gravity of {gravity} is right and that ]the device was still in its static intervals",
         Vec::new,
     ),
     Entry::error(
@@ -25,8 +30,8 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::AxesSame,
-        "six positions: the six rests do not determine three different axes (I + M has no inverse)",
-        "check that no two axes are the same",
+        "the six placements do not determine three different axes of the sensor: two of its axes look the same",
+        "check that no column is given twice and that each axis was once up and once down",
         Vec::new,
     ),
     Entry::error(

@@ -1,19 +1,20 @@
 //! Words of names that nothing has, or that something else has.
 
 use crate::kind::Kind;
+use crate::remedy::Remedy;
 use crate::words::entry::Entry;
 
 pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::EffectUnknown,
-        "[{key}: ]there is no such effect[: {effect} is not in the catalogue]",
+        "[{key}: ]there is no such effect (source of error)[: {effect} is not in the list of known ones]",
         "",
-        Vec::new,
+        || vec![Remedy::ListEffects],
     ),
     Entry::error(
         Kind::ParameterUnknown,
         "[{key}: ]there is no such parameter[: `{effect}` has {known}]",
-        "",
+        "correct the name",
         Vec::new,
     ),
     Entry::error(

@@ -49,7 +49,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::InstantOutside,
-        "{time} s of recording {recording} to leave out: a stamp and a recording from 1 to {recordings} expected",
+        "the program cannot leave out t = {time} s of recording {recording}. There are recordings 1 to {recordings}, and the time must be a number",
         "correct the time or the number of the recording",
         Vec::new,
     ),
@@ -67,8 +67,8 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::StepMissing,
-        "[{key}: ]needs a `step`, the unit of one count",
-        "add it",
+        "[{key}: ]raw whole numbers (counts) need a `step`, the size of one count",
+        "add it, as in step = 0.01",
         Vec::new,
     ),
     Entry::error(
@@ -97,11 +97,16 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::TooLongForMemory,
-        "the {sensor}'s {samples} samples do not go into memory",
-        "write them to a file",
+        "the simulated {sensor} has {samples} samples, more than the memory holds",
+        "write the recording to a file, or simulate a shorter one",
         Vec::new,
     ),
-    Entry::error(Kind::NotToml, "{reason}", "", Vec::new),
+    Entry::error(
+        Kind::NotToml,
+        "the program cannot read this place of the file: {reason}",
+        "correct this line",
+        Vec::new,
+    ),
     Entry::error(
         Kind::ValidationSeen,
         "validation has the data of {other}, which the fit has seen: what it shows there is no proof",
