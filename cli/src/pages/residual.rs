@@ -9,7 +9,8 @@ use crate::show;
 
 /// Root mean squares before and after the calibration.
 ///
-/// The calibrated ones are `residual_rms` of the calibration's sensors; readings in counts or g have no raw one.
+/// The calibrated ones are `residual_rms` of the calibration's sensors, the raw ones have the same weights; readings in counts or g have
+/// no raw one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Residual {
     /// Norm of specific force less gravity at static intervals, mm/s².
@@ -26,17 +27,21 @@ impl Residual {
         let calibration = &outcome.calibration;
         let mut own = Self::default();
         if let Some(triad) = &calibration.accelerometer {
+            let gravity = calibration.gravity;
             let rests = outcome.choices.iter().flat_map(|c| &c.segmentation.statics);
-            let norm = |mean: nalgebra::Vector3<f64>| mean.norm() - calibration.gravity;
-            let raw = rests.filter_map(|rest| Some(norm(rest.accelerometer?.mean)));
-            let raw: Vec<f64> = raw.collect();
-            own.count[0] = triad.static_intervals.unwrap_or(raw.len());
-            let raw = (units[0] == "m/s²").then(|| 1e3 * root_mean_square(&raw));
+            let norms = rests.filter_map(|rest| Some(rest.accelerometer?.mean.norm() - gravity));
+            let norms: Vec<f64> = norms.collect();
+            own.count[0] = triad.static_intervals.unwrap_or(norms.len());
+            let raw = match &outcome.joint {
+                Some(fit) => fit.norm_rms_before(),
+                None => root_mean_square(&norms),
+            };
+            let raw = (units[0] == "m/s²").then_some(1e3 * raw);
             own.at_rest = [raw, Some(1e3 * triad.residual_rms)];
         }
         let turns = match (&outcome.joint, &outcome.gyroscope) {
             (Some(fit), _) if !fit.chords.is_empty() => {
-                Some((root_mean_square(&fit.chords_before), fit.chords.len()))
+                Some((fit.direction_rms_before(), fit.chords.len()))
             }
             (None, Some(fit)) => Some((fit.rms_before(), fit.chords.len())),
             _ => None,

@@ -1,6 +1,7 @@
 //! Misfit of the data from the model, before any error is enlarged.
 
 use faer::Mat;
+use nalgebra::Vector3;
 use sensor::Sensor;
 
 use crate::methods::joint::blocks::arrow::Arrow;
@@ -93,9 +94,25 @@ impl JointFit {
         Whitening::new(self.whitening.white.clone(), &self.components, &noise)
     }
 
-    /// Root mean square of `|f| − g` over the static intervals that nothing disturbed, each weighted by what its noise
+    /// Root mean square of `‖f‖ − g` over the static intervals that nothing disturbed, each weighted by what its noise
     /// lets it know, m/s².
     pub fn norm_rms(&self) -> f64 {
+        self.weighted_norms(|rest| self.norms.get(rest).copied())
+    }
+
+    /// Root mean square of the same of the readings before calibration, with the same weights, m/s².
+    pub fn norm_rms_before(&self) -> f64 {
+        self.weighted_norms(|rest| {
+            let chunks = &self.data.chunks[self.data.rests[rest].chunks.clone()];
+            let means = chunks.iter().filter_map(|chunk| chunk.accelerometer);
+            let (sum, count) = means.fold((Vector3::zeros(), 0), |(sum, count), mean| {
+                (sum + mean.value * mean.count as f64, count + mean.count)
+            });
+            (count > 0).then(|| (sum / count as f64).norm() - self.gravity)
+        })
+    }
+
+    fn weighted_norms(&self, of: impl Fn(usize) -> Option<f64>) -> f64 {
         let disturbed = |place: usize| {
             self.flagged.iter().any(|flagged| {
                 let rest = &self.data.rests[place];
@@ -103,9 +120,8 @@ impl JointFit {
                     && (flagged.recording, flagged.interval) == (rest.recording, rest.interval)
             })
         };
-        let norms = self.norms.iter().enumerate();
-        let sound = norms.filter(|(rest, _)| !disturbed(*rest));
-        rms(sound.map(|(rest, value)| (*value, self.norm_noise(rest))))
+        let sound = (0..self.data.rests.len()).filter(|place| !disturbed(*place));
+        rms(sound.filter_map(|place| Some((of(place)?, self.norm_noise(place)))))
     }
 
     /// Root mean square of the rate at the static intervals less the bias, rad/s.
@@ -113,8 +129,17 @@ impl JointFit {
         rms(self.static_rates())
     }
 
-    /// Root mean square of what the turns miss, weighted in the same way, rad.
+    /// Root mean square of the angle by which turns miss gravity, weighted in the same way, rad.
     pub fn direction_rms(&self) -> f64 {
+        self.weighted_chords(&self.chords)
+    }
+
+    /// Root mean square of the same before calibration, with the same weights, rad.
+    pub fn direction_rms_before(&self) -> f64 {
+        self.weighted_chords(&self.chords_before)
+    }
+
+    fn weighted_chords(&self, chords: &[f64]) -> f64 {
         let first = self.first_rows[1];
         let white = &self.whitening.white;
         let noise = |turn: usize| {
@@ -122,7 +147,7 @@ impl JointFit {
                 .std(first + 2 * turn)
                 .hypot(white.std(first + 2 * turn + 1))
         };
-        let chords = self.chords.iter().enumerate();
+        let chords = chords.iter().enumerate();
         rms(chords.map(|(turn, value)| (*value, noise(turn))))
     }
 
