@@ -26,6 +26,12 @@ impl Axis {
         self as usize
     }
 
+    /// The axis after it: y after x, z after y, x after z.
+    #[must_use]
+    pub fn following(self) -> Self {
+        Self::ALL[(self.index() + 1) % 3]
+    }
+
     /// The unit vector along it.
     pub fn unit(self) -> Vector3<f64> {
         Vector3::ith(self.index(), 1.0)

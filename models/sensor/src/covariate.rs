@@ -87,6 +87,22 @@ impl Covariate {
         }
     }
 
+    /// The same covariate of the next axis, x after z; one without an axis is itself.
+    #[must_use]
+    pub fn on_next_axis(self) -> Self {
+        match self {
+            Self::SpecificForce(axis) => Self::SpecificForce(axis.following()),
+            Self::AngularRate(axis) => Self::AngularRate(axis.following()),
+            Self::AngularAcceleration(axis) => Self::AngularAcceleration(axis.following()),
+            Self::Vibration(axis) => Self::Vibration(axis.following()),
+            Self::LastChange(axis) => Self::LastChange(axis.following()),
+            Self::LastTurn(axis) => Self::LastTurn(axis.following()),
+            Self::ForceSize(axis) => Self::ForceSize(axis.following()),
+            Self::RateSize(axis) => Self::RateSize(axis.following()),
+            other => other,
+        }
+    }
+
     /// Its value in `truth`.
     pub fn value<D: Scalar>(self, truth: &Kinematics<D>) -> D {
         match self {

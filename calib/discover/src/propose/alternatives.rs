@@ -25,7 +25,7 @@ pub fn alternatives(whitened: &Whitened, terms: &Terms, products: &[&Product]) -
     for k in 0..terms.terms.len() {
         let mut own = terms.columns.clone();
         for (product, columns) in products.iter().zip(&columns) {
-            for axis in 0..product.axes.len() {
+            for axis in 0..product.parts.len() {
                 let term = product.term(axis, 1.0);
                 if terms.holds(product, &term) {
                     continue;
@@ -55,8 +55,7 @@ mod tests {
     fn product(covariate: Covariate, column: [f64; 3]) -> Product {
         Product {
             sensor: Sensor::Gyroscope,
-            factors: vec![(covariate, 1)],
-            axes: vec![Axis::X],
+            parts: vec![(Axis::X, vec![(covariate, 1)])],
             columns: Mat::from_fn(3, 1, |i, _| column[i]),
             lengths: vec![1.0],
         }
@@ -78,6 +77,7 @@ mod tests {
             columns: vec![chosen.columns.clone()],
             statistic: 100.0,
             stability: 1.0,
+            products: 1,
         };
         let found = alternatives(&whitened, &terms, &[&chosen, &close, &far]);
         assert_eq!(found, ["W_x += x_dt * dT"]);

@@ -1,14 +1,17 @@
 //! Candidate terms of an unexplained error: products of covariates.
 
+use std::collections::HashMap;
+
 use faer::{Mat, MatRef};
 use nalgebra::{DMatrix, Matrix2x3};
 use sensor::{Axis, Covariate, Kinematics, Sensor, Term};
+use statrs::function::factorial::ln_binomial;
 
 use crate::noise::projected::Whitened;
 use crate::state::State;
 
-/// Factors of a product, at most.
-const FACTORS: usize = 3;
+/// Factors of a product, at most: three covariates, or one to the fourth power.
+const FACTORS: usize = 4;
 
 /// A column of which the model's parameters leave less than this share is theirs.
 const LEFT: f64 = 1e-3;
@@ -16,15 +19,17 @@ const LEFT: f64 = 1e-3;
 /// Directions of a group that hold less than this share of the largest are not seen.
 const UNSEEN: f64 = 1e-4;
 
-/// One product of covariates, an error of any axis of one sensor.
+/// Factors of a product, each a covariate with its power.
+pub type Factors = Vec<(Covariate, u32)>;
+
+/// One form of an error with a coefficient for each axis of one sensor: the same product of covariates on every axis, as `e_i = c_i wx fy`,
+/// or the product that goes with the axis, as `e_i = c_i w_i f_(i+1)`.
 #[derive(Clone, Debug)]
 pub struct Product {
     /// The sensor that would read it.
     pub sensor: Sensor,
-    /// Factors of the product, each a covariate with its power.
-    pub factors: Vec<(Covariate, u32)>,
-    /// The axes on which the data can see it.
-    pub axes: Vec<Axis>,
+    /// The axes on which the data can see it, with the factors there.
+    pub parts: Vec<(Axis, Factors)>,
     /// `Nᵀ ∂r/∂c` of those axes (`q × axes`), in unit length.
     pub columns: Mat<f64>,
     /// Lengths that the columns were divided by.
@@ -43,12 +48,14 @@ impl Product {
             | Covariate::TemperatureChange => *power,
             _ => power + FACTORS as u32,
         };
-        self.factors.iter().map(of).sum()
+        let first = self.parts.first();
+        first.map_or(0, |(_, factors)| factors.iter().map(of).sum())
     }
 
     /// The term on the axis in place `k`, where the coefficient of the column of unit length is `coefficient`.
     pub fn term(&self, k: usize, coefficient: f64) -> Term {
-        Term::new(self.axes[k], &self.factors, coefficient / self.lengths[k])
+        let (axis, factors) = &self.parts[k];
+        Term::new(*axis, factors, coefficient / self.lengths[k])
     }
 
     /// An orthonormal basis (`q × rank`) of the whitened columns.
@@ -71,8 +78,15 @@ fn orthonormal(w: MatRef<'_, f64>) -> Mat<f64> {
     w * mix
 }
 
+/// `ln` of the number of formulas of so many products: any of them, each on any of its axes.
+pub fn log_formulas(products: &[Product], count: usize) -> f64 {
+    let axes = ((1u32 << Axis::ALL.len()) - 1) as f64;
+    ln_binomial(products.len() as u64, count as u64) + count as f64 * axes.ln()
+}
+
 /// Every product of specific force, rate, angular acceleration, temperature and time, every size of a force or a rate, alone
-/// or beside one, and every history alone, that the model of `state` does not hold already and the data can see.
+/// or beside one, every history alone, and every covariate to the fourth power, that the model of `state` does not hold already and the data can
+/// see: with the same factors on every axis, and with those that go with the axis.
 pub fn dictionary(state: &State) -> Vec<Product> {
     let force = Axis::ALL.map(Covariate::SpecificForce);
     let rate = Axis::ALL.map(Covariate::AngularRate);
@@ -119,11 +133,12 @@ impl Offered {
 
     fn choices(&self) -> Vec<[usize; FACTORS]> {
         let mut all = choices(self.powers.len());
+        all.extend((1..=self.powers.len()).map(|one| [one; FACTORS]));
         let (first, last) = (self.powers.len(), self.powers.len() + self.sizes.len());
         for size in first + 1..=last {
-            all.extend((0..=self.first).map(|beside| [0, beside, size]));
+            all.extend((0..=self.first).map(|beside| [0, 0, beside, size]));
         }
-        all.extend((last + 1..=last + self.history.len()).map(|one| [0, 0, one]));
+        all.extend((last + 1..=last + self.history.len()).map(|one| [0, 0, 0, one]));
         all
     }
 }
@@ -149,25 +164,59 @@ fn products(state: &State, sensor: Sensor, offered: &Offered) -> Vec<Product> {
     let (covariates, choices) = (&offered.covariates(), offered.choices());
     let columns = state.whitened(columns(state, sensor, covariates, &choices));
     let projected = state.projected.columns(columns.as_ref());
-    let mut all = Vec::new();
-    for (g, choice) in choices.iter().enumerate() {
-        let length = |k: usize| projected.col(3 * g + k).norm_l2();
-        let seen = |k: usize| length(k) > LEFT * columns.col(3 * g + k).norm_l2();
-        let axes: Vec<usize> = (0..3).filter(|&k| seen(k)).collect();
-        if axes.is_empty() {
-            continue;
-        }
-        all.push(Product {
+    let length = |column: usize| projected.col(column).norm_l2();
+    let is_seen = |column: usize| length(column) > LEFT * columns.col(column).norm_l2();
+    let product = |group: [usize; 3]| {
+        let axes = (0..3).map(|axis| (axis, group[axis], 3 * group[axis] + axis));
+        let axes: Vec<_> = axes.filter(|(_, _, column)| is_seen(*column)).collect();
+        let part = |&(axis, g, _): &(usize, usize, usize)| {
+            (Axis::ALL[axis], factors(covariates, &choices[g]))
+        };
+        (!axes.is_empty()).then(|| Product {
             sensor,
-            factors: factors(covariates, choice),
+            parts: axes.iter().map(part).collect(),
             columns: Mat::from_fn(projected.nrows(), axes.len(), |i, k| {
-                projected[(i, 3 * g + axes[k])] / length(axes[k])
+                let column = axes[k].2;
+                projected[(i, column)] / length(column)
             }),
-            lengths: axes.iter().map(|&k| length(k)).collect(),
-            axes: axes.iter().map(|&k| Axis::ALL[k]).collect(),
-        });
-    }
-    all
+            lengths: axes.iter().map(|(_, _, column)| length(*column)).collect(),
+        })
+    };
+    let same_on_all = (0..choices.len()).map(|g| [g; 3]);
+    let of_the_axis = with_the_axis(covariates, &choices);
+    same_on_all.chain(of_the_axis).filter_map(product).collect()
+}
+
+/// For every choice the places of itself and of those that it becomes where all its axes go to the next one, and to the one after;
+/// none for a choice that stays the same.
+fn with_the_axis(
+    covariates: &[Covariate],
+    choices: &[[usize; FACTORS]],
+) -> impl Iterator<Item = [usize; 3]> {
+    let place = |covariate: Covariate| covariates.iter().position(|own| *own == covariate);
+    let next: Vec<usize> = std::iter::once(Some(0))
+        .chain(
+            covariates
+                .iter()
+                .map(|c| Some(place(c.on_next_axis())? + 1)),
+        )
+        .map(|place| place.unwrap_or(0))
+        .collect();
+    let places: HashMap<[usize; FACTORS], usize> =
+        choices.iter().enumerate().map(|(g, c)| (*c, g)).collect();
+    let turned = |choice: &[usize; FACTORS]| {
+        let mut turned = choice.map(|k| next[k]);
+        turned.sort_unstable();
+        turned
+    };
+    let orbit = |(g, choice): (usize, &[usize; FACTORS])| {
+        let second = turned(choice);
+        let third = turned(&second);
+        let group = [g, *places.get(&second)?, *places.get(&third)?];
+        (second != *choice).then_some(group)
+    };
+    let orbits: Vec<[usize; 3]> = choices.iter().enumerate().filter_map(orbit).collect();
+    orbits.into_iter()
 }
 
 /// All ways to take one to three of `n` things, the same again or not; `0` stands for none, `k + 1` for the `k`th.
@@ -176,7 +225,7 @@ fn choices(n: usize) -> Vec<[usize; FACTORS]> {
     for c in 1..=n {
         for b in 0..=c {
             for a in 0..=b {
-                all.push([a, b, c]);
+                all.push([0, a, b, c]);
             }
         }
     }
@@ -209,7 +258,8 @@ fn columns(
         let own = covariates.iter().map(|c| c.value(truth));
         std::iter::once(1.0).chain(own).collect::<Vec<f64>>()
     };
-    let product = |v: &[f64], [a, b, c]: &[usize; FACTORS]| v[*a] * v[*b] * v[*c];
+    let product =
+        |v: &[f64], choice: &[usize; FACTORS]| -> f64 { choice.iter().map(|k| v[*k]).product() };
     let means = state.sensitivities.means.iter();
     for mean in means.filter(|m| m.sensor == sensor) {
         let v = values(&mean.truth);
@@ -259,8 +309,30 @@ mod tests {
         let all = choices(5);
         assert_eq!(all.len(), 55);
         let force = Axis::ALL.map(Covariate::SpecificForce);
-        assert_eq!(factors(&force, &[1, 2, 2]), [(force[0], 1), (force[1], 2)]);
-        assert_eq!(factors(&force, &[0, 0, 3]), [(force[2], 1)]);
+        assert_eq!(
+            factors(&force, &[0, 1, 2, 2]),
+            [(force[0], 1), (force[1], 2)]
+        );
+        assert_eq!(factors(&force, &[0, 0, 0, 3]), [(force[2], 1)]);
+    }
+
+    #[test]
+    fn a_product_goes_with_the_axis_and_one_that_is_the_same_on_all_does_not() {
+        let covariates = [
+            Axis::ALL.map(Covariate::SpecificForce),
+            Axis::ALL.map(Covariate::AngularRate),
+        ]
+        .concat();
+        let all = choices(covariates.len());
+        let named = |g: usize| {
+            let own = factors(&covariates, &all[g]).into_iter();
+            own.map(|(c, _)| c.name()).collect::<Vec<_>>().join(" ")
+        };
+        let groups: Vec<_> = with_the_axis(&covariates, &all)
+            .map(|group| group.map(named))
+            .collect();
+        assert!(groups.contains(&["fx wy", "fy wz", "fz wx"].map(String::from)));
+        assert!(groups.iter().all(|[first, ..]| first != "fx fy fz"));
     }
 
     #[test]
@@ -273,7 +345,7 @@ mod tests {
             Covariate::AngularRate(Axis::X),
             Covariate::SpecificForce(Axis::Y),
         ];
-        let found = columns(&state, Sensor::Gyroscope, &covariates, &[[1, 1, 2]]);
+        let found = columns(&state, Sensor::Gyroscope, &covariates, &[[0, 1, 1, 2]]);
         let sampling = (Sensor::Gyroscope, Sampling::Every);
         let m = state.rows();
         let expected = error_columns(&state.sensitivities, m, sampling, 3, |instant, out| {

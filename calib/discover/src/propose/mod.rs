@@ -17,14 +17,13 @@ mod terms;
 
 use alternatives::alternatives;
 use chosen::{Chosen, Stable};
-use dictionary::{Product, dictionary};
+use dictionary::{Product, dictionary, log_formulas};
 use estimate::calibration::EffectParameter;
 pub use instead::instead_of_names;
 use screen::{Screened, screen};
 use sensor::{AnyEffect, Formula, Sensor};
 use serde::Serialize;
 use stability::stability;
-use statrs::function::factorial::ln_binomial;
 use terms::terms;
 
 use super::family::effect_family;
@@ -173,8 +172,7 @@ fn tried(
     let found = terms(&screened.whitened, chosen)?;
     let formula = Formula::new(sensor, found.terms.clone());
     let effect = formula.effect(name_of(sensor)).ok()?;
-    let offered: usize = products.iter().map(|p| p.axes.len()).sum();
-    let ranked = evidence(last, effect, offered)?;
+    let ranked = evidence(last, effect, log_formulas(products, found.products))?;
     if ranked.evidence <= request.threshold() {
         return None;
     }
@@ -205,10 +203,10 @@ pub fn name_of(sensor: Sensor) -> &'static str {
     }
 }
 
-/// The evidence for a formula: there are `C(offered, terms)` of as many terms.
-fn evidence(last: &State, effect: &'static dyn AnyEffect, offered: usize) -> Option<Ranked> {
+/// The evidence for a formula, one of `exp(log_formulas)` of as many products.
+fn evidence(last: &State, effect: &'static dyn AnyEffect, log_formulas: f64) -> Option<Ranked> {
     let mut family = effect_family(last, effect, &[]);
-    family.log_places = ln_binomial(offered as u64, effect.params().len() as u64);
+    family.log_places = log_formulas;
     rank(&last.projected, &[family], last.levels()).pop()
 }
 

@@ -23,7 +23,7 @@ pub(super) fn most_evidence(screened: &Screened, products: &[Product], levels: &
     let sensors = [Sensor::Accelerometer, Sensor::Gyroscope];
     let explained = sensors.map(|sensor| explained(screened, products, sensor));
     let statistic = gained + explained.into_iter().fold(0.0, f64::max);
-    let offered: usize = products.iter().map(|product| product.axes.len()).sum();
+    let offered: usize = products.iter().map(|product| product.parts.len()).sum();
     -log_tail(statistic, 1.0) - (offered.max(1) as f64).ln()
 }
 

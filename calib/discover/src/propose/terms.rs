@@ -25,6 +25,8 @@ pub struct Terms {
     pub statistic: f64,
     /// Selection frequency of the least stable product.
     pub stability: f64,
+    /// Number of products that have a term.
+    pub products: usize,
 }
 
 impl Terms {
@@ -40,7 +42,7 @@ impl Terms {
 pub fn terms(whitened: &Whitened, chosen: &[Chosen<'_>]) -> Option<Terms> {
     let mut places: Vec<(usize, usize)> = Vec::new();
     for (k, of) in chosen.iter().enumerate() {
-        places.extend((0..of.product.axes.len()).map(|axis| (k, axis)));
+        places.extend((0..of.product.parts.len()).map(|axis| (k, axis)));
     }
     let columns: Vec<Mat<f64>> = chosen
         .iter()
@@ -66,7 +68,10 @@ pub fn terms(whitened: &Whitened, chosen: &[Chosen<'_>]) -> Option<Terms> {
             chosen[k].product.term(axis, fitted.change[i])
         };
         let stability = places.iter().map(|(k, _)| chosen[*k].frequency);
+        let mut products: Vec<usize> = places.iter().map(|(k, _)| *k).collect();
+        products.dedup();
         return Some(Terms {
+            products: products.len(),
             terms: places.iter().enumerate().map(term).collect(),
             sensor: chosen[0].product.sensor,
             columns: own,

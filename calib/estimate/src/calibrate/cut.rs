@@ -95,11 +95,7 @@ pub fn of_one_recording_each<'a>(
 
 /// The rests and turns of a recording without those that are left out; `k` is its place among those that sections were
 /// given for.
-fn cut(
-    recording: &Recording,
-    request: &Request,
-    k: Option<usize>,
-) -> Result<Choice, Error> {
+fn cut(recording: &Recording, request: &Request, k: Option<usize>) -> Result<Choice, Error> {
     let mut choice = whole(recording, request, k)?;
     let of_this = request
         .left_out

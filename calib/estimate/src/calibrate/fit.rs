@@ -41,9 +41,7 @@ impl Fit<'_> {
                 let recordings = &self.recordings.recordings;
                 Ok(with_changes(outcome, recordings, self.request.gravity))
             }
-            Err(Error::NotConverged(reason)) => {
-                Err(Error::not_converged(self.in_the_hand(reason)))
-            }
+            Err(Error::NotConverged(reason)) => Err(Error::not_converged(self.in_the_hand(reason))),
             Err(Error::NotEnough(refused)) => self
                 .without_gyroscope(&refused)
                 .ok_or_else(|| Error::not_enough(self.in_the_hand(refused))),

@@ -85,7 +85,12 @@ fn in_steps(
     let for_gyroscope = prepared(gyro_recordings, request);
     let (cut, found) = Cut::of(ready.all(), request)?;
     let (turning, found_in_turns) = Cut::of_turns(for_gyroscope.all(), request)?;
-    let remarks = [ready.remarks.clone(), for_gyroscope.remarks.clone(), found, found_in_turns];
+    let remarks = [
+        ready.remarks.clone(),
+        for_gyroscope.remarks.clone(),
+        found,
+        found_in_turns,
+    ];
     let fit = Fit {
         recordings: &cut,
         turning: &turning,

@@ -18,8 +18,8 @@ pub(super) use determined::{
 };
 pub(super) use norm::the_norm_tells_them;
 pub(super) use on_top::{corrected_before, reads_zero_at_rest};
-pub(super) use plausible::{ForceFit, RateFit, diagonal_std, signed_axes, turned_field};
 pub(super) use plausible::none_is_turned;
+pub(super) use plausible::{ForceFit, RateFit, diagonal_std, signed_axes, turned_field};
 pub use plausible::{Said, implausible, implausible_base};
 pub(super) use rests::{disagreeing_rests, long_turns, restless};
 pub(super) use twice::none_is_there_twice;

@@ -18,9 +18,9 @@ use super::outcome::Outcome;
 use super::request::Request;
 use super::same_device::{gyroscope_of_one_device, of_one_device};
 use crate::calibration::Calibration;
-use crate::methods::{Choice, static_means};
 use crate::methods::earth::{self, on_the_earth};
 use crate::methods::joint::{JointRequest, fit_joint};
+use crate::methods::{Choice, static_means};
 
 /// Calibrates by the joint method.
 pub(super) fn calibrate(
