@@ -12,6 +12,10 @@ use super::score::{Score, log_tail, of_normal, score};
 /// Evidence that differs by less than this (20 to 1) does not part two claims.
 pub const APART: f64 = 2.995_732_273_553_991;
 
+/// Evidence that an integrated likelihood ratio has too much where the noise of the biases is not known: with it, one of two hundred
+/// sessions with nothing hidden has a claim. Measured on 127 geometries, 12,700 sessions each at the usual walk and at three times that.
+const PRICE_OF_INTEGRATION: f64 = 0.9;
+
 /// Evidence that differs by less than this is the same: the first of the places that have it is taken on every machine.
 const ROUNDING: f64 = 1e-6;
 
@@ -30,8 +34,8 @@ pub struct Ranked {
     pub statistic: f64,
     /// Its degrees of freedom: what the data can see of the columns, and a shape.
     pub dof: f64,
-    /// `ln p` in this one test: of an effect or a disturbance a mean over what the densities may be under it, of a shape that
-    /// of the statistic.
+    /// `ln p` in this one test: of an effect or a disturbance that of the integrated likelihood ratio, of a shape that of the
+    /// statistic.
     pub log_p: f64,
     /// `−ln p − ln n_sub − ln 2m`: significant at family-wise level α where above `−ln α`.
     pub evidence: f64,
@@ -80,7 +84,7 @@ fn try_all<'a>(
     let nothing_yet =
         |family: &Family| family.hypotheses.iter().map(|_| Tried::default()).collect();
     let mut all: Vec<Vec<Tried<'_>>> = families.iter().map(|(_, f)| nothing_yet(f)).collect();
-    for (level, prior) in at_levels(sensor, levels) {
+    for level in at_levels(sensor, levels) {
         let seen = level.whitened.by_recording(columns.clone());
         let gained = level.whitened.log_likelihood() - nothing;
         let mut first = 0;
@@ -91,11 +95,10 @@ fn try_all<'a>(
                 first += family.columns.ncols();
                 continue;
             }
-            let prior = if is_local { 0.0 } else { prior };
             for (tried, hypothesis) in tried.iter_mut().zip(&family.hypotheses) {
                 let own = first + hypothesis.columns.start..first + hypothesis.columns.end;
                 let (a, b) = seen.normal(own, &level.whitened.z);
-                tried.add(level, (gained, prior), of_normal(&a, &b), family.shape_dof);
+                tried.add(level, gained, of_normal(&a, &b), family.shape_dof);
             }
             first += family.columns.ncols();
         }
@@ -103,15 +106,9 @@ fn try_all<'a>(
     all
 }
 
-/// The densities at which an error of a sensor is tried, and `ln` of their prior chances: those of the other sensor count together
-/// as one.
-fn at_levels(sensor: Sensor, levels: &[Level]) -> impl Iterator<Item = (&Level, f64)> {
-    let of_other = move |level: &Level| !level.is_of(sensor);
-    let others = levels.iter().filter(|l| l.is_for(sensor) && of_other(l));
-    let one_of = -(1.0 + others.count() as f64).ln();
-    let own = levels.iter().enumerate();
-    own.filter(move |(_, l)| l.is_for(sensor))
-        .map(move |(k, l)| (l, if k == 0 || of_other(l) { one_of } else { 0.0 }))
+/// The levels at which an error of a sensor is tried.
+fn at_levels(sensor: Sensor, levels: &[Level]) -> impl Iterator<Item = &Level> {
+    levels.iter().filter(move |level| level.is_for(sensor))
 }
 
 /// `ln 2m`: what the choice among the `m` families with a hypothesis costs, half of the chance being kept for local claims.
@@ -125,12 +122,12 @@ fn best(place: usize, family: &Family, tried: Vec<Tried<'_>>, choice: f64) -> Op
     let is_shape = matches!(family.claim, Claim::Shape(..));
     let tried = tried.into_iter().enumerate();
     let ranked = tried.filter_map(|(k, tried)| {
-        let averaged = tried.log_p();
+        let integrated = tried.log_p();
         let (level, statistic, score) = tried.likeliest?;
         // Shapes describe, and are held against the scatter of a bias that wanders: by likelihood ratios.
         let log_p = match is_shape {
             true => log_tail(statistic, score.dof as f64 + family.shape_dof),
-            false => averaged,
+            false => integrated,
         };
         Some(Ranked {
             family: place,
@@ -152,7 +149,7 @@ fn best(place: usize, family: &Family, tried: Vec<Tried<'_>>, choice: f64) -> Op
     )
 }
 
-/// `ln p` of columns of a sensor (`m × k`, white-whitened), a mean over what its densities may be under them.
+/// `ln p` of the integrated likelihood ratio of columns of a sensor (`m × k`, white-whitened).
 pub fn log_p_of(
     projected: &Projected,
     (sensor, columns): (Sensor, &Mat<f64>),
@@ -161,10 +158,10 @@ pub fn log_p_of(
     let columns = projected.columns(columns.as_ref());
     let nothing = levels.first().map_or(0.0, |l| l.whitened.log_likelihood());
     let mut tried = Tried::default();
-    for (level, prior) in at_levels(sensor, levels) {
+    for level in at_levels(sensor, levels) {
         let score = score(level.whitened.columns(&columns).as_ref(), &level.whitened.z);
         let gained = level.whitened.log_likelihood() - nothing;
-        tried.add(level, (gained, prior), score, 0.0);
+        tried.add(level, gained, score, 0.0);
     }
     tried.log_p()
 }
@@ -177,56 +174,50 @@ impl Ranked {
     }
 }
 
-/// One hypothesis at all densities.
+/// One hypothesis at all levels of the noise.
 #[derive(Default)]
 pub(super) struct Tried<'a> {
-    /// Setting at which the data are likeliest under the hypothesis, with the likelihood ratio and the score there.
+    /// The level where the data are likeliest under it, the likelihood ratio, and the score there.
     pub likeliest: Option<(&'a Level, f64, Score)>,
-    /// Log-likelihood plus log prior of each setting under the hypothesis, integrated over its coefficients, and `ln p` of
-    /// the score.
+    /// Of every level `ln π + ℓ₀` and `s/2`: prior and likelihood without the hypothesis, and half its score.
     all: Vec<[f64; 2]>,
+    /// Degrees of freedom of the shape.
+    shape_dof: f64,
 }
 
 impl<'a> Tried<'a> {
-    /// `gained` is the log-likelihood at the densities of `level` without the hypothesis, over that at the likeliest ones,
-    /// `prior` the logarithm of their prior chance.
-    pub fn add(
-        &mut self,
-        level: &'a Level,
-        (gained, prior): (f64, f64),
-        score: Score,
-        shape_dof: f64,
-    ) {
-        if score.dof == 0 {
-            // What cannot be seen there explains nothing.
-            self.all.push([prior + gained, 0.0]);
-            return;
-        }
-        let log_p = log_tail(score.statistic, score.dof as f64 + shape_dof);
-        let likelihood = prior + gained + 0.5 * (score.statistic + score.log_determinant);
-        self.all.push([likelihood, log_p]);
+    /// `gained` is the log-likelihood at `level` without the hypothesis, over that at the likeliest noise.
+    pub fn add(&mut self, level: &'a Level, gained: f64, score: Score, shape_dof: f64) {
+        self.shape_dof = shape_dof;
+        self.all
+            .push([level.log_prior + gained, 0.5 * score.statistic]);
         let statistic = score.statistic + 2.0 * gained;
-        if self
-            .likeliest
-            .as_ref()
-            .is_none_or(|(_, best, _)| statistic > *best)
-        {
+        let is_less = |(_, best, _): &(_, f64, _)| statistic > *best;
+        if score.dof > 0 && self.likeliest.as_ref().is_none_or(is_less) {
             self.likeliest = Some((level, statistic, score));
         }
     }
 
-    /// `ln Σ w p`, `w` the weights of the densities by their likelihood under the hypothesis, which the size of what it
-    /// explains has no part in.
+    /// `ln P(χ²_q > T)` of the integrated likelihood ratio `T = 2 [ln Σ π e^(ℓ₀ + s/2) − ln Σ π e^ℓ₀]`, `π` the prior probability of a level
+    /// of the noise, `ℓ₀` the log-likelihood there without the hypothesis and `s` its score.
     ///
-    /// A likelihood ratio is `χ²` where the densities are known. Where few static intervals show how a bias walks, a drift can
-    /// take a walk for its own: the ratio is then that of a walk which is far too small (Bayarri & Berger 2000, partial
-    /// posterior predictive p-values).
+    /// A likelihood ratio is `χ²` where the noise is known. Where few static intervals show how a bias walks, the walk is integrated out
+    /// under both hypotheses alike (Berger, Liseo & Wolpert 1999, *Integrated likelihood methods for eliminating nuisance parameters*), and
+    /// [`PRICE_OF_INTEGRATION`] is taken off.
     pub fn log_p(&self) -> f64 {
-        let weighed = self
-            .all
-            .iter()
-            .map(|[likelihood, log_p]| likelihood + log_p);
-        log_sum(weighed) - log_sum(self.all.iter().map(|[likelihood, _]| *likelihood))
+        let Some((_, _, likeliest)) = &self.likeliest else {
+            return 0.0;
+        };
+        let with = log_sum(self.all.iter().map(|[own, gain]| own + gain));
+        let without = log_sum(self.all.iter().map(|[own, _]| *own));
+        let log_p = log_tail(
+            2.0 * (with - without),
+            likeliest.dof as f64 + self.shape_dof,
+        );
+        match self.all.len() {
+            1 => log_p,
+            _ => (log_p + PRICE_OF_INTEGRATION).min(0.0),
+        }
     }
 }
 

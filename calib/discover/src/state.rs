@@ -15,6 +15,7 @@ use super::extension::Extension;
 use super::gap::channel::Channel;
 use super::noise::level::{Level, levels};
 use super::noise::projected::Projected;
+use super::noise::walk_prior::walk_levels;
 use super::request::Session;
 use super::score::log_tail;
 
@@ -38,6 +39,8 @@ pub struct State {
     pub noise_given: bool,
     /// The settings of the densities, once somebody asked.
     levels: OnceLock<Arc<Vec<Level>>>,
+    /// Levels of the noise at which claims are tried, computed on first use.
+    walks: OnceLock<Arc<Vec<Level>>>,
     /// Possible disturbances, computed on first use.
     suspects: OnceLock<Arc<Vec<Suspect>>>,
 }
@@ -61,6 +64,7 @@ impl State {
             noise,
             noise_given: session.noise.is_some(),
             levels: OnceLock::new(),
+            walks: OnceLock::new(),
             suspects: OnceLock::new(),
         })
     }
@@ -132,6 +136,19 @@ impl State {
     pub fn levels(&self) -> &[Level] {
         self.levels
             .get_or_init(|| Arc::new(levels(&self.projected, self.noise, self.noise_given)))
+    }
+
+    /// The levels of the noise at which claims are tried, each with its prior probability.
+    pub fn walks(&self) -> &[Level] {
+        self.walks.get_or_init(|| {
+            let (noise, is_given) = (self.noise, self.noise_given);
+            Arc::new(walk_levels(
+                &self.projected,
+                &self.fit.data,
+                noise,
+                is_given,
+            ))
+        })
     }
 
     /// Returns the possible disturbances.

@@ -147,7 +147,7 @@ fn best_covariate(state: &State, channel: Channel) -> &'static str {
             }
         });
         let columns = state.whitened(scaled);
-        log_p_of(&state.projected, (sensor, &columns), state.levels())
+        log_p_of(&state.projected, (sensor, &columns), state.walks())
     };
     let by_chance = (CHANCE / COVARIATES.len() as f64).ln();
     COVARIATES

@@ -31,6 +31,8 @@ pub struct Level {
     pub whitened: Whitened,
     /// The sensor whose density differs from the likeliest; both hold the same there.
     pub of: Option<Sensor>,
+    /// Logarithm of its prior probability among those of its sensor.
+    pub log_prior: f64,
 }
 
 impl Level {
@@ -62,6 +64,7 @@ pub fn levels(projected: &Projected, noise: BiasNoise, given: bool) -> Vec<Level
                 scatter,
                 whitened,
                 of,
+                log_prior: 0.0,
             });
         }
     };

@@ -4,3 +4,4 @@ pub(super) mod level;
 pub(super) mod noise_file;
 pub(super) mod projected;
 pub(super) mod seen;
+pub(super) mod walk_prior;

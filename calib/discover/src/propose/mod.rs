@@ -207,7 +207,7 @@ pub fn name_of(sensor: Sensor) -> &'static str {
 fn evidence(last: &State, effect: &'static dyn AnyEffect, log_formulas: f64) -> Option<Ranked> {
     let mut family = effect_family(last, effect, &[]);
     family.log_places = log_formulas;
-    rank(&last.projected, &[family], last.levels()).pop()
+    rank(&last.projected, &[family], last.walks()).pop()
 }
 
 /// The held-out gap of the channel before and after, at the walks of the model after; `None` unless what was there is not

@@ -32,7 +32,7 @@ impl Ranking {
     /// where knocks have spoiled turns, and a rotation has to be the earth's.
     pub fn of(state: &State, catalogue: &[&'static dyn AnyEffect], threshold: f64) -> Self {
         let families = families(state, catalogue);
-        let mut ranked = rank(&state.projected, &families, state.levels());
+        let mut ranked = rank(&state.projected, &families, state.walks());
         for r in &mut ranked {
             if matches!(as_the_earth(&families[r.family], r), Earth::No) {
                 r.evidence = f64::NEG_INFINITY;

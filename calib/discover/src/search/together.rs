@@ -34,7 +34,7 @@ impl Finder<'_> {
         if best.first().is_none_or(|top| top.evidence < 0.0) {
             return None;
         }
-        let levels = state.levels();
+        let levels = state.walks();
         let places = levels
             .iter()
             .map(|level| Seen::of(state, families, &best, level));
@@ -75,7 +75,7 @@ impl Finder<'_> {
         let nothing = levels.first()?.whitened.log_likelihood();
         for (level, seen) in levels.iter().zip(seen) {
             let gained = level.whitened.log_likelihood() - nothing;
-            tried.add(level, (gained, 0.0), seen.score(&[i, k]), shape_dof);
+            tried.add(level, gained, seen.score(&[i, k]), shape_dof);
         }
         let evidence = -tried.log_p() - search[0] - search[1];
         let (likeliest, _, both) = tried.likeliest?;

@@ -87,6 +87,20 @@ impl BiasNoise {
         self
     }
 
+    /// The walk of one sensor, of this density, and a share of its flicker.
+    #[must_use]
+    pub fn with_walk(self, sensor: Sensor, walk: f64, flicker: f64) -> Self {
+        let mut noise = self.with_shares(sensor, 1.0, flicker);
+        noise.walk[usize::from(sensor == Sensor::Gyroscope)] = walk;
+        noise
+    }
+
+    /// Returns true if the bias of a sensor flickers on some axis.
+    pub fn flickers(&self, sensor: Sensor) -> bool {
+        let own = self.flicker[usize::from(sensor == Sensor::Gyroscope)];
+        own.iter().any(|b| *b > 0.0)
+    }
+
     /// Mean square of the slope of a line through a window of `length` seconds, of one axis of one sensor (0 or 1).
     pub fn slope_variance(&self, place: usize, axis: usize, length: f64) -> f64 {
         let t = length.max(1e-9);

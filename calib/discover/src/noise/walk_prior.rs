@@ -1,0 +1,132 @@
+//! Random walks of a bias at which a claim is tried, and the prior probability of each.
+//!
+//! A walk is measured in the unit `σ / √T`: `σ` is the white standard error of a static mean, `T` the length of the session, so that a
+//! walk of one unit moves a bias by one standard error of a mean from the first static interval to the last.
+
+use estimate::methods::joint::{BiasNoise, Data};
+use sensor::Sensor;
+
+use super::level::Level;
+use super::projected::Projected;
+
+/// Lowest walk above zero, in units of `σ / √T`.
+const LOWEST: f64 = 0.15;
+
+/// Ratio of one walk to the one below it.
+const RATIO: f64 = 1.7;
+
+/// Number of walks above zero: the highest is 18 units.
+const COUNT: i32 = 10;
+
+/// Median of the log-normal part of the prior, in units of `σ / √T`, and its width as a standard deviation of the logarithm.
+const MEDIAN: f64 = 0.8;
+const WIDTH: f64 = 1.0;
+
+/// Probability that the walk is as the log-normal part says; else any walk is as likely as another.
+const USUAL: f64 = 0.95;
+
+/// Shares of the variance by which turns scatter at which claims are tried: what is taken for scatter may be the effect.
+const SCATTERS: [f64; 4] = [0.5, 0.2, 0.05, 0.0];
+
+/// The walks of one sensor in units of `σ / √T`, with the logarithm of their prior probabilities, which add up to one.
+fn prior() -> Vec<(f64, f64)> {
+    let walk = |k: i32| LOWEST * RATIO.powi(k);
+    // Zero stands one step below the lowest.
+    let density = |k: i32| (-0.5 * ((walk(k) / MEDIAN).ln() / WIDTH).powi(2)).exp();
+    let all: f64 = (-1..COUNT).map(density).sum();
+    let flat = (1.0 - USUAL) / f64::from(COUNT + 1);
+    let probability = |k: i32| USUAL * density(k) / all + flat;
+    let own = (-1..COUNT).map(|k| (if k < 0 { 0.0 } else { walk(k) }, probability(k).ln()));
+    own.collect()
+}
+
+/// The unit of a sensor's walk, `σ / √T`, in m/s²/√s or rad/s/√s: the median over the static intervals and axes of every recording, of several
+/// recordings the largest. `None` without static means.
+fn unit(data: &Data, sensor: Sensor) -> Option<f64> {
+    let of_recording = |recording: usize| {
+        let noise = data.sources[recording].noise(sensor)?;
+        let own = || data.rests.iter().filter(|rest| rest.recording == recording);
+        let length = own().next_back()?.span.to - own().next()?.span.from;
+        let mut errors: Vec<f64> = own()
+            .filter_map(|rest| {
+                let means = data.chunks[rest.chunks.clone()].iter();
+                let means = means.filter_map(|chunk| chunk.mean(sensor));
+                let count = means.map(|mean| mean.count).sum::<usize>();
+                (count > 0).then(|| (noise.variance_of_mean(count).sum() / 3.0).sqrt())
+            })
+            .collect();
+        errors.sort_by(f64::total_cmp);
+        let middle = *errors.get(errors.len() / 2)?;
+        (length > 0.0).then(|| middle / length.sqrt())
+    };
+    (0..data.sources.len())
+        .filter_map(of_recording)
+        .reduce(f64::max)
+}
+
+/// The likeliest noise; then for each sensor the walks of the prior, with the likeliest flicker and without it; then shares of the scatter
+/// of turns. Noise that was given is the only level.
+pub fn walk_levels(
+    projected: &Projected,
+    data: &Data,
+    noise: BiasNoise,
+    is_given: bool,
+) -> Vec<Level> {
+    let level = |noise: BiasNoise, scatter: f64, of: Option<Sensor>, log_prior: f64| {
+        let whitened = projected.at_share(noise, scatter)?;
+        Some(Level {
+            noise,
+            scatter,
+            whitened,
+            of,
+            log_prior,
+        })
+    };
+    if is_given {
+        return level(noise, 1.0, None, 0.0).into_iter().collect();
+    }
+    let mut levels: Vec<Level> = level(noise, 1.0, None, f64::NEG_INFINITY)
+        .into_iter()
+        .collect();
+    for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+        let Some(unit) = unit(data, sensor) else {
+            continue;
+        };
+        let flickers: &[f64] = if noise.flickers(sensor) {
+            &[1.0, 0.0]
+        } else {
+            &[1.0]
+        };
+        for flicker in flickers {
+            levels.extend(prior().into_iter().filter_map(|(walk, log_prior)| {
+                let noise = noise.with_walk(sensor, walk * unit, *flicker);
+                let log_prior = log_prior - (flickers.len() as f64).ln();
+                level(noise, 1.0, Some(sensor), log_prior)
+            }));
+        }
+    }
+    if projected.scatters {
+        let each = -(SCATTERS.len() as f64).ln();
+        levels.extend(
+            SCATTERS
+                .iter()
+                .filter_map(|share| level(noise, *share, None, each)),
+        );
+    }
+    levels
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_prior_probabilities_add_up_to_one_and_the_usual_walk_is_likeliest() {
+        let prior = prior();
+        let sum: f64 = prior.iter().map(|(_, log)| log.exp()).sum();
+        assert!((sum - 1.0).abs() < 1e-12);
+        let likeliest = prior.iter().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+        assert!((likeliest.0 / MEDIAN).ln().abs() <= 0.5 * RATIO.ln());
+        assert_eq!(prior[0].0, 0.0);
+    }
+}
