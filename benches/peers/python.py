@@ -1,6 +1,6 @@
 """Stillpoint's module beside imucal (PyPI) and a script with scipy, in one run, on simulations of this file's own.
 
-    pip install stillpoint imucal scipy pandas && python benches/peers/python.py
+    pip install target/wheels/stillpoint_imu-*.whl imucal scipy pandas && python benches/peers/python.py
 
 imucal (Ferraris) needs six aligned placements and three full turns about the axes; the other two take any placements by
 hand. All sessions are of one device, 100 Hz, about two minutes. Error: root mean square over 10,000 random readings of the

@@ -98,17 +98,7 @@ pub use solve::{solve, solve_observed};
 pub use uncertainty::covariance::{Uncertainty, uncertainty};
 pub use uncertainty::profile::{ProfileInterval, profile_interval};
 
-/// The Rust block of the project's README compiles and holds.
-#[cfg(doctest)]
-#[doc = include_str!("../../README.md")]
-pub struct Readme;
-
-/// So do those of the crate's own.
+/// The Rust blocks of the crate's README compile and hold.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
-pub struct OwnReadme;
-
-/// So do those of the manual's chapter on the solver.
-#[cfg(doctest)]
-#[doc = include_str!("../../cli/manual/solver.md")]
-pub struct Chapter;
+pub struct Readme;

@@ -89,7 +89,7 @@ pub mod effect {
     pub use solver::{Scalar, lit};
 }
 
-/// The Rust blocks of the manual's chapter on extending compile and hold.
+/// The Rust block of the crate's README compiles and holds.
 #[cfg(doctest)]
-#[doc = include_str!("../../../cli/manual/extending.md")]
-pub struct Chapter;
+#[doc = include_str!("../README.md")]
+pub struct Readme;

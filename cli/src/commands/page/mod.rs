@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use crate::exit::{Failure, USAGE};
 use crate::output::{Output, Replace};
 
-/// The page that `cli/web/build` has written.
-#[cfg(feature = "page")]
+/// The page that `cli/web/build` has written. Documentation with all features is made without.
+#[cfg(all(feature = "page", not(doc)))]
 const PAGE: Option<&[u8]> = Some(include_bytes!("../../../web/stillpoint.html"));
-#[cfg(not(feature = "page"))]
+#[cfg(any(not(feature = "page"), doc))]
 const PAGE: Option<&[u8]> = None;
 
 /// Writes a page that calibrates in a browser, for those who have no terminal: one HTML file that needs no network and uploads nothing.
