@@ -1,15 +1,17 @@
 """Commands of the program that read or write, with small inputs, for `io_failures.py`."""
 
 import gzip
+import json
 import subprocess
 import zipfile
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from pathlib import Path
 
 SESSION = """seed = 11
 rate = 50.0
 [motion.hand_held]
 placements = 12
-initial_rest = 20.0
+initial_rest = 22.0
 """
 DEVICE = """seed = {seed}
 rate = 50.0
@@ -24,6 +26,11 @@ sensor = "gyroscope"
 x = "k * wy * wz"
 parameters = [{ name = "k", unit = "1/(rad/s)", typical = 1e-2 }]
 """
+# Logs in binary formats, from the corpus of the fuzz targets.
+LOGS = ["ulog", "ardupilot", "bag", "mcap", "db3", "mat", "sensor_logger_json"]
+CORPUS = Path(__file__).parent / "corpus"
+PRIOR = """{"schema": "stillpoint.prior/1", "created_by": "stillpoint", "devices": 3, "outsiders": [], "without": 0,
+    "effects": [], "parameters": [], "mean": [], "covariance": [], "mean_covariance": []}"""
 OLD = b"what was there before\n"
 
 
@@ -35,7 +42,6 @@ class Call:
     reads: str = ""
     old: str = ""
     stdin: str = ""
-    env: dict = field(default_factory=dict)
     quick: bool = False
 
     @property
@@ -52,8 +58,7 @@ CALLS = [
     Call("info good.csv.gz", "good.csv.gz"),
     Call("info session.zip", "session.zip"),
     Call("info -", stdin="good.csv"),
-    Call("info log.bin", "log.bin"),
-    Call("info log.ulg", "log.ulg"),
+    *[Call(f"info {log}", log) for log in LOGS],
     Call("segment good.csv", "good.csv"),
     Call("segment good.csv -o new.json --report new.html --plots plots", "good.csv"),
     Call("evaluate good.csv --calibration mine=cal.json --report new.html", "good.csv cal.json"),
@@ -69,21 +74,21 @@ CALLS = [
     Call("apply cal.json session -o made", "cal.json session"),
     # Calibrating.
     Call("calibrate good.csv", "good.csv"),
-    Call("calibrate good.csv -o new.json --report new.html --plots plots", "good.csv"),
+    Call("calibrate good.csv -o new.json --report new.html", "good.csv"),
     Call("calibrate good.csv -o new.json --report new.html --force --json", "good.csv", old="new.json new.html"),
     Call("calibrate session -o new.json", "session"),
     Call("calibrate - -o new.json", stdin="good.csv"),
     Call("calibrate --accel-file session/acc.csv --gyro-file session/gyro.csv --method stepwise -o new.json", "session"),
     Call("calibrate good.csv --gyro-recording other.csv --effect-file fx.toml --effects gyro_cross --limits limits.toml",
          "good.csv other.csv fx.toml limits.toml"),
-    Call("calibrate good.csv --sections seg.json", "good.csv seg.json"),
+    Call("calibrate good.csv --sections rests.csv", "good.csv rests.csv"),
     Call("calibrate --static-means means.csv -o new.json", "means.csv"),
     Call("calibrate good.csv --prior prior.json -o new.json", "good.csv prior.json"),
     Call("bias cal.json good.csv -o new.json --report new.html", "cal.json good.csv"),
     Call("reckon good.csv --motion 21,24 --calibration mine=cal.json -o new.json --report new.html", "good.csv cal.json"),
     Call("discover good.csv -o new.json --report new.html --emit-effect gyro_new.rs", "good.csv"),
-    Call("discover good.csv --validation other.csv --noise noise.json --effect-file fx.toml",
-         "good.csv other.csv noise.json fx.toml"),
+    Call("discover good.csv --validation other.csv --effect-file fx.toml", "good.csv other.csv fx.toml"),
+    Call("discover good.csv --noise noise.json", "good.csv noise.json"),
     Call("import imu.yaml -o new.json", "imu.yaml"),
     Call("export cal.json --to px4 -o new.params", "cal.json"),
     Call("export cal.json --to imu_tk -o made", "cal.json"),
@@ -146,21 +151,25 @@ def furnish(program, store, quick):
     if quick:
         return
     (store / "other.csv").write_bytes((store / "good.csv").read_bytes())
-    run("segment good.csv -o seg.json")
+    run("segment good.csv -o rests.json")
+    rests = json.loads((store / "rests.json").read_text())["static"]
+    write("rests.csv", "t0,t1\n" + "".join(f"{rest['t0']},{rest['t1']}\n" for rest in rests))
     run("allan good.csv --rest 0,19 -o noise.json")
     run("export cal.json --to kalibr --noise noise.json -o imu.yaml")
     (store / "good.csv.gz").write_bytes(gzip.compress((store / "good.csv").read_bytes(), mtime=0))
     with zipfile.ZipFile(store / "session.zip", "w", zipfile.ZIP_DEFLATED) as archive:
         for name in ("acc.csv", "gyro.csv"):
             archive.write(store / "session" / name, name)
+    for log in LOGS:
+        (store / log).write_bytes((CORPUS / log / "seed-0").read_bytes())
     (store / "devices").mkdir()
-    for seed in range(4):
+    for seed in range(2):
         write("device.toml", DEVICE.format(seed=seed))
         run(f"simulate device.toml -o devices/d{seed}")
         (store / f"devices/d{seed}/truth.json").unlink()
     write("manifest.csv", "id,inputs\nA,devices/d0\nB,devices/d1\n")
     run("batch devices -o out --jobs 1", expected=(0, 1))
-    run("batch prior out -o prior.json", expected=(0, 4))
+    write("prior.json", PRIOR)
 
 
 def means():

@@ -50,18 +50,20 @@ KINDS = {
 }
 TRACED = sorted({"openat", "read", "write", "fsync", "rename", "mkdir", "ftruncate", "stat", "close", "unlink", "unlinkat", "rmdir",
                  "lseek", "getdents64", "readlink", "mmap"} | set(KINDS))
+REMOVALS = {"unlink", "unlinkat", "rmdir"}
 LINE = re.compile(r"^(\w+)\((.*)\)\s+= (.*)$")
 PARTIAL = re.compile(r"\.([^/]*)\.stillpoint-\d+-\w{10}\.partial")
 
 # A call that may fail without a word, and why; the result is that of the undisturbed run all the same.
 SHRUGGED = [
+    (lambda c: c.role == "input" and c.name == "getdents64", "whether an output is an input shows by its name, and the folder is read again"),
     (lambda c: c.role == "stderr", "standard error is for people, and may be closed"),
     (lambda c: c.name == "close", "outputs are on the disk before they are closed, inputs are read"),
     (lambda c: c.role == "folder" and c.name in ("openat", "fsync"), "not every file system locks or syncs a folder"),
     (lambda c: c.path.endswith("~") and c.kind == "openat", "a claim that cannot be looked at costs the message about a second run"),
     (lambda c: c.role == "folder" and c.name == "getdents64", "leftovers of killed runs wait for the next run"),
     (lambda c: c.kind == "stat" or c.name in ("readlink", "lseek"), "what is asked here shows in what follows"),
-    (lambda c: c.name in ("unlink", "unlinkat", "rmdir"), "what cannot be removed stays, and is not the result"),
+    (lambda c: c.name in REMOVALS, "what cannot be removed stays, and is not the result"),
     (lambda c: c.role == "input" and c.kind in ("openat", "read"), "it was a first look; the file is read again from its beginning"),
 ]
 
@@ -128,7 +130,7 @@ class Bench:
             chosen = ["-e", f"inject={inject}"] if inject else []
             words = ["strace", "--seccomp-bpf", "-f", "-ff", "-qq", "-y", "-s", "0", "-o", str(self.traces / "t"), "-e", f"trace={','.join(TRACED)}",
                      "-e", "signal=none", *chosen, *words]
-        env = dict(os.environ, RAYON_NUM_THREADS="1", NO_COLOR="1", **self.call.env)
+        env = dict(os.environ, RAYON_NUM_THREADS="1", NO_COLOR="1")
         limited = (lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))) if limit is not None else None
         source = self.store / self.call.stdin if self.call.stdin else None
         given = self.streams / "in"
@@ -301,7 +303,9 @@ class Study:
         if run.status < 0 or run.status > 128 and run.status != calm.status:
             wrong.append(f"ended by signal {signal.Signals(-run.status if run.status < 0 else run.status - 128).name}")
         names = {c.name for c in hit}
-        wrong += self.half_files(run, hit, removal_failed=bool(names & {"unlink", "unlinkat", "rmdir"}))
+        wrong += self.half_files(run, hit, removal_failed=bool(names & REMOVALS))
+        if names & REMOVALS:
+            run.files = {name: held for name, held in run.files.items() if not PARTIAL.search(name)}
         if run.same_as(calm, self.volatile):
             return wrong + self.ignored(hit, error)
         if error == "EINTR":
@@ -357,6 +361,8 @@ class Study:
             elif PARTIAL.search(name):
                 if not removal_failed:
                     wrong.append(f"leaves {name}")
+            elif name.endswith(".html") and is_refusal(held, run.stderr):
+                continue
             elif self.call.words.startswith("live") and held.endswith(b"\n") and grown(name, held, self.calm.files):
                 continue
             elif is_batch and run.status == 1 and any(c.role == "input" for c in hit) and held.endswith(b"\n"):
@@ -365,6 +371,13 @@ class Study:
                 wrong.append(f"half a file: {name} has {len(held)} of {len(self.calm.files.get(name) or b'')} bytes")
         gone = [name for name in self.before if name not in run.files]
         return wrong + [f"{name} is gone" for name in gone]
+
+
+def is_refusal(page, said):
+    """Whether a report is whole and says why there is no calibration, as `calibrate` writes it then."""
+    text = page.decode(errors="replace")
+    reasons = [os.strerror(code) for code in (errno.EIO, errno.EACCES)]
+    return text.rstrip().endswith("</html>") and any(reason in text and reason in said for reason in reasons)
 
 
 def grown(name, held, calm):
@@ -377,7 +390,7 @@ def parsed():
     parser.add_argument("program", type=Path)
     parser.add_argument("--quick", action="store_true", help="four commands: a reader, a file replaced, a folder, standard output")
     parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--only", default="", help="commands that contain this")
+    parser.add_argument("--only", nargs="+", default=[""], help="commands that contain one of these")
     parser.add_argument("--furnish", type=Path, help="only make the inputs in this new folder, to reproduce a violation by hand")
     parser.add_argument("--verbose", action="store_true", help="show which failures were without consequence, and why")
     return parser.parse_args()
@@ -392,7 +405,7 @@ def main():
     if arguments.furnish:
         arguments.furnish.mkdir()
         return furnish(program, arguments.furnish, quick=False)
-    calls = [c for c in CALLS if arguments.only in c.name and (c.quick or not arguments.quick)]
+    calls = [c for c in CALLS if any(part in c.name for part in arguments.only) and (c.quick or not arguments.quick)]
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder).resolve()
         store = folder / "store"

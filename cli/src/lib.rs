@@ -78,10 +78,12 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
     call::remember(&words);
     let cli = match parsed(words) {
         Ok(cli) => cli,
-        // Help and version go to standard output; one that is closed is no error.
+        // Help and version go to standard output.
         Err(error) if !error.use_stderr() => {
-            let _ = error.print();
-            return 0;
+            return match show::printed(error.print()) {
+                Ok(()) => 0,
+                Err(failure) => ended(&failure),
+            };
         }
         Err(error) => return ended(&wrong_call(&error)),
     };
@@ -103,7 +105,8 @@ fn parsed(mut words: Vec<OsString>) -> Result<Cli, clap::Error> {
     if let [_, file] = words.as_slice()
         && !file.is_empty()
         && command.find_subcommand(file).is_none()
-        && Path::new(file).exists()
+        // Of one that the system does not tell of, `info` says why.
+        && Path::new(file).try_exists().unwrap_or(true)
     {
         words.insert(1, "info".into());
     }
