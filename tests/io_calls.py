@@ -51,7 +51,7 @@ class Call:
 
 CALLS = [
     # Looking at files.
-    Call("info good.csv", "good.csv"),
+    Call("info good.csv", "good.csv", quick=True),
     Call("info --json good.csv cal.json", "good.csv cal.json"),
     Call("good.csv", "good.csv"),
     Call("info session", "session"),
@@ -63,7 +63,7 @@ CALLS = [
     Call("segment good.csv -o new.json --report new.html --plots plots", "good.csv"),
     Call("evaluate good.csv --calibration mine=cal.json --report new.html", "good.csv cal.json"),
     Call("allan good.csv --rest 0,19 -o new.json --report new.html", "good.csv"),
-    Call("allan good.csv --rest 0,19 --json", "good.csv", quick=True),
+    Call("allan good.csv --rest 0,19 --json", "good.csv"),
     # Recordings to recordings.
     Call("convert good.csv -o new.csv", "good.csv"),
     Call("convert good.csv -o made", "good.csv"),
@@ -98,7 +98,7 @@ CALLS = [
     Call("plan", ""),
     Call("plan cal.json -o new.json --report new.html", "cal.json"),
     Call("plan good.csv", "good.csv"),
-    Call("simulate spec.toml -o made", "spec.toml", quick=True),
+    Call("simulate spec.toml -o made", "spec.toml"),
     Call("simulate spec.toml -o made --force", "spec.toml", old="made/acc.csv made/gyro.csv made/truth.json"),
     Call("demo", ""),
     Call("demo --out made", ""),
