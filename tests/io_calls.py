@@ -77,6 +77,7 @@ CALLS = [
     Call("calibrate good.csv -o new.json --report new.html", "good.csv"),
     Call("calibrate good.csv -o new.json --report new.html --force --json", "good.csv", old="new.json new.html"),
     Call("calibrate session -o new.json", "session"),
+    Call("calibrate beside -o new.json", "beside"),
     Call("calibrate - -o new.json", stdin="good.csv"),
     Call("calibrate --accel-file session/acc.csv --gyro-file session/gyro.csv --method stepwise -o new.json", "session"),
     Call("calibrate good.csv --gyro-recording other.csv --effect-file fx.toml --effects gyro_cross --limits limits.toml",
@@ -102,7 +103,7 @@ CALLS = [
     Call("simulate spec.toml -o made --force", "spec.toml", old="made/acc.csv made/gyro.csv made/truth.json"),
     Call("demo", ""),
     Call("demo --out made", ""),
-    Call("live - --out made -o new.json --events events.jsonl", stdin="good.csv"),
+    Call("live - --out made -o new.json --events events.jsonl", stdin="short.csv"),
     # Many devices.
     Call("batch devices -o out --jobs 1", "devices"),
     Call("batch manifest.csv -o out --jobs 1 --limits limits.toml", "devices manifest.csv limits.toml"),
@@ -160,6 +161,12 @@ def furnish(program, store, quick):
     with zipfile.ZipFile(store / "session.zip", "w", zipfile.ZIP_DEFLATED) as archive:
         for name in ("acc.csv", "gyro.csv"):
             archive.write(store / "session" / name, name)
+    # A file that is told by its columns, beside one that is told by its name.
+    (store / "beside").mkdir()
+    for name, other in [("acc.csv", "acc.csv"), ("gyro.csv", "turns.csv")]:
+        (store / "beside" / other).write_bytes((store / "session" / name).read_bytes())
+    # The first rest and some turns: enough for a session that is guided, and too little for a calibration.
+    write("short.csv", "".join((store / "good.csv").read_text().splitlines(True)[:2500]))
     for log in LOGS:
         (store / log).write_bytes((CORPUS / log / "seed-0").read_bytes())
     (store / "devices").mkdir()

@@ -45,6 +45,8 @@ class Traced:
     role: str
     creates: bool
     injected: bool = False
+    # The how many-th of its name at its file in its thread.
+    nth_there: int = 0
 
     @property
     def kind(self):
@@ -72,6 +74,8 @@ class Bench:
             (self.folder / name).parent.mkdir(exist_ok=True)
             (self.folder / name).write_bytes(OLD)
         self.before = self.snapshot()
+        # Files that a run has made or changed, once that is known.
+        self.written = set()
 
     def snapshot(self):
         """Files with their bytes; folders with nothing."""
@@ -90,11 +94,12 @@ class Bench:
             elif after.get(name) != held:
                 (self.folder / name).write_bytes(held)
 
-    def run(self, inject=None, traced=True, limit=None, piped=False):
-        """Status, standard output, standard error, files and traced calls of one run."""
+    def run(self, inject=None, only=(), traced=True, limit=None, piped=False):
+        """Status, standard output, standard error, files and traced calls of one run; `only` paths are traced where some are named."""
         words = [str(self.program), *self.call.words.split()]
         if traced:
             chosen = ["-e", f"inject={inject}"] if inject else []
+            chosen += [word for path in only for word in ("-P", path)]
             words = ["strace", "--seccomp-bpf", "-f", "-ff", "-qq", "-y", "-s", "0", "-o", str(self.traces / "t"), "-e", f"trace={','.join(TRACED)}",
                      "-e", "signal=none", *chosen, *words]
         env = dict(os.environ, RAYON_NUM_THREADS="1", NO_COLOR="1")
@@ -121,13 +126,15 @@ class Bench:
         files = self.snapshot()
         self.restore(files)
         calls = self.traced_calls() if traced else []
-        return Run(status, out.read_bytes(), (said if said is not None else err.read_bytes()).decode(errors="replace"), files, calls)
+        said = (said if said is not None else err.read_bytes()).decode(errors="replace")
+        said = "".join(line for line in said.splitlines(True) if not line.startswith("strace: "))
+        return Run(status, out.read_bytes(), said, files, calls)
 
     def traced_calls(self):
         """Calls on files of the user, thread by thread."""
         calls = []
         for trace in sorted(self.traces.iterdir(), key=lambda path: int(path.suffix[1:])):
-            counts = {}
+            counts, there = {}, {}
             for line in trace.read_text(errors="replace").splitlines():
                 match = LINE.match(line)
                 if not match:
@@ -136,8 +143,9 @@ class Bench:
                 counts[name] = counts.get(name, 0) + 1
                 path = self.path_of(arguments)
                 if path is not None:
-                    role = self.role_of(path)
-                    calls.append(Traced(name, counts[name], path, role, "O_CREAT" in arguments, "(INJECTED)" in result))
+                    there[name, path] = there.get((name, path), 0) + 1
+                    hit = "(INJECTED)" in result
+                    calls.append(Traced(name, counts[name], path, self.role_of(path), "O_CREAT" in arguments, hit, there[name, path]))
             trace.unlink()
         return calls
 
@@ -165,12 +173,9 @@ class Bench:
             return {"stdin": "input"}.get(path, path)
         if path.endswith("~"):
             return "output"
-        if path == "." or path in {str(Path(name).parent) for name in self.outputs()}:
+        if path == "." or path in {str(Path(name).parent) for name in self.written}:
             return "folder"
-        return "input" if path in self.before and path not in self.call.old.split() else "output"
-
-    def outputs(self):
-        return getattr(self, "written", set())
+        return "input" if path in self.before and path not in self.written | set(self.call.old.split()) else "output"
 
 
 def trickle(pipe, data):

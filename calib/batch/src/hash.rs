@@ -71,6 +71,18 @@ fn refused(path: &Path, found: Finding) -> Error {
     Error::Input(Box::new(found.in_file(shown_path(path))))
 }
 
+/// Whether a path is a folder; of nothing whoever reads it says what is there instead.
+///
+/// # Errors
+/// The system does not tell.
+pub fn is_folder(path: &Path) -> Result<bool, Error> {
+    match std::fs::metadata(path) {
+        Ok(found) => Ok(found.is_dir()),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(false),
+        Err(error) => Err(Error::at(path)(error)),
+    }
+}
+
 /// What is in a folder, by name; hidden files are not.
 ///
 /// # Errors
@@ -126,5 +138,15 @@ mod tests {
         let mut hash = Sha256::new();
         feed(&mut hash, Disturbed(b"ba".to_vec(), false)).unwrap();
         assert_eq!(hexadecimal(&hash.finalize()), of_text("ab"));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn what_the_system_does_not_tell_of_is_neither_file_nor_folder() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("devices");
+        assert!(!is_folder(&path).unwrap());
+        std::os::unix::fs::symlink("devices", &path).unwrap();
+        assert!(is_folder(&path).is_err());
     }
 }

@@ -246,6 +246,7 @@ impl Keeper {
 fn keep(source: &mut dyn Read, keeper: &mut Keeper, tell: &Sender<Told>, grows: bool) {
     let mut chunk = vec![0; CHUNK];
     let mut idle = Instant::now();
+    let mut stopped = None;
     loop {
         match source.read(&mut chunk) {
             Ok(0) if grows && idle.elapsed() < COMPLETE => std::thread::sleep(AGAIN),
@@ -259,12 +260,19 @@ fn keep(source: &mut dyn Read, keeper: &mut Keeper, tell: &Sender<Told>, grows: 
                 }
             }
             Err(error) if error.kind() == ErrorKind::Interrupted => {}
-            Err(_) => break,
+            Err(error) => {
+                stopped = Some(error);
+                break;
+            }
         }
     }
+    // Where nobody listens any more, what came is on disk all the same.
     if let Some(kept) = keeper.end().transpose() {
-        // Nobody listens any more: what came is on disk all the same.
         let _ = tell.send(kept);
+    }
+    if let Some(source) = stopped {
+        let path = PathBuf::from(&keeper.name);
+        let _ = tell.send(Err(Error::Unreadable(calib::Error::Io { path, source })));
     }
 }
 
@@ -364,5 +372,36 @@ mod tests {
         wait_for(folder.path(), text.len() + 6);
         let end = lines.poll(Duration::ZERO);
         assert!(matches!(end, Err(Error::Unreadable(_))), "{end:?}");
+    }
+
+    /// A port that is pulled out once a row has come.
+    struct Pulled(Option<Vec<u8>>);
+
+    impl Read for Pulled {
+        fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+            let bytes = self.0.take().ok_or(ErrorKind::BrokenPipe)?;
+            buffer[..bytes.len()].copy_from_slice(&bytes);
+            Ok(bytes.len())
+        }
+    }
+
+    #[test]
+    fn a_source_that_fails_is_not_one_that_has_ended() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = Growing::begin(&folder.path().join("lines.txt")).unwrap();
+        let mut keeper = Keeper {
+            name: "port".into(),
+            file,
+            open_line: Vec::new(),
+            kept: Kept::default(),
+        };
+        let (tell, told) = channel();
+        let mut port = Pulled(Some(rows(0, 1).into_bytes()));
+        keep(&mut port, &mut keeper, &tell, false);
+        drop(tell);
+        let told: Vec<Told> = told.iter().collect();
+        assert_eq!(told.len(), 2);
+        let error = told[1].as_ref().unwrap_err();
+        assert!(error.ends_a_session() && error.to_string().starts_with("port: "));
     }
 }

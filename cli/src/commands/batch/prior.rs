@@ -9,7 +9,7 @@ use calib::prior::Prior;
 
 use super::failure::failure;
 use crate::commands::calibrate::limits::number;
-use crate::commands::shared::inputs::load;
+use crate::commands::shared::inputs::{load, looked_at};
 use crate::exit::{Failure, INPUT};
 use crate::output::{Output, Replace};
 use crate::show;
@@ -82,7 +82,8 @@ fn name(input: &Path, path: &Path) -> String {
 
 /// The calibrations at a path.
 fn files(input: &Path) -> Result<Vec<PathBuf>, Failure> {
-    if !input.is_dir() {
+    let found = looked_at(input, std::fs::metadata(input))?;
+    if !found.is_some_and(|found| found.is_dir()) {
         return Ok(vec![input.to_owned()]);
     }
     let folder = input.join("devices");
