@@ -173,6 +173,9 @@ class Bench:
             return {"stdin": "input"}.get(path, path)
         if path.endswith("~"):
             return "output"
+        words = ["", *self.call.words.split()]
+        if any(word == path and not before.startswith("-") for before, word in zip(words, words[1:])):
+            return "input"
         if path == "." or path in {str(Path(name).parent) for name in self.written}:
             return "folder"
         return "input" if path in self.before and path not in self.written | set(self.call.old.split()) else "output"
