@@ -266,13 +266,22 @@ fn keep(source: &mut dyn Read, keeper: &mut Keeper, tell: &Sender<Told>, grows: 
             }
         }
     }
-    // Where nobody listens any more, what came is on disk all the same.
-    if let Some(kept) = keeper.end().transpose() {
-        let _ = tell.send(kept);
-    }
-    if let Some(source) = stopped {
-        let path = PathBuf::from(&keeper.name);
-        let _ = tell.send(Err(Error::Unreadable(calib::Error::Io { path, source })));
+    // Of a source that has failed the line that is open is half a row.
+    let last = match stopped {
+        None => keeper.end().transpose(),
+        Some(source) => {
+            let name = if keeper.name == "-" {
+                "<stdin>"
+            } else {
+                &keeper.name
+            };
+            let path = PathBuf::from(name);
+            Some(Err(Error::Unreadable(calib::Error::Io { path, source })))
+        }
+    };
+    if let Some(last) = last {
+        // Nobody listens any more: what came is on disk all the same.
+        let _ = tell.send(last);
     }
 }
 
@@ -396,12 +405,15 @@ mod tests {
             kept: Kept::default(),
         };
         let (tell, told) = channel();
-        let mut port = Pulled(Some(rows(0, 1).into_bytes()));
+        let sent = rows(0, 1) + "0.01,0.1";
+        let mut port = Pulled(Some(sent.into_bytes()));
         keep(&mut port, &mut keeper, &tell, false);
         drop(tell);
         let told: Vec<Told> = told.iter().collect();
         assert_eq!(told.len(), 2);
         let error = told[1].as_ref().unwrap_err();
         assert!(error.ends_a_session() && error.to_string().starts_with("port: "));
+        let kept = std::fs::read_to_string(folder.path().join("lines.txt")).unwrap();
+        assert_eq!(kept, rows(0, 1), "half a row is none");
     }
 }
