@@ -25,7 +25,7 @@ pub mod without_effect;
 
 pub use commands::shared::figures;
 
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::panic::AssertUnwindSafe;
 use std::path::Path;
 
@@ -78,10 +78,12 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
     call::remember(&words);
     let cli = match parsed(words) {
         Ok(cli) => cli,
-        // Help and version go to standard output; one that is closed is no error.
+        // Help and version go to standard output.
         Err(error) if !error.use_stderr() => {
-            let _ = error.print();
-            return 0;
+            return match show::printed(error.print()) {
+                Ok(()) => 0,
+                Err(failure) => ended(&failure),
+            };
         }
         Err(error) => return ended(&wrong_call(&error)),
     };
@@ -103,7 +105,7 @@ fn parsed(mut words: Vec<OsString>) -> Result<Cli, clap::Error> {
     if let [_, file] = words.as_slice()
         && !file.is_empty()
         && command.find_subcommand(file).is_none()
-        && Path::new(file).exists()
+        && is_file(file)
     {
         words.insert(1, "info".into());
     }
@@ -111,8 +113,16 @@ fn parsed(mut words: Vec<OsString>) -> Result<Cli, clap::Error> {
     Cli::from_arg_matches(&matches).map_err(|error| error.format(&mut command))
 }
 
+/// Whether a word is a file to look at. Of one that the system does not tell of, `info` says why.
+fn is_file(word: &OsStr) -> bool {
+    let is_option = word.as_encoded_bytes().starts_with(b"-");
+    Path::new(word).try_exists().unwrap_or(!is_option)
+}
+
 fn ended(failure: &Failure) -> u8 {
     interrupt::give_way();
+    // A thread that waits for what never comes has a file that is empty.
+    ::output::leftovers().remove();
     show::failure(failure);
     failure.code
 }

@@ -62,7 +62,15 @@ static PRINTED: AtomicBool = AtomicBool::new(false);
 pub fn print(text: &str) -> Result<(), Failure> {
     PRINTED.store(true, Ordering::SeqCst);
     let mut out = std::io::stdout().lock();
-    match writeln!(out, "{}", printable(text.trim_end())).and_then(|()| out.flush()) {
+    printed(writeln!(out, "{}", printable(text.trim_end())))
+}
+
+/// What became of something on standard output, the last line of which may be on its way still.
+///
+/// # Errors
+/// As [`print`].
+pub fn printed(written: std::io::Result<()>) -> Result<(), Failure> {
+    match written.and_then(|()| std::io::stdout().flush()) {
         Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::new(
             OUTPUT,
             format!("standard output cannot be written: {e}"),

@@ -61,10 +61,17 @@ impl Options {
         let record = empty(device, index, key);
         match self.calibrated(device) {
             Ok((calibration, findings)) => recorded(record, &calibration, findings.as_ref()),
-            Err(error) => Computed {
-                record: refused(record, status_of(&error), error.text(Front::CommandLine)),
-                calibration: None,
-            },
+            Err(error) => {
+                let mut record = refused(record, status_of(&error), error.text(Front::CommandLine));
+                if is_of_system(&error) {
+                    // The disk has failed, not the device: it is tried again.
+                    record.key.clear();
+                }
+                Computed {
+                    record,
+                    calibration: None,
+                }
+            }
         }
     }
 
@@ -114,7 +121,8 @@ fn recordings_at(path: &Path, options: &ReadOptions) -> Result<Vec<Recording>, E
     };
     let whole = read(path);
     let members: Vec<PathBuf> = match (&whole, path.is_dir()) {
-        (Err(_), true) => hash::members(path).unwrap_or_default(),
+        // Of a recording on a disk that fails a part would be another recording.
+        (Err(error), true) if !is_of_system(error) => hash::members(path).unwrap_or_default(),
         _ => Vec::new(),
     };
     if members.len() < 2 {
@@ -122,6 +130,7 @@ fn recordings_at(path: &Path, options: &ReadOptions) -> Result<Vec<Recording>, E
     }
     let each: Result<Vec<_>, _> = members.iter().map(|member| read(member)).collect();
     match (each, whole) {
+        (Err(error), _) if is_of_system(&error) => Err(error),
         (Err(_), Err(first)) => Err(first),
         (each, _) => each.map(|each| each.into_iter().flatten().collect()),
     }
@@ -217,6 +226,12 @@ pub(crate) fn refused(record: Record, status: Status, reason: String) -> Record 
         reasons: vec![reason],
         ..record
     }
+}
+
+/// Whether the system has not let a file be read.
+fn is_of_system(error: &Error) -> bool {
+    let of_system = [Kind::Unreadable, Kind::ReadingStopped];
+    of_system.contains(&error.finding().kind)
 }
 
 fn status_of(error: &Error) -> Status {

@@ -27,6 +27,7 @@ mod store;
 
 pub use device::Options;
 pub use error::Error;
+pub use hash::members;
 pub use manifest::{Device, DeviceOptions, Manifest};
 pub use merge::{Merged, merge, part_files, to_csv};
 pub use part::{Identity, PartHeader, part_name, part_text, timings_name};

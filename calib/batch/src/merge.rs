@@ -107,7 +107,7 @@ fn commonest(parts: &[(PathBuf, Part)]) -> Option<PartHeader> {
 pub fn part_files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Error> {
     let mut files = Vec::new();
     for path in paths {
-        if !path.is_dir() {
+        if !crate::hash::is_folder(path)? {
             files.push(path.clone());
             continue;
         }

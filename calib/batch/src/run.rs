@@ -165,7 +165,11 @@ fn one(
             }
         }
     };
-    store.write(&computed)?;
+    // What an earlier run has found of a device that cannot be read now stays, and counts once it can be.
+    let is_unread = computed.record.key.is_empty();
+    if !(plan.resume && is_unread && store.holds(&device.id)) {
+        store.write(&computed)?;
+    }
     Ok((computed.record, false))
 }
 
@@ -333,5 +337,30 @@ mod tests {
             [true, true, false],
             "a file cut by a power failure"
         );
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn what_was_found_of_a_device_stays_while_the_device_cannot_be_read() {
+        let dir = tempfile::tempdir().unwrap();
+        let plan = plan(dir.path(), &["a"]);
+        let store = Store::new(dir.path().join("out"));
+        let compute = |device: &Device, index: usize, key: String| Computed {
+            record: Record {
+                cal_sha256: Some(crate::hash::of_text("x")),
+                ..empty(device, index, key)
+            },
+            calibration: Some("x".into()),
+        };
+        let run = || run_with(&plan, &store, Arc::new(compute), |_| {}).unwrap();
+        run();
+        let (input, aside) = (dir.path().join("a"), dir.path().join("aside"));
+        std::fs::rename(&input, &aside).unwrap();
+        // A circle of links fails as a broken disk does.
+        std::os::unix::fs::symlink("a", &input).unwrap();
+        assert_eq!(run()[0].0.status, Status::Input);
+        assert!(store.device("a").join("cal.json").exists());
+        std::fs::rename(&aside, &input).unwrap();
+        assert!(run()[0].1.resumed);
     }
 }

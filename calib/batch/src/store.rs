@@ -73,6 +73,11 @@ impl Store {
         Some(record)
     }
 
+    /// Whether an earlier run has left a record of a device.
+    pub(crate) fn holds(&self, id: &str) -> bool {
+        self.device(id).join("record.json").exists()
+    }
+
     /// Writes what was computed of a device in place of what was there.
     pub(crate) fn write(&self, computed: &Computed) -> Result<(), Error> {
         let folder = self.device(&computed.record.id);

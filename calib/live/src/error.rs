@@ -80,7 +80,10 @@ impl Error {
     pub fn ends_a_session(&self) -> bool {
         matches!(
             self,
-            Self::Lost { .. } | Self::Restless { .. } | Self::TooMuch { .. }
+            Self::Lost { .. }
+                | Self::Restless { .. }
+                | Self::TooMuch { .. }
+                | Self::Unreadable(calib::Error::Io { .. })
         )
     }
 

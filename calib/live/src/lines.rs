@@ -246,6 +246,7 @@ impl Keeper {
 fn keep(source: &mut dyn Read, keeper: &mut Keeper, tell: &Sender<Told>, grows: bool) {
     let mut chunk = vec![0; CHUNK];
     let mut idle = Instant::now();
+    let mut stopped = None;
     loop {
         match source.read(&mut chunk) {
             Ok(0) if grows && idle.elapsed() < COMPLETE => std::thread::sleep(AGAIN),
@@ -259,12 +260,28 @@ fn keep(source: &mut dyn Read, keeper: &mut Keeper, tell: &Sender<Told>, grows: 
                 }
             }
             Err(error) if error.kind() == ErrorKind::Interrupted => {}
-            Err(_) => break,
+            Err(error) => {
+                stopped = Some(error);
+                break;
+            }
         }
     }
-    if let Some(kept) = keeper.end().transpose() {
+    // Of a source that has failed the line that is open is half a row.
+    let last = match stopped {
+        None => keeper.end().transpose(),
+        Some(source) => {
+            let name = if keeper.name == "-" {
+                "<stdin>"
+            } else {
+                &keeper.name
+            };
+            let path = PathBuf::from(name);
+            Some(Err(Error::Unreadable(calib::Error::Io { path, source })))
+        }
+    };
+    if let Some(last) = last {
         // Nobody listens any more: what came is on disk all the same.
-        let _ = tell.send(kept);
+        let _ = tell.send(last);
     }
 }
 
@@ -364,5 +381,39 @@ mod tests {
         wait_for(folder.path(), text.len() + 6);
         let end = lines.poll(Duration::ZERO);
         assert!(matches!(end, Err(Error::Unreadable(_))), "{end:?}");
+    }
+
+    /// A port that is pulled out once a row has come.
+    struct Pulled(Option<Vec<u8>>);
+
+    impl Read for Pulled {
+        fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+            let bytes = self.0.take().ok_or(ErrorKind::BrokenPipe)?;
+            buffer[..bytes.len()].copy_from_slice(&bytes);
+            Ok(bytes.len())
+        }
+    }
+
+    #[test]
+    fn a_source_that_fails_is_not_one_that_has_ended() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = Growing::begin(&folder.path().join("lines.txt")).unwrap();
+        let mut keeper = Keeper {
+            name: "port".into(),
+            file,
+            open_line: Vec::new(),
+            kept: Kept::default(),
+        };
+        let (tell, told) = channel();
+        let sent = rows(0, 1) + "0.01,0.1";
+        let mut port = Pulled(Some(sent.into_bytes()));
+        keep(&mut port, &mut keeper, &tell, false);
+        drop(tell);
+        let told: Vec<Told> = told.iter().collect();
+        assert_eq!(told.len(), 2);
+        let error = told[1].as_ref().unwrap_err();
+        assert!(error.ends_a_session() && error.to_string().starts_with("port: "));
+        let kept = std::fs::read_to_string(folder.path().join("lines.txt")).unwrap();
+        assert_eq!(kept, rows(0, 1), "half a row is none");
     }
 }

@@ -14,7 +14,9 @@ use crate::source::{Opening, Source};
 /// A name that is neither; a phone that does not answer or lacks a sensor; a file that cannot be opened.
 pub fn open(name: &str, how: &Opening) -> Result<Box<dyn Source>, Error> {
     let path = Path::new(name);
-    if name == "-" || path.exists() {
+    // What the system does not tell of is opened, which says why.
+    let is_there = path.try_exists().unwrap_or(address(name).is_none());
+    if name == "-" || is_there {
         return Ok(Box::new(Lines::open(path, how)?));
     }
     match address(name) {

@@ -7,8 +7,12 @@ use crate::error::Error;
 
 /// Opens a file; a terminal device is set to `baud` bits per second, 8 data bits, and hands bytes on as they come.
 pub(crate) fn open(path: &Path, baud: u32) -> Result<File, Error> {
-    let file = File::open(path).map_err(Error::at(path))?;
-    set_up(&file, baud).map_err(Error::at(path))?;
+    let refused = |source| {
+        let path = path.to_owned();
+        Error::Unreadable(calib::Error::Io { path, source })
+    };
+    let file = File::open(path).map_err(refused)?;
+    set_up(&file, baud).map_err(refused)?;
     Ok(file)
 }
 

@@ -1,7 +1,7 @@
 //! A claim on a file, and what becomes of it.
 
 use std::fs::Metadata;
-use std::io::{BufWriter, Write};
+use std::io::{BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use crate::error::{Error, Reason};
@@ -189,7 +189,9 @@ fn in_the_way(path: &Path, target: &Path) -> Result<Option<Metadata>, Error> {
             let aim = std::fs::read_link(target).unwrap_or_default();
             Err(Reason::Dangling(aim).of(path))
         }
-        Err(_) => Ok(None),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
+        // Of a file that is there the permissions would be lost.
+        Err(error) => Err(Reason::System(error).of(path)),
     }
 }
 

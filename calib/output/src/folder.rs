@@ -56,9 +56,31 @@ impl Drop for Folder {
     fn drop(&mut self) {
         let mut leftovers = leftovers();
         for path in self.made.iter().rev() {
-            // It stays where something is in it.
+            // It stays where something is in it, and is tried again where that is a leftover of another thread.
             let _ = std::fs::remove_dir(path);
-            leftovers.folders.retain(|other| other != path);
+            if !leftovers.files.iter().any(|file| file.starts_with(path)) {
+                leftovers.folders.retain(|other| other != path);
+            }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Growing;
+
+    #[test]
+    fn a_folder_with_an_empty_file_of_another_thread_goes_with_it() {
+        let outer = tempfile::tempdir().unwrap();
+        let path = outer.path().join("session");
+        let folder = Folder::make(&path).unwrap();
+        let held = Growing::begin(&path.join("lines.txt")).unwrap();
+        drop(folder);
+        assert!(path.is_dir());
+        // No other: tests share the leftovers of the process.
+        let is_left = leftovers().folders.contains(&path);
+        drop(held);
+        assert!(is_left);
     }
 }

@@ -46,7 +46,7 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<(), Failure> {
     let (mut documents, mut pages) = (Vec::new(), Vec::new());
     for path in &args.files {
-        if let Some(ours) = Ours::of(path) {
+        if let Some(ours) = Ours::of(path)? {
             documents.push(ours.document(path));
             pages.push(ours.page(path));
             continue;

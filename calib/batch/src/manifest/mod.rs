@@ -32,7 +32,7 @@ impl Manifest {
     pub fn read(paths: &[PathBuf]) -> Result<Self, Error> {
         let mut devices = Vec::new();
         for path in paths {
-            devices.extend(match path.is_dir() {
+            devices.extend(match hash::is_folder(path)? {
                 true => folders::devices(path)?,
                 false => lines::devices(path)?,
             });

@@ -22,7 +22,12 @@ pub(super) fn unpacked(
     archive.seek(SeekFrom::Start(packed.at))?;
     let mut header = [0; LOCAL_SIZE];
     let missing = || Error::at(packed.at, Finding::of(Kind::ZipEntryMissing));
-    archive.read_exact(&mut header).map_err(|_| missing())?;
+    archive
+        .read_exact(&mut header)
+        .map_err(|error| match error.kind() {
+            io::ErrorKind::UnexpectedEof => missing(),
+            _ => error.into(),
+        })?;
     if !header.starts_with(LOCAL) {
         return Err(missing());
     }

@@ -5,8 +5,8 @@ mod directory;
 mod entry;
 
 use findings::{Finding, Findings, Kind};
-use std::fs::File;
-use std::io::{Read, Write};
+use std::fs::{File, ReadDir};
+use std::io::{self, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -51,6 +51,33 @@ pub struct Container {
     pub warnings: Findings,
 }
 
+/// What lies in a folder; the call is made again where a signal comes between.
+fn listed(folder: &Path) -> io::Result<ReadDir> {
+    loop {
+        match std::fs::read_dir(folder) {
+            Err(error) if error.kind() == ErrorKind::Interrupted => {}
+            other => return other,
+        }
+    }
+}
+
+/// Whether a file or folder may not be looked into, or has gone: then it holds nothing for us.
+fn is_closed_or_gone(error: &io::Error) -> bool {
+    matches!(
+        error.kind(),
+        ErrorKind::PermissionDenied | ErrorKind::NotFound
+    )
+}
+
+/// An error with the name of the file or folder within; that of the folder itself is empty.
+fn of_member(name: &str, error: &io::Error) -> Error {
+    let reason = match name.trim_end_matches('/') {
+        "" => error.to_string(),
+        member => format!("{}: {error}", shown(member)),
+    };
+    Error::Io(io::Error::new(error.kind(), reason))
+}
+
 impl Container {
     /// The files in the folder at `path` and in the folders within it.
     ///
@@ -60,19 +87,24 @@ impl Container {
         let mut entries = Vec::new();
         let mut folders = vec![(path.to_owned(), String::new(), 0)];
         while let Some((folder, prefix, depth)) = folders.pop() {
-            let items = match std::fs::read_dir(&folder) {
-                // A folder within that may not be looked into holds nothing for us.
-                Err(_) if depth > 0 => continue,
-                other => other?,
+            let items = match listed(&folder) {
+                Err(error) if depth > 0 && is_closed_or_gone(&error) => continue,
+                other => other.map_err(|error| of_member(&prefix, &error))?,
             };
             for item in items {
-                let path = item?.path();
+                let path = item.map_err(|error| of_member(&prefix, &error))?.path();
                 let Some(name) = path.file_name() else {
                     continue;
                 };
                 let name = format!("{prefix}{}", name.to_string_lossy());
-                let Ok(metadata) = path.metadata() else {
-                    continue;
+                let metadata = match path.metadata() {
+                    Ok(metadata) => metadata,
+                    Err(error) if error.kind() == ErrorKind::NotFound => continue,
+                    Err(error) if is_closed_or_gone(&error) && (depth > 0 || path.is_symlink()) => {
+                        continue;
+                    }
+                    // Of a recording without one of its files nobody would know that something is missing.
+                    Err(error) => return Err(of_member(&name, &error)),
                 };
                 if metadata.is_dir() && depth < DEPTH {
                     folders.push((path, format!("{name}/"), depth + 1));

@@ -110,3 +110,49 @@ fn a_folder_is_its_files() {
     assert_eq!(names, ["Gyro.csv", "meta/time.csv"]);
     assert_eq!(content(&container, "meta/time.csv").unwrap(), b"x");
 }
+
+#[cfg(unix)]
+#[test]
+fn a_file_of_a_folder_that_the_system_does_not_tell_of_is_no_file_left_out() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("acc.csv"), "1").unwrap();
+    let link = |aim: &str, name: &str| std::os::unix::fs::symlink(aim, folder.path().join(name));
+    link("nowhere", "gone.csv").unwrap();
+    let container = Container::folder(folder.path(), limits()).unwrap();
+    assert_eq!(container.entries().len(), 1);
+    // A circle of links: what is there cannot be found out.
+    link("gyro.csv", "gyro.csv").unwrap();
+    let error = Container::folder(folder.path(), limits()).unwrap_err();
+    assert!(error.to_string().contains("gyro.csv: "), "{error}");
+}
+
+/// A disk that fails.
+struct Failing;
+
+impl std::io::Read for Failing {
+    fn read(&mut self, _: &mut [u8]) -> std::io::Result<usize> {
+        Err(std::io::Error::other("the disk fails"))
+    }
+}
+
+impl std::io::Seek for Failing {
+    fn seek(&mut self, _: std::io::SeekFrom) -> std::io::Result<u64> {
+        Ok(0)
+    }
+}
+
+#[test]
+fn a_disk_that_fails_is_no_damage_of_an_archive() {
+    let packed = Packed {
+        at: 0,
+        packed_size: 1,
+        size: 1,
+        crc: 0,
+        method: 0,
+    };
+    let failed = entry::unpacked(Box::new(Failing), &packed).err().unwrap();
+    assert_eq!(
+        failed.to_string(),
+        Error::Io(std::io::Error::other("the disk fails")).to_string()
+    );
+}

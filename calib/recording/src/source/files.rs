@@ -1,12 +1,13 @@
 //! A folder or an archive as files that can be opened by name.
 
 use findings::{Finding, Kind};
-use std::io::Read;
+use std::io::{ErrorKind, Read};
 use std::path::Path;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use file_formats::{Container, Entry, Limits};
 
+use super::head::stopped;
 use super::place::in_file;
 use crate::Error;
 use crate::recording::options::ReadOptions;
@@ -23,6 +24,15 @@ pub struct Files {
     /// The name in messages.
     pub(crate) name: String,
     container: Arc<Container>,
+    /// The first of those whose beginning the system did not let be read, shared by all copies.
+    unread: Arc<OnceLock<Unread>>,
+}
+
+/// A file that the system did not let be read when it was looked at.
+#[derive(Debug)]
+struct Unread {
+    name: String,
+    error: std::io::Error,
 }
 
 /// The limits that the options set.
@@ -41,6 +51,7 @@ impl Files {
         Self {
             name,
             container: Arc::new(container),
+            unread: Arc::default(),
         }
     }
 
@@ -108,11 +119,30 @@ impl Files {
     /// The first bytes of an entry; none of one that cannot be opened.
     pub(crate) fn head(&self, entry: &Entry) -> Vec<u8> {
         let mut head = Vec::new();
-        if let Ok(reader) = self.container.open(entry) {
-            // A damaged entry is refused by whoever reads it.
-            let _ = reader.take(HEAD).read_to_end(&mut head);
+        let read = self.container.open(entry).and_then(|reader| {
+            reader.take(HEAD).read_to_end(&mut head)?;
+            Ok(())
+        });
+        // A damaged entry is refused by whoever reads it, and one that is closed to the user holds nothing for us.
+        if let Err(file_formats::Error::Io(error)) = read
+            && error.raw_os_error().is_some()
+            && error.kind() != ErrorKind::PermissionDenied
+        {
+            let name = self.called(entry);
+            let _ = self.unread.set(Unread { name, error });
         }
         head
+    }
+
+    /// Refuses them where the beginning of one could not be read: nobody can tell whether it belongs to the recording.
+    ///
+    /// # Errors
+    /// The system's reason.
+    pub(crate) fn refuse_unread(&self) -> Result<(), Error> {
+        match self.unread.get() {
+            Some(Unread { name, error }) => Err(stopped(name, error)),
+            None => Ok(()),
+        }
     }
 
     /// The entries whose beginnings are worth a look, with those beginnings.

@@ -178,6 +178,15 @@ impl Source {
         Input::new(name, unpacked, origin).map(Self::Text)
     }
 
+    /// The files that it consists of, if any.
+    pub(crate) fn files(&self) -> Option<&Files> {
+        match self {
+            Self::Files(files) => Some(files),
+            Self::Tables(_, inner) => inner.files(),
+            Self::Text(_) | Self::Binary(_) => None,
+        }
+    }
+
     /// True for a text with rows that are understood, or asked about.
     pub(crate) fn holds_samples(&self, options: &ReadOptions) -> bool {
         match self {

@@ -1,14 +1,15 @@
 //! `batch prior`: what the devices of a type have in common.
 
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-use batch::prior_of;
+use batch::{members, prior_of};
 use calib::Calibration;
 use calib::prior::Prior;
 
 use super::failure::failure;
 use crate::commands::calibrate::limits::number;
-use crate::commands::shared::inputs::load;
+use crate::commands::shared::inputs::{load, looked_at};
 use crate::exit::{Failure, INPUT};
 use crate::output::{Output, Replace};
 use crate::show;
@@ -81,11 +82,12 @@ fn name(input: &Path, path: &Path) -> String {
 
 /// The calibrations at a path.
 fn files(input: &Path) -> Result<Vec<PathBuf>, Failure> {
-    if !input.is_dir() {
+    let found = looked_at(input, std::fs::metadata(input))?;
+    if !found.is_some_and(|found| found.is_dir()) {
         return Ok(vec![input.to_owned()]);
     }
     let folder = input.join("devices");
-    let members = std::fs::read_dir(&folder).map_err(|e| {
+    let unread = |e: std::io::Error| {
         Failure::new(
             INPUT,
             format!(
@@ -93,10 +95,17 @@ fn files(input: &Path) -> Result<Vec<PathBuf>, Failure> {
                 show::path(&folder)
             ),
         )
-    })?;
-    let files = members.flatten().map(|entry| entry.path().join("cal.json"));
-    let mut files: Vec<PathBuf> = files.filter(|path| path.exists()).collect();
-    files.sort();
+    };
+    let mut files = Vec::new();
+    for device in members(&folder).map_err(unread)? {
+        let path = device.join("cal.json");
+        match path.try_exists() {
+            Ok(false) => {}
+            Err(error) if error.kind() == ErrorKind::NotADirectory => {}
+            // Of one that the system does not tell of, whoever reads it says why.
+            _ => files.push(path),
+        }
+    }
     Ok(files)
 }
 

@@ -4,6 +4,8 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
+use crate::commands::shared::inputs::looked_at;
+use crate::exit::Failure;
 use crate::show;
 
 /// Files above this are recordings, bytes.
@@ -54,12 +56,23 @@ pub struct Ours {
 
 impl Ours {
     /// Looks at a file.
-    pub fn of(path: &Path) -> Option<Self> {
-        let size = std::fs::metadata(path).ok().filter(|m| m.is_file())?.len();
-        if size > LARGEST || path.extension().is_none_or(|e| e != "json") {
-            return None;
+    ///
+    /// # Errors
+    /// Status 3: the system does not let it be read, so that nobody can tell what it is.
+    pub fn of(path: &Path) -> Result<Option<Self>, Failure> {
+        if path.extension().is_none_or(|e| e != "json") {
+            return Ok(None);
         }
-        let document: Value = serde_json::from_str(&std::fs::read_to_string(path).ok()?).ok()?;
+        let found = looked_at(path, std::fs::metadata(path))?;
+        if found.is_none_or(|found| !found.is_file() || found.len() > LARGEST) {
+            return Ok(None);
+        }
+        let bytes = looked_at(path, std::fs::read(path))?;
+        Ok(bytes.and_then(|bytes| Self::in_bytes(path, &bytes)))
+    }
+
+    fn in_bytes(path: &Path, bytes: &[u8]) -> Option<Self> {
+        let document: Value = serde_json::from_slice(bytes).ok()?;
         let schema = document.get("schema")?.as_str()?;
         let (_, what, next) = KINDS.iter().find(|(kind, ..)| schema.starts_with(kind))?;
         Some(Self {
@@ -83,5 +96,22 @@ impl Ours {
             self.schema,
             self.next
         )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::{Error, ErrorKind};
+
+    use super::*;
+
+    #[test]
+    fn a_file_that_cannot_be_read_is_not_taken_for_one_of_others() {
+        let found =
+            |kind: ErrorKind| looked_at::<()>(Path::new("cal.json"), Err(Error::from(kind)));
+        assert!(found(ErrorKind::NotFound).unwrap().is_none());
+        let failure = found(ErrorKind::TimedOut).unwrap_err();
+        assert_eq!(failure.code, crate::exit::INPUT);
+        assert!(failure.message.starts_with("cal.json: "), "{failure:?}");
     }
 }

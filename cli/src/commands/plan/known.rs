@@ -16,7 +16,7 @@ use serde_json::Value;
 use super::args::Args;
 use super::rivals::Rivals;
 use super::units::unit_of;
-use crate::commands::shared::inputs::{load, read as read_recording};
+use crate::commands::shared::inputs::{load, looked_at, read as read_recording};
 use crate::exit::{Failure, INPUT};
 use crate::show;
 
@@ -68,11 +68,19 @@ pub fn read(
 }
 
 /// A document of ours; `None` for everything else.
-pub fn document(path: &Path) -> Option<Value> {
-    let bytes = std::fs::read(path).ok()?;
-    let document: Value = serde_json::from_slice(&bytes).ok()?;
-    let schema = document.get("schema")?.as_str()?;
-    schema.starts_with("stillpoint.").then_some(document)
+///
+/// # Errors
+/// Status 3: the system does not let it be read.
+pub fn document(path: &Path) -> Result<Option<Value>, Failure> {
+    let Some(bytes) = looked_at(path, std::fs::read(path))? else {
+        return Ok(None);
+    };
+    let document: Option<Value> = serde_json::from_slice(&bytes).ok();
+    let is_ours = |document: &Value| {
+        let schema = document.get("schema").and_then(Value::as_str);
+        schema.is_some_and(|schema| schema.starts_with("stillpoint."))
+    };
+    Ok(document.filter(is_ours))
 }
 
 /// The calibration itself, or that of findings.

@@ -36,7 +36,10 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     };
     let (output, report) = (claim(&args.output)?, claim(&args.report)?);
     args.replace.end_if_all_exist()?;
-    let ours = args.input.as_deref().and_then(known::document);
+    let ours = match args.input.as_deref() {
+        Some(path) => known::document(path)?,
+        None => None,
+    };
     refuse_unread(args, ours.is_none())?;
     let own = ours.as_ref().and_then(known::gravity);
     let gravity = args.gravity.or(own).unwrap_or(STANDARD_GRAVITY);

@@ -250,6 +250,26 @@ pub fn load(path: &Path) -> Result<Calibration, Failure> {
     Ok(calibration)
 }
 
+/// What the system says of a file that is only looked at; `None` of one that is not there or is a folder, of which whoever reads
+/// it says more.
+///
+/// # Errors
+/// Status 3 with the system's reason.
+pub fn looked_at<T>(path: &Path, found: std::io::Result<T>) -> Result<Option<T>, Failure> {
+    use std::io::ErrorKind;
+    match found {
+        Ok(found) => Ok(Some(found)),
+        Err(error) if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::IsADirectory) => {
+            Ok(None)
+        }
+        Err(source) => Err(calib::Error::Io {
+            path: path.to_owned(),
+            source,
+        }
+        .into()),
+    }
+}
+
 /// Reads a recording and shows its warnings.
 pub fn read(path: &Path, args: &ReadArgs) -> Result<Recording, Failure> {
     let spinner = spinner(&format!("reading {}", show::path(path)));

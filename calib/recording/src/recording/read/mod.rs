@@ -94,6 +94,16 @@ impl Recording {
 
     fn of_source(source: Source, options: &ReadOptions) -> Result<Self, Error> {
         refuse_choice(&source, options)?;
+        let files = source.files().cloned();
+        let read = Self::of_format(source, options);
+        // What was not read may be what is missing, or beside what was found.
+        if let Some(files) = files {
+            files.refuse_unread()?;
+        }
+        read
+    }
+
+    fn of_format(source: Source, options: &ReadOptions) -> Result<Self, Error> {
         let format = match options.format {
             Some(name) => Some(formats::by_name(name).map_err(Error::usage)?),
             None => formats::recognise(&source),
