@@ -70,6 +70,8 @@ pub enum OptionName {
     TimeFormat,
     /// Unit of the stamps.
     TimeUnit,
+    /// Second recording that confirms what was found.
+    Validation,
     /// Topic of a log.
     Topic,
     /// Window of the static detector.

@@ -28,7 +28,7 @@ const MOST_ADDED: usize = 30;
 /// ```
 /// use stillpoint_plan::REQUIREMENT;
 ///
-/// assert!(REQUIREMENT.to_string().starts_with("a calibration takes at least 10 placements"));
+/// assert!(REQUIREMENT.to_string().starts_with("record at least 10 placements"));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Requirement {

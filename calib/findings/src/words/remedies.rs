@@ -172,6 +172,12 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
             "ReadOptions::time_unit",
             "time_unit",
         ],
+        O::Validation => [
+            "a second recording that confirms it",
+            "--validation",
+            "Request::validation",
+            "validation",
+        ],
         O::Topic => ["the topic", "--topic", "ReadOptions::topics", "topic"],
         O::Window => [
             "the window of the search for static intervals",

@@ -16,8 +16,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "the usual sensor model lacks {names}",
         text: "the sensors have errors beyond bias, scale factors and misalignments, most like {names}. The calibration of this search corrects them",
-        advice: "check it by a second recording",
-        remedies: Vec::new,
+        advice: "keep this calibration",
+        remedies: || vec![Remedy::such_as(OptionName::Validation, "second.csv")],
     },
     Entry {
         kind: Kind::UndersampledMotion,

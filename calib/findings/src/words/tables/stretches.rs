@@ -37,7 +37,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.02,
         reason: "the device vibrates in a quiet stretch",
-        text: "[the quiet stretch at {at} is no static interval][{count} quiet stretches are no static intervals ({listed})]: the device lay still and vibrated",
+        text: "[the quiet stretch at {at} is no static interval][{count} quiet stretches are no static intervals ({listed})]: a machine or a hand shook the device there, and the program does not use it",
         advice: "lay it down where no machine runs",
         remedies: Vec::new,
     },

@@ -33,8 +33,8 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::NoPlacements,
-        "the plan has too few placements to begin with",
-        "ask for more placements in the next recording",
+        "no recording of so few placements tells these errors apart",
+        "ask for more placements in the plan",
         Vec::new,
     ),
     Entry::error(
@@ -53,7 +53,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         Kind::NoiseOfOneSensor,
         "the noise file has no {sensor}: the noise of both sensors is needed",
         "record both sensors at rest and analyse their noise again",
-        || vec![Remedy::RestLonger],
+        Vec::new,
     ),
     Entry::error(
         Kind::WalkUnbounded,

@@ -21,7 +21,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.3,
         reason: "no clock says when the gyroscope was sampled",
-        text: "the gyroscope's turns miss the direction of gravity by {ratio} times their noise, with the time stamps and with equal time steps alike. Neither tells when the gyroscope was sampled",
+        text: "the times of the gyroscope's samples are not known. After a turn its readings lead to another direction of gravity than the accelerometer's, by {ratio} times their noise, and equal steps of time do no better than the stamps",
         advice: "",
         remedies: || vec![Remedy::SensorStamps],
     },

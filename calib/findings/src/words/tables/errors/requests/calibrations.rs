@@ -61,7 +61,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::PriorUnusable,
-        "the prior (typical values of a type of device) cannot be used: its means or covariances are not the numbers of {count:parameter}",
+        "the prior (typical values of a type of device) cannot be used: it should hold a mean and a covariance for each of {count:parameter}, and does not",
         "make the prior again from the batch of these devices",
         Vec::new,
     ),

@@ -49,8 +49,8 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::doubt(
         Kind::EffectOfRecordings,
-        "the calibration has a source of error ({effect}) that holds only in its own recordings ({parameter} = {value}). It does not name them",
-        "use it on those recordings only, or calibrate again without {effect}",
+        "the calibration corrects {effect} ({parameter} = {value}), an error that only the recordings had from which it was made, and the file does not say which they were",
+        "correct no other recording with it, or calibrate again without {effect}",
         Vec::new,
     ),
     Entry::doubt(

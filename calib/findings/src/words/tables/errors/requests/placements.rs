@@ -7,7 +7,7 @@ use crate::words::entry::Entry;
 pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::Requirement,
-        "a calibration takes at least {least} placements ({advised} are better), each face up and down among them, {rest} still in each, and turns of at most {fastest} between them",
+        "record at least {least} placements ({advised} are better), with each face up once and down once. Hold the device still for {rest} in each, and turn it by at most {fastest} in between",
         "",
         Vec::new,
     ),
