@@ -113,7 +113,7 @@ fn parsed(mut words: Vec<OsString>) -> Result<Cli, clap::Error> {
     Cli::from_arg_matches(&matches).map_err(|error| error.format(&mut command))
 }
 
-/// Whether a word is a file to look at. Of one that the system does not tell of, `info` says why.
+/// Returns true if a word is a file to look at. Of one that the system does not tell of, `info` says why.
 fn is_file(word: &OsStr) -> bool {
     let is_option = word.as_encoded_bytes().starts_with(b"-");
     Path::new(word).try_exists().unwrap_or(!is_option)

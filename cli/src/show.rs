@@ -65,7 +65,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
     printed(writeln!(out, "{}", printable(text.trim_end())))
 }
 
-/// What became of something on standard output, the last line of which may be on its way still.
+/// Result of printing something on standard output, the last line of which may be on its way still.
 ///
 /// # Errors
 /// As [`print`].

@@ -31,7 +31,7 @@ const ANOMALY: f64 = 3e-4;
 /// Gravity falls by so much per metre of height, 1/s² (free air).
 const BY_HEIGHT: f64 = 3.086e-6;
 
-/// Where the value of gravity comes from.
+/// Source of the value of gravity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum GravitySource {
@@ -54,7 +54,7 @@ pub enum GravitySource {
 pub struct Gravity {
     /// Its value, m/s².
     pub value: f64,
-    /// Where that comes from.
+    /// Source of the value.
     pub source: GravitySource,
 }
 

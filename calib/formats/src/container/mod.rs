@@ -51,7 +51,7 @@ pub struct Container {
     pub warnings: Findings,
 }
 
-/// What lies in a folder; the call is made again where a signal comes between.
+/// Lists the entries of a folder; the call is made again where a signal comes between.
 fn listed(folder: &Path) -> io::Result<ReadDir> {
     loop {
         match std::fs::read_dir(folder) {
@@ -61,7 +61,7 @@ fn listed(folder: &Path) -> io::Result<ReadDir> {
     }
 }
 
-/// Whether a file or folder may not be looked into, or has gone: then it holds nothing for us.
+/// Returns true if a file or folder may not be looked into, or has gone: then it holds nothing for us.
 fn is_closed_or_gone(error: &io::Error) -> bool {
     matches!(
         error.kind(),

@@ -250,7 +250,7 @@ pub fn load(path: &Path) -> Result<Calibration, Failure> {
     Ok(calibration)
 }
 
-/// What the system says of a file that is only looked at; `None` of one that is not there or is a folder, of which whoever reads
+/// Metadata of a file that is only looked at; `None` of one that is not there or is a folder, of which whoever reads
 /// it says more.
 ///
 /// # Errors
