@@ -112,7 +112,7 @@ fn case_141_shards_merge_to_the_bytes_of_one_run_and_a_rerun_changes_nothing() {
     let run = stillpoint(&folder, &["batch", "merge", "two", "-o", "c"]);
     assert_eq!(run.status.code(), Some(3));
     assert!(
-        stderr(&run).contains("part-2-of-2.jsonl: of another run"),
+        stderr(&run).contains("part-2-of-2.jsonl: this part is of another run"),
         "{}",
         stderr(&run)
     );

@@ -162,11 +162,11 @@ fn a_flight_controller_that_had_corrected_is_put_together_with_its_parameters_or
 fn parameters_that_are_not_those_of_the_sensor_are_refused() {
     let corrected = calibration("px4", false);
     for (in_force, says) in [
-        ("", "has no CAL_ACC0_XOFF"),
-        (ARDUPILOT, "has no CAL_ACC0_XOFF"),
+        ("", "lacks CAL_ACC0_XOFF"),
+        (ARDUPILOT, "lacks CAL_ACC0_XOFF"),
         (
             PX4.replace("ACC0_ZOFF", "ACC1_ZOFF").as_str(),
-            "has no CAL_ACC0_ZOFF",
+            "lacks CAL_ACC0_ZOFF",
         ),
         (
             PX4.replace("SENS_BOARD_ROT\t0", "SENS_BOARD_ROT\t6")

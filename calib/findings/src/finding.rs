@@ -205,7 +205,7 @@ impl Finding {
     /// The same with the nearest of known names as a remedy, where one is near.
     pub fn or_nearest<'a>(self, name: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
         match Remedy::nearest(name, known) {
-            Some(remedy) => self.remedy(remedy),
+            Some(remedy) => self.only_remedies([remedy]),
             None => self,
         }
     }

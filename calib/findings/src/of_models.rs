@@ -162,7 +162,7 @@ mod tests {
             |d| d.y = "1 + k".into(),
             "y: is 1 at the nominal parameters",
         );
-        starts(|d| d.x = "k * sqrt(fy)".into(), "x: is NaN in");
+        starts(|d| d.x = "k * sqrt(fy)".into(), "x: is NaN at");
         starts(
             |d| d.name = "Swirl".into(),
             "name: `Swirl` found, a name in snake case",

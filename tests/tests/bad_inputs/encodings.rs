@@ -44,7 +44,7 @@ fn case_004_unknown_names_get_a_line_to_paste() {
 fn case_005_doubled_columns() {
     refused(
         table("t,ax,ay,ax,gx,gy,gz", &lines(good())),
-        &["columns 2", "and 4"],
+        &["column 2", "or column 4"],
     );
 }
 

@@ -207,5 +207,6 @@ fn case_111_a_placement_that_tilts_slowly() {
         angle: 0.05,
     }];
     let run = calibrate(&rows(&spec), &[]);
-    run.ends(0).says(&["slope"]);
+    run.ends(0)
+        .says(&["static interval 7", "drift while the device should rest"]);
 }

@@ -354,7 +354,7 @@ fn case_075_thirty_kilohertz() {
     let run = bench.run(&["calibrate", "r.csv"]);
     run.ends(0).says(&[
         "sampled at 30 kHz",
-        "means over 30 samples",
+        "means of 30 samples",
         "which leaves 1000 Hz",
     ]);
 }

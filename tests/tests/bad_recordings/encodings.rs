@@ -71,7 +71,7 @@ fn row_5_doubled_columns_are_refused_with_both_numbers() {
     refused(
         file("t,ax,ay,ax,gx,gy,gz", &rows(9)),
         "1",
-        &["columns 2", "and 4"],
+        &["column 2", "or column 4"],
     );
 }
 

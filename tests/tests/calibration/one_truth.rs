@@ -27,8 +27,8 @@ const UNKNOWABLE: [(&str, Option<Method>, &str); 8] = [
     ),
     ("accel_room_field", None, "the orientation"),
     ("gyro_room_field", None, "the orientation"),
-    ("accel_step", None, "the time t0"),
-    ("gyro_step", None, "the time t0"),
+    ("accel_step", None, "time (t0)"),
+    ("gyro_step", None, "time (t0)"),
     ("time_offset", None, "derivative of the specific force"),
     ("earth_rate", None, "the orientation"),
     (

@@ -119,7 +119,8 @@ fn the_corrected_topic_of_px4_logs_is_read_with_the_corrections_taken_off() {
             .any(|warning| warning.contains(words))
     };
     assert!(
-        told("4 dropouts") && recording.warnings.has(findings::Kind::CorrectedBySystem),
+        told("the log lost samples 4 times")
+            && recording.warnings.has(findings::Kind::CorrectedBySystem),
         "{:?}",
         recording.warnings
     );

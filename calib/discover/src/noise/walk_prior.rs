@@ -15,8 +15,10 @@ const LOWEST: f64 = 0.15;
 /// Ratio of one walk to the one below it.
 const RATIO: f64 = 1.7;
 
-/// Number of walks above zero: the highest is 18 units.
-const COUNT: i32 = 10;
+/// Fewest and most walks above zero: the highest of the fewest is 18 units. There are more where the likeliest walk is higher, for what is
+/// far from every walk that is tried makes any fault evident.
+const FEWEST: i32 = 10;
+const MOST: i32 = 40;
 
 /// Median of the log-normal part of the prior, in units of `σ / √T`, and its width as a standard deviation of the logarithm.
 const MEDIAN: f64 = 0.8;
@@ -28,15 +30,18 @@ const USUAL: f64 = 0.95;
 /// Shares of the variance by which turns scatter at which claims are tried: what is taken for scatter may be the effect.
 const SCATTERS: [f64; 4] = [0.5, 0.2, 0.05, 0.0];
 
-/// The walks of one sensor in units of `σ / √T`, with the logarithm of their prior probabilities, which add up to one.
-fn prior() -> Vec<(f64, f64)> {
+/// The walks of one sensor in units of `σ / √T`, up to one beyond the likeliest, with the logarithm of their prior probabilities, which add
+/// up to one.
+fn prior(likeliest: f64) -> Vec<(f64, f64)> {
+    let beyond = (likeliest / LOWEST).max(1.0).ln() / RATIO.ln();
+    let count = (beyond.ceil() as i32 + 1).clamp(FEWEST, MOST);
     let walk = |k: i32| LOWEST * RATIO.powi(k);
     // Zero stands one step below the lowest.
     let density = |k: i32| (-0.5 * ((walk(k) / MEDIAN).ln() / WIDTH).powi(2)).exp();
-    let all: f64 = (-1..COUNT).map(density).sum();
-    let flat = (1.0 - USUAL) / f64::from(COUNT + 1);
+    let all: f64 = (-1..count).map(density).sum();
+    let flat = (1.0 - USUAL) / f64::from(count + 1);
     let probability = |k: i32| USUAL * density(k) / all + flat;
-    let own = (-1..COUNT).map(|k| (if k < 0 { 0.0 } else { walk(k) }, probability(k).ln()));
+    let own = (-1..count).map(|k| (if k < 0 { 0.0 } else { walk(k) }, probability(k).ln()));
     own.collect()
 }
 
@@ -98,11 +103,16 @@ pub fn walk_levels(
             &[1.0]
         };
         for flicker in flickers {
-            levels.extend(prior().into_iter().filter_map(|(walk, log_prior)| {
-                let noise = noise.with_walk(sensor, walk * unit, *flicker);
-                let log_prior = log_prior - (flickers.len() as f64).ln();
-                level(noise, 1.0, Some(sensor), log_prior)
-            }));
+            let likeliest = noise.walk[usize::from(sensor == Sensor::Gyroscope)] / unit;
+            levels.extend(
+                prior(likeliest)
+                    .into_iter()
+                    .filter_map(|(walk, log_prior)| {
+                        let noise = noise.with_walk(sensor, walk * unit, *flicker);
+                        let log_prior = log_prior - (flickers.len() as f64).ln();
+                        level(noise, 1.0, Some(sensor), log_prior)
+                    }),
+            );
         }
     }
     if projected.scatters {
@@ -122,11 +132,21 @@ mod tests {
 
     #[test]
     fn the_prior_probabilities_add_up_to_one_and_the_usual_walk_is_likeliest() {
-        let prior = prior();
+        let prior = prior(0.0);
         let sum: f64 = prior.iter().map(|(_, log)| log.exp()).sum();
         assert!((sum - 1.0).abs() < 1e-12);
         let likeliest = prior.iter().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
         assert!((likeliest.0 / MEDIAN).ln().abs() <= 0.5 * RATIO.ln());
         assert_eq!(prior[0].0, 0.0);
+    }
+
+    #[test]
+    fn the_likeliest_walk_is_within_those_that_are_tried() {
+        for likeliest in [0.0, 3.0, 40.0, 2000.0] {
+            let prior = super::prior(likeliest);
+            assert!(prior.last().unwrap().0 > likeliest);
+            let sum: f64 = prior.iter().map(|(_, log)| log.exp()).sum();
+            assert!((sum - 1.0).abs() < 1e-12);
+        }
     }
 }

@@ -6,12 +6,11 @@ use recording::readings::{FASTEST_HAND, Symptom, tremor};
 use recording::{Error, Recording};
 
 use super::cut::Cut;
-use super::joint;
 use super::outcome::Outcome;
-use super::remarks::with_changes;
 use super::request::{Method, Request};
 use super::stepwise::stepwise;
 use super::unusable_turns::TurnCount;
+use super::{changes_part_way, checks, joint};
 use crate::methods::Choice;
 
 /// Inputs of a fit.
@@ -128,4 +127,19 @@ impl Fit<'_> {
             None => reason,
         }
     }
+}
+
+/// The outcome with a warning for everything that changes part of the way through a recording.
+fn with_changes(mut outcome: Outcome, recordings: &[&Recording], gravity: f64) -> Outcome {
+    let triad = outcome.calibration.gyroscope.as_ref();
+    let gyroscope = triad.map(|triad| (triad.base().t, triad.residual_rms.to_radians()));
+    let mut warnings = Findings::new();
+    for (recording, choice) in recordings.iter().zip(&outcome.choices) {
+        let cut = &choice.segmentation;
+        warnings.extend(checks::corrected_before(recording, cut));
+        warnings.extend(gyroscope.and_then(|(t, _)| checks::too_fast(recording, cut, &t)));
+        warnings.extend(changes_part_way(recording, cut, gravity, gyroscope));
+    }
+    outcome.calibration.warnings.extend(warnings);
+    outcome
 }

@@ -10,7 +10,6 @@
 
 mod assemble;
 mod checks;
-mod clocks;
 mod cut;
 mod fit;
 mod inputs;
@@ -22,7 +21,6 @@ mod outcome;
 pub mod own_effects;
 mod part_way;
 mod prepared;
-mod remarks;
 pub(crate) mod request;
 mod rest_bias;
 mod same_device;
@@ -99,7 +97,7 @@ fn in_steps(
     };
     let outcome = fit.run()?;
     let mut outcome = magnetic::with_magnetometer(outcome, &cut.recordings, request)?;
-    let apart = clocks::apart(&ready.originals);
+    let apart = prepared::clocks::apart(&ready.originals);
     outcome.calibration.warnings.extend(apart);
     let mut inputs = ready.originals.clone();
     inputs.extend(&for_gyroscope.originals);

@@ -146,6 +146,6 @@ mod tests {
         assert!(
             vibrated.starts_with("the quiet stretch at t = 9.00 to 11.00 s is no static interval")
         );
-        assert!(vibrated.contains("vibrated"), "{vibrated}");
+        assert!(vibrated.contains("shook the device"), "{vibrated}");
     }
 }

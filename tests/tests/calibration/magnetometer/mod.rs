@@ -189,7 +189,7 @@ fn an_effect_that_the_model_lacks_is_named() {
     for effect in magnetometer::EFFECTS {
         let session = spec(12, 0.0).with_effect(effect.name(), 3.0).run().unwrap();
         let bare = calibrated(&session, &request(Method::Stepwise));
-        let named = format!("go with {} ", effect.name());
+        let named = format!("depend on {},", effect.name());
         let texts = bare.warnings.texts(findings::Front::CommandLine);
         let mut warnings = texts.iter();
         assert!(

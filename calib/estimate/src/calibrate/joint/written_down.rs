@@ -10,10 +10,11 @@ use super::doubts::{disturbances, influences, of_missing, placements_apart};
 use super::latitude::LatitudeDoubt;
 use super::triads::{force_fit, force_triad, rate_fit, rate_triad};
 use crate::calibrate::assemble::effect_values;
+use crate::calibrate::checks;
 use crate::calibrate::left_out::left_out;
+use crate::calibrate::prepared::clocks;
 use crate::calibrate::request::Frame;
 use crate::calibrate::unusable_turns::TurnCount;
-use crate::calibrate::{checks, clocks};
 use crate::calibration::{
     Calibration, NotCalibrated, NotCalibratedReason, Provenance, RecordingBias, RecordingClock,
     Remainder, SCHEMA, Triad, WITH_WALKS, in_symmetric_frame,

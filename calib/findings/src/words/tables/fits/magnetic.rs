@@ -30,9 +30,9 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.3,
         reason: "the model of the magnetometer lacks {effect}",
-        text: "the readings of the magnetometer go with {effect}, a source of error that its model lacks. Its standard errors do not cover that",
+        text: "the readings of the magnetometer depend on {effect}, a source of error that its model lacks. Its standard errors do not cover that",
         advice: "",
-        remedies: || vec![Remedy::such_as(OptionName::Effects, "mag_temperature")],
+        remedies: || vec![Remedy::set(OptionName::Effects)],
     },
     Entry {
         kind: Kind::HeadingDisagrees,

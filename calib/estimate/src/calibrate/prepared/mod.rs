@@ -1,13 +1,15 @@
 //! Recordings made ready to be cut: stamps on even clocks where they come in bursts, single spikes replaced, copies left out.
 
+pub(super) mod clocks;
+
 use std::borrow::Cow;
 
 use findings::Findings;
 use recording::Recording;
 use recording::readings::without_spikes;
 
+use self::clocks::{on_even_clocks, without_bursts};
 use super::checks::without_copies;
-use super::clocks::{on_even_clocks, without_bursts};
 
 /// Recordings of one device as the steps after this one take them, and what was done to them.
 #[derive(Clone, Debug)]

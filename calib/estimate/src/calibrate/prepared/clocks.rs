@@ -18,7 +18,7 @@ const WITH_ANY: f64 = 60.0;
 const FAR_APART: f64 = 9.0;
 
 /// Warnings about clocks that no choice makes right.
-pub(super) fn doubts(fit: &JointFit) -> Vec<Finding> {
+pub(in crate::calibrate) fn doubts(fit: &JointFit) -> Vec<Finding> {
     let mut doubts = Vec::new();
     for source in &fit.data.sources {
         let clock = &source.clock;
@@ -45,7 +45,7 @@ pub(super) fn doubts(fit: &JointFit) -> Vec<Finding> {
 }
 
 /// The recording with the gyroscope's stamps of an even clock; `None` where its stamps do not scatter about one.
-pub(super) fn on_even_clocks(recording: &Recording) -> Option<Recording> {
+pub(in crate::calibrate) fn on_even_clocks(recording: &Recording) -> Option<Recording> {
     let stream = recording.gyroscope.as_ref()?;
     let Stamps::Scattered(clock) = even_clock(&stream.t) else {
         return None;
@@ -61,7 +61,7 @@ pub(super) fn on_even_clocks(recording: &Recording) -> Option<Recording> {
 }
 
 /// The recording with even clocks where its stamps come in bursts, and the findings about them; `None` where none do.
-pub(super) fn without_bursts(recording: &Recording) -> Option<(Recording, Findings)> {
+pub(in crate::calibrate) fn without_bursts(recording: &Recording) -> Option<(Recording, Findings)> {
     let mut evened = Cow::Borrowed(recording);
     let mut found = Findings::new();
     for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
@@ -88,7 +88,7 @@ pub(super) fn without_bursts(recording: &Recording) -> Option<(Recording, Findin
 }
 
 /// Sensors whose clocks are apart: offsets first, then drifts.
-pub(super) fn apart(recordings: &[&Recording]) -> Vec<Finding> {
+pub(in crate::calibrate) fn apart(recordings: &[&Recording]) -> Vec<Finding> {
     let (mut offsets, mut drifts) = (Vec::new(), Vec::new());
     for recording in recordings {
         let sensors = recording.accelerometer.as_ref();
