@@ -5,7 +5,7 @@ use solver::Termination;
 
 use super::approach::{Weighted, approach};
 use super::data::budget::Steps;
-use super::disturbance::{Disturbance, Flagged, Reason, Seen, Suspect};
+use super::faults::{DisturbedInterval, Flagged, Reason, Seen, Suspect};
 use super::fit::JointFit;
 use super::graph::{Ended, solve_rows};
 use super::minimum::{Point, Run};
@@ -130,7 +130,7 @@ impl Run<'_> {
             .broken
             .iter()
             .map(|&(recording, interval, span)| Flagged {
-                kind: Disturbance::DisturbedInterval,
+                fault: &DisturbedInterval,
                 reason: Reason::Disturbed,
                 recording,
                 interval,
@@ -155,44 +155,18 @@ impl Run<'_> {
     }
 
     fn one_in_words(&self, suspect: &Suspect, fitted: &[f64]) -> Flagged {
-        let (recording, interval, span) = match suspect.kind {
-            Disturbance::BadTurn => {
-                let turn = &self.data.turns[suspect.place];
-                (turn.recording, turn.turn, turn.span)
-            }
-            Disturbance::MountSlip | Disturbance::RateExcursion => {
-                let rest = &self.data.rests[suspect.place];
-                (rest.recording, rest.interval, rest.span)
-            }
-            Disturbance::DisturbedInterval | Disturbance::SuddenSlip => {
-                let chunk = &self.data.chunks[suspect.place];
-                let rest = &self.data.rests[chunk.rest];
-                let span = chunk.accelerometer.map_or(rest.span, |m| m.span);
-                (rest.recording, rest.interval, span)
-            }
-        };
+        let fault = suspect.fault;
+        let (recording, interval, span) = fault.scope().when(self.data, suspect.place);
         let norm = fitted.iter().take(3).map(|v| v * v).sum::<f64>().sqrt();
-        let (size, seen) = match suspect.kind {
-            Disturbance::MountSlip => {
-                let (angle, slope) = (norm * span.length(), norm * self.request.gravity);
-                (angle, Seen::Crept { angle, slope })
-            }
-            Disturbance::SuddenSlip => (norm, Seen::Slipped(norm)),
-            Disturbance::DisturbedInterval if suspect.seen == Seen::Nothing => {
-                (norm, Seen::Off(norm))
-            }
-            Disturbance::DisturbedInterval => (norm, suspect.seen),
-            Disturbance::BadTurn | Disturbance::RateExcursion => (0.0, suspect.seen),
-        };
         Flagged {
-            kind: suspect.kind,
+            fault,
             reason: suspect.reason,
             recording,
             interval,
             span,
-            size,
+            size: fault.size(norm, span),
             shook: suspect.seen != Seen::Nothing,
-            seen,
+            seen: fault.seen(norm, span, self.request.gravity, suspect.seen),
         }
     }
 }

@@ -5,7 +5,7 @@ use recording::intervals::Segmentation;
 use sensor::Model;
 
 use super::clock::{ClockMode, DecidedClock};
-use super::disturbance::{Disturbance, Reason};
+use super::faults::{FaultRef, Reason};
 use super::fit::JointFit;
 use crate::methods::joint::noise::bias::BiasNoise;
 
@@ -93,8 +93,8 @@ impl<'a> JointRequest<'a> {
 /// Something that is known to be disturbed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Known {
-    /// Kind of the disturbance.
-    pub kind: Disturbance,
+    /// The fault.
+    pub fault: FaultRef,
     /// The rest, the chunk or the turn, by its place in [`super::Data`].
     pub place: usize,
     /// Why it has parameters of its own.
@@ -103,16 +103,16 @@ pub struct Known {
 
 impl Known {
     /// Something that was disturbed.
-    pub fn disturbed(kind: Disturbance, place: usize) -> Self {
+    pub fn disturbed(fault: FaultRef, place: usize) -> Self {
         Self {
-            kind,
+            fault,
             place,
             reason: Reason::Disturbed,
         }
     }
 
-    /// Returns true if both are the same kind of disturbance at the same place, whatever the reason.
+    /// Returns true if both are the same fault at the same place, whatever the reason.
     pub fn is_at(&self, other: &Self) -> bool {
-        (self.kind, self.place) == (other.kind, other.place)
+        self.fault == other.fault && self.place == other.place
     }
 }

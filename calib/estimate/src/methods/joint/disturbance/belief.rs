@@ -4,7 +4,7 @@ use sensor::Sensor;
 
 use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::blocks::columns::Columns;
-use crate::methods::joint::disturbance::Suspect;
+use crate::methods::joint::faults::Suspect;
 use crate::methods::joint::noise::weights::{Component, NoiseLevel, Whitening};
 use crate::methods::joint::orientation::Shown;
 

@@ -6,9 +6,7 @@ use sensor::Sensor;
 use super::belief::Weights;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::data::MOST_DISTURBED;
-use crate::methods::joint::disturbance::{
-    Disturbance, Suspect, excursions, pushed_chunk, suspects,
-};
+use crate::methods::joint::faults::{Site, Suspect, shaken, suspects, suspects_beside_biases};
 use crate::methods::joint::minimum::{Point, Run};
 use crate::methods::joint::noise::bias::{BiasNoise, within};
 use crate::methods::joint::noise::rows::RowNoise;
@@ -139,14 +137,17 @@ impl Run<'_> {
             return Vec::new();
         }
         let if_known = |mut s: Suspect| {
-            let same = |k: &&Known| k.kind == s.kind && k.place == s.place;
+            let same = |k: &&Known| k.fault == s.fault && k.place == s.place;
             s.reason = self.request.known.iter().find(same)?.reason;
             Some(s)
         };
         let rotations = rows.rotations(x);
-        let all = suspects(rows, x, &rotations).into_iter();
-        let all = all.chain(excursions(rows, x, &rotations));
-        all.filter_map(if_known).collect()
+        let site = Site {
+            rows,
+            x,
+            rotations: &rotations,
+        };
+        suspects(&site).into_iter().filter_map(if_known).collect()
     }
 
     /// Levels of noise and disturbances: what was seen to shake, then what the rows flag.
@@ -159,8 +160,13 @@ impl Run<'_> {
     ) -> (Vec<NoiseLevel>, Vec<Suspect>) {
         let (rows, x) = (at.rows, at.x);
         let rotations = rows.rotations(x);
-        let mut candidates = suspects(rows, x, &rotations);
-        let touched = self.touched(rows, x, &rotations);
+        let site = Site {
+            rows,
+            x,
+            rotations: &rotations,
+        };
+        let mut candidates = suspects_beside_biases(&site);
+        let touched = self.touched(&site);
         let given: Vec<usize> = (candidates.len()..candidates.len() + touched.len()).collect();
         candidates.extend(touched);
         let most = given.len() + (MOST_DISTURBED * self.data.rests.len() as f64).ceil() as usize;
@@ -212,7 +218,7 @@ impl Run<'_> {
             levels = self.measured(analysis, &all(&found), &levels);
         }
         let count = found.len();
-        let is_push = |k: &usize| candidates[*k].kind == Disturbance::DisturbedInterval;
+        let is_push = |k: &usize| candidates[*k].fault.opens_force();
         let without_shaking = |k: &usize| !given.contains(k) && is_push(k);
         if found.iter().any(without_shaking) {
             let limit = STANDS_OUT * at.misfit_of_norm(&all(&found));
@@ -237,7 +243,7 @@ impl Run<'_> {
     /// The chunks that were seen to shake: their force may be off and the device may have moved. None where
     /// shaking is how the recording is: the rows are believed by their own noise then. Nor where the device sways, as in a
     /// hand, which trembles now more and now less.
-    fn touched(&self, rows: &Rows<'_>, x: &[f64], rotations: &[Matrix3<f64>]) -> Vec<Suspect> {
+    fn touched(&self, site: &Site<'_>) -> Vec<Suspect> {
         if self.data.shakes_throughout().is_some() {
             return Vec::new();
         }
@@ -248,7 +254,7 @@ impl Run<'_> {
                 let recording = self.data.rests[self.data.chunks[*chunk].rest].recording;
                 !self.data.sources[recording].moves_at_rest()
             })
-            .filter_map(|(chunk, shake)| pushed_chunk(rows, x, (*chunk, shake), rotations))
+            .filter_map(|(chunk, shake)| shaken(site, (*chunk, shake)))
             .collect()
     }
 }
@@ -327,7 +333,7 @@ mod tests {
         spec.effects.insert("accel_hysteresis".into(), sizes);
         spec.faults.extend_from_slice(faults);
         let fit = fit(&Simulation::new(&spec).unwrap());
-        let pushed = |a: &&crate::methods::joint::Flagged| a.kind == Disturbance::DisturbedInterval;
+        let pushed = |a: &&crate::methods::joint::Flagged| a.fault.opens_force();
         let pushed = fit.flagged.iter().filter(pushed);
         pushed.map(|a| a.interval).collect()
     }
@@ -358,8 +364,13 @@ mod tests {
             });
             let fit = fit(&Simulation::new(&spec).unwrap());
             let (rows, x) = (fit.plain_rows(), fit.parameters.values());
-            let all = suspects(&rows, x, &rows.rotations(x));
-            all.iter().any(|s| s.kind == Disturbance::DisturbedInterval)
+            let site = Site {
+                rows: &rows,
+                x,
+                rotations: &rows.rotations(x),
+            };
+            let all = suspects_beside_biases(&site);
+            all.iter().any(|s| s.fault.opens_force())
         };
         // Nine parameters: without a placement of ten the nine others meet any misfit.
         assert!(!suspected(10) && suspected(14));

@@ -6,7 +6,7 @@ use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use crate::methods::joint::blocks::basis::{Basis, stacked};
 use crate::methods::joint::blocks::columns::Columns;
-use crate::methods::joint::disturbance::Suspect;
+use crate::methods::joint::faults::Suspect;
 use crate::methods::joint::result::marginal::orthonormal;
 
 /// Chance of that anything is flagged in a clean recording.

@@ -5,7 +5,7 @@ use sensor::{Base, Sensor};
 
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::data::{Chunk, Mean};
-use crate::methods::joint::disturbance::{Disturbance, Suspect};
+use crate::methods::joint::faults::Suspect;
 use crate::methods::joint::orientation::interval::Oriented;
 use crate::methods::joint::orientation::{Pattern, Shown, StaticNumbers};
 use crate::methods::joint::result::analysis::Analysis;
@@ -148,13 +148,9 @@ impl At<'_> {
     }
 
     fn is_disturbed(&self, rest: usize, disturbed: &[&Suspect]) -> bool {
-        disturbed.iter().any(|suspect| match suspect.kind {
-            Disturbance::DisturbedInterval | Disturbance::SuddenSlip => {
-                self.rows.data.chunks[suspect.place].rest == rest
-            }
-            Disturbance::MountSlip | Disturbance::RateExcursion => suspect.place == rest,
-            Disturbance::BadTurn => false,
-        })
+        let data = self.rows.data;
+        let interval = |s: &&Suspect| s.fault.scope().static_interval(data, s.place);
+        disturbed.iter().any(|s| interval(s) == Some(rest))
     }
 
     /// The errors of unit size of all patterns in every rest (3 × q).

@@ -7,7 +7,7 @@ use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::blocks::covariance::Covariance;
 use crate::methods::joint::data::Chunk;
-use crate::methods::joint::disturbance::Suspect;
+use crate::methods::joint::faults::Suspect;
 use crate::methods::joint::noise::chain::Chain;
 use crate::methods::joint::noise::exposure::Exposure;
 use crate::methods::joint::noise::likelihood::Restricted;

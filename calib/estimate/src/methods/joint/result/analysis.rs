@@ -5,7 +5,7 @@ use sensor::Sensor;
 
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::blocks::covariance::Covariance;
-use crate::methods::joint::disturbance::Suspect;
+use crate::methods::joint::faults::Suspect;
 use crate::methods::joint::disturbance::trial::Trial;
 use crate::methods::joint::noise::chain::Chain;
 use crate::methods::joint::noise::exposure::{Exposure, covariance};

@@ -6,7 +6,6 @@ use sensor::Sensor;
 
 use crate::methods::joint::blocks::arrow::Arrow;
 use crate::methods::joint::blocks::columns::Columns;
-use crate::methods::joint::disturbance::Disturbance;
 use crate::methods::joint::fit::JointFit;
 use crate::methods::joint::noise::weights::{NoiseLevel, Whitening};
 use crate::methods::joint::orientation::Shown;
@@ -116,7 +115,7 @@ impl JointFit {
         let disturbed = |place: usize| {
             self.flagged.iter().any(|flagged| {
                 let rest = &self.data.rests[place];
-                flagged.kind == Disturbance::DisturbedInterval
+                flagged.fault.opens_force()
                     && (flagged.recording, flagged.interval) == (rest.recording, rest.interval)
             })
         };

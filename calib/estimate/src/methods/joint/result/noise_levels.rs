@@ -4,7 +4,7 @@ use super::analysis::Analysis;
 use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::blocks::covariance::Covariance;
-use crate::methods::joint::disturbance::Suspect;
+use crate::methods::joint::faults::Suspect;
 use crate::methods::joint::fit::JointFit;
 use crate::methods::joint::noise::bias::{Within, within};
 use crate::methods::joint::noise::likelihood::Restricted;

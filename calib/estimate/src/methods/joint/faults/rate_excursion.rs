@@ -1,0 +1,59 @@
+//! A static interval whose mean rate is off.
+
+use findings::Kind;
+use sensor::Sensor;
+
+use super::fault::{Fault, Scope, Site, Suspect};
+use crate::methods::joint::blocks::column::Column;
+use crate::methods::joint::data::Rest;
+
+/// A static interval whose mean rate is off and that of its neighbours is not: the rate is open, rad/s.
+#[derive(Clone, Copy, Debug)]
+pub struct RateExcursion;
+
+impl Fault for RateExcursion {
+    fn kind(&self) -> Kind {
+        Kind::RateExcursion
+    }
+
+    fn name(&self) -> &'static str {
+        "disturbed_interval"
+    }
+
+    fn scope(&self) -> Scope {
+        Scope::StaticInterval
+    }
+
+    fn sensor(&self) -> Sensor {
+        Sensor::Gyroscope
+    }
+
+    fn unit(&self) -> &'static str {
+        "rad/s"
+    }
+
+    fn typical(&self) -> f64 {
+        2e-4
+    }
+
+    fn suspects(&self, site: &Site<'_>) -> Vec<Suspect> {
+        let rows = site.rows;
+        let one = |(place, rest): (usize, &Rest)| {
+            let mut columns = vec![Column::default(); 3];
+            for (k, (chunk, _)) in rows.means(Sensor::Gyroscope).enumerate() {
+                if rest.chunks.contains(&chunk) {
+                    let row = rows.first_rate_row() + 3 * k;
+                    for (axis, column) in columns.iter_mut().enumerate() {
+                        column.set(row + axis, -1.0);
+                    }
+                }
+            }
+            Suspect::new(&Self, place, columns)
+        };
+        rows.data.rests.iter().enumerate().map(one).collect()
+    }
+
+    fn is_imitated_by_bias(&self) -> bool {
+        true
+    }
+}

@@ -1,0 +1,80 @@
+//! A device that moves at once between two parts of a static interval.
+
+use findings::Kind;
+use recording::intervals::Span;
+use sensor::Sensor;
+
+use super::fault::{Fault, Scope, Site, axis_vector, Seen, Suspect};
+use crate::methods::joint::blocks::column::Column;
+
+/// A device that moves at once between two parts of a long static interval: a rotation by `δ` (rad, body frame) before one of its chunks,
+/// `u` becomes `u + u × δ`. What comes after, the turn that begins there among it, sees the new direction.
+#[derive(Clone, Copy, Debug)]
+pub struct SuddenSlip;
+
+impl Fault for SuddenSlip {
+    fn kind(&self) -> Kind {
+        Kind::MountSlip
+    }
+
+    fn name(&self) -> &'static str {
+        "mount_slip"
+    }
+
+    fn scope(&self) -> Scope {
+        Scope::Chunk
+    }
+
+    fn sensor(&self) -> Sensor {
+        Sensor::Accelerometer
+    }
+
+    fn unit(&self) -> &'static str {
+        "rad"
+    }
+
+    fn typical(&self) -> f64 {
+        1e-3
+    }
+
+    fn suspects(&self, site: &Site<'_>) -> Vec<Suspect> {
+        let rests = site.rows.data.rests.iter().enumerate();
+        let places = rests.flat_map(|(k, rest)| rest.chunks.clone().skip(1).map(move |c| (k, c)));
+        let one = |(k, chunk)| Suspect::new(&Self, chunk, columns(site, k, chunk));
+        places.map(one).collect()
+    }
+
+    fn is_imitated_by_bias(&self) -> bool {
+        true
+    }
+
+    fn seen(&self, norm: f64, _span: Span, _gravity: f64, _seen: Seen) -> Seen {
+        Seen::Slipped(norm)
+    }
+}
+
+/// The columns of a rotation before chunk `chunk` of static interval `k`.
+fn columns(site: &Site<'_>, k: usize, chunk: usize) -> Vec<Column> {
+    let rows = site.rows;
+    let u = rows.direction(site.x, k);
+    let rest = &rows.data.rests[k];
+    let mut columns = vec![Column::default(); 3];
+    for (axis, column) in columns.iter_mut().enumerate() {
+        let moved = u.cross(&axis_vector(axis));
+        for (place, (own, _)) in rows.means(Sensor::Accelerometer).enumerate() {
+            if own >= chunk && rest.chunks.contains(&own) {
+                for i in 0..3 {
+                    column.set(3 * place + i, -rows.gravity * moved[i]);
+                }
+            }
+        }
+        for place in 0..rows.data.turns.len() {
+            if let Some(shift) = site.carried(place, k, true, moved) {
+                let row = rows.first_turn_row() + 2 * place;
+                column.set(row, shift[0]);
+                column.set(row + 1, shift[1]);
+            }
+        }
+    }
+    columns
+}
