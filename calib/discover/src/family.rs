@@ -1,6 +1,6 @@
 //! Families of hypotheses about terms that the model of a recording may lack.
 
-use estimate::methods::joint::{Column, Columns, Disturbance, effect_columns, step_columns};
+use estimate::methods::joint::{Column, Columns, FAULTS, FaultRef, effect_columns, step_columns};
 use faer::Mat;
 use sensor::{AnyEffect, Nature, Param, Role, Sensor};
 
@@ -12,16 +12,6 @@ use super::state::State;
 /// Time constants tried for an effect that settles, s. Between neighbours the shapes correlate by more than
 /// 0.98 over a session of minutes.
 const TIME_CONSTANTS: [f64; 6] = [20.0, 40.0, 70.0, 120.0, 200.0, 350.0];
-
-/// Typical sizes of what is no sensor effect: creep of a rest (rad/s: 1.5 mrad in 7 s), a pushed chunk
-/// (m/s²), a turn with lost samples (rad).
-const TYPICAL_CREEP: f64 = 2e-4;
-const TYPICAL_PUSH: f64 = 2e-2;
-const TYPICAL_MISS: f64 = 1e-2;
-
-/// The same of a rate that is off in one interval (rad/s), and of a slip at once (rad).
-const TYPICAL_EXCURSION: f64 = 2e-4;
-const TYPICAL_SLIP: f64 = 1e-3;
 
 /// Returns the number of parameters of an effect that depend on the heading; they come before the others.
 pub fn references(effect: &dyn AnyEffect) -> usize {
@@ -40,7 +30,7 @@ pub enum Claim {
     /// The sensor has an effect of the catalogue.
     Effect(&'static dyn AnyEffect),
     /// The recording was disturbed.
-    Disturbed(Disturbance),
+    Disturbed(FaultRef),
     /// Something is left that no effect of the catalogue explains, of this shape.
     Shape(Shape, Sensor),
 }
@@ -58,11 +48,7 @@ impl Claim {
     pub fn name(&self) -> &'static str {
         match self {
             Self::Effect(effect) => effect.name(),
-            Self::Disturbed(Disturbance::MountSlip | Disturbance::SuddenSlip) => "mount_slip",
-            Self::Disturbed(Disturbance::DisturbedInterval | Disturbance::RateExcursion) => {
-                "disturbed_interval"
-            }
-            Self::Disturbed(Disturbance::BadTurn) => "outlying_turn",
+            Self::Disturbed(fault) => fault.name(),
             Self::Shape(shape, _) => shape.kind().name(),
         }
     }
@@ -81,10 +67,7 @@ impl Claim {
     pub fn sensor(&self) -> Sensor {
         match self {
             Self::Effect(effect) => effect.sensor(),
-            Self::Disturbed(Disturbance::DisturbedInterval | Disturbance::SuddenSlip) => {
-                Sensor::Accelerometer
-            }
-            Self::Disturbed(_) => Sensor::Gyroscope,
+            Self::Disturbed(fault) => fault.sensor(),
             Self::Shape(_, sensor) => *sensor,
         }
     }
@@ -286,19 +269,11 @@ fn steps(
 }
 
 fn disturbance_families(state: &State) -> Vec<Family> {
-    [
-        (Disturbance::MountSlip, TYPICAL_CREEP),
-        (Disturbance::DisturbedInterval, TYPICAL_PUSH),
-        (Disturbance::BadTurn, TYPICAL_MISS),
-        (Disturbance::RateExcursion, TYPICAL_EXCURSION),
-        (Disturbance::SuddenSlip, TYPICAL_SLIP),
-    ]
-    .into_iter()
-    .map(|(kind, typical)| {
+    let of = |&fault: &FaultRef| {
         let suspects: Vec<_> = state
             .suspects()
             .iter()
-            .filter(|s| s.kind == kind && !state.is_flagged(kind, s.place))
+            .filter(|s| s.fault == fault && !state.is_flagged(fault, s.place))
             .collect();
         let mut hypotheses = Vec::new();
         let mut first = 0;
@@ -312,17 +287,18 @@ fn disturbance_families(state: &State) -> Vec<Family> {
         }
         let all: Vec<&Column> = suspects.iter().flat_map(|s| &s.columns).collect();
         let mut columns = state.sparse(&all);
+        let typical = fault.typical();
         columns.scale(typical);
         Family {
-            claim: Claim::Disturbed(kind),
+            claim: Claim::Disturbed(fault),
             shape_dof: 0.0,
             log_places: (suspects.len().max(1) as f64).ln(),
             hypotheses,
             columns,
             typical,
         }
-    })
-    .collect()
+    };
+    FAULTS.iter().map(of).collect()
 }
 
 /// Matrices of `m` rows side by side.

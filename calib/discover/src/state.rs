@@ -4,8 +4,8 @@ use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 use estimate::methods::joint::{
-    Basis, BiasNoise, Column, Columns, Component, Disturbance, JointFit, Known, NoiseLevel,
-    Sensitivities, Suspect, excursions, fit_joint, suspects, within,
+    Basis, BiasNoise, Column, Columns, Component, FaultRef, JointFit, Known, NoiseLevel,
+    Sensitivities, Site, Suspect, fit_joint, suspects, within,
 };
 use faer::{Mat, MatMut};
 use recording::Error;
@@ -122,14 +122,14 @@ impl State {
     }
 
     /// Returns true if the model already has this disturbance.
-    pub fn is_flagged(&self, kind: Disturbance, place: usize) -> bool {
-        self.known(kind, place).is_some()
+    pub fn is_flagged(&self, fault: FaultRef, place: usize) -> bool {
+        self.known(fault, place).is_some()
     }
 
     /// Returns the disturbance of this kind at this place, if the model has it.
-    pub fn known(&self, kind: Disturbance, place: usize) -> Option<Known> {
+    pub fn known(&self, fault: FaultRef, place: usize) -> Option<Known> {
         let mut all = self.extension.disturbed.iter();
-        all.find(|k| k.kind == kind && k.place == place).copied()
+        all.find(|k| k.fault == fault && k.place == place).copied()
     }
 
     /// The settings of the densities at which hypotheses are tried.
@@ -157,9 +157,12 @@ impl State {
             let rows = self.fit.plain_rows();
             let x = &self.fit.parameters.values()[..rows.layout.disturbance(0)];
             let rotations = rows.rotations(x);
-            let mut all = suspects(&rows, x, &rotations);
-            all.extend(excursions(&rows, x, &rotations));
-            Arc::new(all)
+            let site = Site {
+                rows: &rows,
+                x,
+                rotations: &rotations,
+            };
+            Arc::new(suspects(&site))
         })
     }
 
@@ -168,7 +171,7 @@ impl State {
         let mut next = self.fit.parameters.values().len() - self.fit.disturbance_columns.len();
         let suspects = self.suspects().iter();
         suspects.filter_map(move |s| {
-            let known = self.known(s.kind, s.place)?;
+            let known = self.known(s.fault, s.place)?;
             let own = next..next + s.columns.len();
             next = own.end;
             Some((known, own))

@@ -259,18 +259,18 @@ fn disturb(spec: &mut Spec, seed: u64, names: &mut Vec<String>) -> Result<(), Er
 
 /// What the fit names, by the true placement that holds the middle of its times.
 fn named(fit: &JointFit, session: &Session) -> Vec<String> {
-    use calib::methods::joint::Disturbance;
+    use findings::Kind;
     let rests = &session.truth.static_intervals;
     let before = |t: f64| rests.iter().rposition(|r| r.start <= t).unwrap_or(0);
     let mut names: Vec<String> = fit
         .flagged
         .iter()
         .map(|a| {
-            let kind = match a.kind {
-                Disturbance::MountSlip | Disturbance::SuddenSlip => "slip",
-                Disturbance::RateExcursion => "excursion",
-                Disturbance::DisturbedInterval => "touch",
-                Disturbance::BadTurn => "turn",
+            let kind = match a.fault.kind() {
+                Kind::Creep | Kind::MountSlip => "slip",
+                Kind::RateExcursion => "excursion",
+                Kind::TurnMissed => "turn",
+                _ => "touch",
             };
             format!("{kind} {}", before(0.5 * (a.span.from + a.span.to)))
         })

@@ -1,7 +1,9 @@
 //! Faults of the recording itself, found without a model.
 
 use ::findings::{Finding, Kind};
-use estimate::methods::joint::{Disturbance, Flagged, Reason, SensorNoise};
+use estimate::methods::joint::{
+    Creep, FaultRef, Flagged, RateExcursion, Reason, Scope, SensorNoise,
+};
 use recording::intervals::{Rails, Segmentation, Span};
 use recording::readings::{Symptom, altered_bias};
 use recording::{Recording, Stream};
@@ -153,13 +155,13 @@ pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<In
     // A rate that is off in an interval is off up to the turns beside it, which see it as a creep.
     let is_excursion = |of: &Flagged| {
         let all = state.fit.flagged.iter();
-        let mut excursions = all.filter(|a| a.kind == Disturbance::RateExcursion);
+        let mut excursions = all.filter(|a| a.fault == &RateExcursion as FaultRef);
         excursions.any(|a| (a.recording, a.interval) == (of.recording, of.interval))
     };
     found
         // An interval within which a bias stepped is no fault of the recording.
         .filter(|(flagged, _)| flagged.reason == Reason::Disturbed)
-        .filter(|(flagged, _)| flagged.kind != Disturbance::MountSlip || !is_excursion(flagged))
+        .filter(|(flagged, _)| flagged.fault != &Creep as FaultRef || !is_excursion(flagged))
         .map(|(flagged, (known, size))| {
             let or = either.iter().find(|either| either.known == known);
             let recording = &state.fit.data.sources[flagged.recording].name;
@@ -169,29 +171,21 @@ pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<In
                     && fault.t0 < flagged.span.to
                     && fault.t1 > flagged.span.from
             });
-            let crept = size * flagged.span.length();
-            let (name, kind, size, unit) = match flagged.kind {
-                Disturbance::MountSlip => ("mount_slip", Kind::Creep, crept, "rad"),
-                Disturbance::SuddenSlip => ("mount_slip", Kind::MountSlip, size, "rad"),
-                Disturbance::DisturbedInterval => {
-                    ("disturbed_interval", Kind::DisturbedInterval, size, "m/s^2")
-                }
-                Disturbance::RateExcursion => {
-                    ("disturbed_interval", Kind::RateExcursion, size, "rad/s")
-                }
-                Disturbance::BadTurn if lost => {
-                    ("lost_samples", Kind::TurnWithoutSamples, size, "rad")
-                }
-                Disturbance::BadTurn => ("outlying_turn", Kind::TurnMissed, size, "rad"),
+            let fault = flagged.fault;
+            let (size, unit) = (fault.size(size, flagged.span), fault.unit());
+            let is_of_a_turn = fault.scope() == Scope::Turn;
+            let (name, kind) = match is_of_a_turn && lost {
+                true => ("lost_samples", Kind::TurnWithoutSamples),
+                false => (fault.name(), fault.kind()),
             };
             let found = Finding::of(kind)
                 .in_recording(recording)
                 .between(flagged.span.from, flagged.span.to)
                 .number("size", size, unit)
                 .affects("corrected_reading", size, unit);
-            let found = match flagged.kind {
-                Disturbance::BadTurn => found.at_turn(flagged.interval),
-                _ => found.at_interval(flagged.interval),
+            let found = match is_of_a_turn {
+                true => found.at_turn(flagged.interval),
+                false => found.at_interval(flagged.interval),
             };
             Integrity {
                 name,

@@ -3,7 +3,7 @@
 //! A step is held between two static intervals. Where it happened within one, the mean of that interval is a mixture of before
 //! and after: it looks disturbed, and pulls the estimate of the step towards itself.
 
-use estimate::methods::joint::{Disturbance, Known, Reason, Suspect};
+use estimate::methods::joint::{DisturbedInterval, Known, RateExcursion, Reason, Suspect};
 use recording::Error;
 use sensor::Sensor;
 
@@ -92,7 +92,7 @@ fn beside_steps(state: &State) -> Vec<Known> {
 fn left_out(state: &State, sensor: Sensor, chunk: usize) -> Option<Known> {
     if sensor == Sensor::Accelerometer {
         return Some(Known {
-            kind: Disturbance::DisturbedInterval,
+            fault: &DisturbedInterval,
             place: chunk,
             reason: Reason::BiasStepped,
         });
@@ -100,7 +100,7 @@ fn left_out(state: &State, sensor: Sensor, chunk: usize) -> Option<Known> {
     let rest = state.fit.data.chunks[chunk].rest;
     let is_whole = state.fit.data.rests[rest].chunks.len() == 1;
     is_whole.then_some(Known {
-        kind: Disturbance::RateExcursion,
+        fault: &RateExcursion,
         place: rest,
         reason: Reason::BiasStepped,
     })
@@ -114,14 +114,14 @@ fn mixed(state: &State) -> Option<Known> {
     }
     let whitened = state.projected.at(state.noise)?;
     let log_p = |known: &Known| {
-        let is_own = |s: &&Suspect| s.kind == known.kind && s.place == known.place;
+        let is_own = |s: &&Suspect| s.fault == known.fault && s.place == known.place;
         let suspect = state.suspects().iter().find(is_own)?;
         let columns = state.explained_by(suspect);
         let found = score(whitened.columns(&columns).as_ref(), &whitened.z);
         (found.dof > 0).then(|| log_tail(found.statistic, found.dof as f64))
     };
     let open = beside.into_iter();
-    let open = open.filter(|known| !state.is_flagged(known.kind, known.place));
+    let open = open.filter(|known| !state.is_flagged(known.fault, known.place));
     let judged = open.filter_map(|known| Some((log_p(&known)?, known)));
     let off = judged.filter(|(log_p, _)| *log_p < BY_CHANCE.ln());
     off.min_by(|a, b| a.0.total_cmp(&b.0))

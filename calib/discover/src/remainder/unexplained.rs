@@ -1,6 +1,6 @@
 //! Finding about the disagreement that no effect of the catalogue explains.
 
-use estimate::methods::joint::{BiasNoise, Chunk, Disturbance, Mean, SensorNoise, orthonormal};
+use estimate::methods::joint::{BiasNoise, Chunk, Mean, SensorNoise, orthonormal};
 use findings::{Finding, Kind};
 use nalgebra::Vector3;
 use sensor::{Quantity, Sensor};
@@ -69,7 +69,10 @@ pub fn unexplained(search: &mut Search, alpha: f64) -> (Option<Unexplained>, Opt
         .any(|n| matches!(n.claim, Claim::Effect(_)));
     // A bias that goes by something else is far off in some rests.
     let in_rests = &search.last.extension.disturbed;
-    let of_rests = !in_rests.is_empty() && in_rests.iter().all(|known| is_of_a_rest(known.kind));
+    let of_rests = !in_rests.is_empty()
+        && in_rests
+            .iter()
+            .all(|known| known.fault.is_over_with_interval());
     if named_effect || of_rests {
         let described = Described::of(&search.base);
         let shaped = described.trials(&search.base, search.evidence + APART);
@@ -88,14 +91,6 @@ pub fn unexplained(search: &mut Search, alpha: f64) -> (Option<Unexplained>, Opt
         return (rest_of(&search.last, alpha), Some(described));
     }
     (rest_of(&search.last, alpha), None)
-}
-
-/// Returns true if the disturbance concerns a static interval as a whole.
-fn is_of_a_rest(kind: Disturbance) -> bool {
-    matches!(
-        kind,
-        Disturbance::DisturbedInterval | Disturbance::RateExcursion | Disturbance::MountSlip
-    )
 }
 
 /// Returns true if a named effect already describes the shape.

@@ -81,8 +81,8 @@ fn items(last: &State, families: &[Family]) -> Vec<Item> {
                     }
                     None
                 }
-                Claim::Disturbed(kind) => {
-                    let known = hypothesis.place.and_then(|place| last.known(kind, place));
+                Claim::Disturbed(fault) => {
+                    let known = hypothesis.place.and_then(|place| last.known(fault, place));
                     if known.is_none() {
                         continue;
                     }

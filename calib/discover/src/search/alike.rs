@@ -1,6 +1,6 @@
 //! Disturbances that a fit cannot tell apart, such as creep and a rate excursion, or a push and an outlying turn.
 
-use estimate::methods::joint::{Disturbance, Known};
+use estimate::methods::joint::{Known, Scope};
 use recording::Error;
 
 use super::either::Either;
@@ -33,12 +33,7 @@ impl Finder<'_> {
         }
         for (known, _) in certain {
             let k = held.iter().position(|h| h.is(known));
-            let of_a_rest = matches!(
-                known.kind,
-                Disturbance::MountSlip
-                    | Disturbance::RateExcursion
-                    | Disturbance::DisturbedInterval
-            );
+            let of_a_rest = known.fault.is_over_with_interval();
             let (Some(k), true, false) = (k, of_a_rest, self.is_spent(1)) else {
                 continue;
             };
@@ -82,13 +77,13 @@ fn across(base: &State, held: &[Held], k: usize) -> Option<Vec<Held>> {
     let data = &base.fit.data;
     let place = held[k].hypothesis.place?;
     let rest = match held[k].claim {
-        Claim::Disturbed(Disturbance::DisturbedInterval) => data.chunks.get(place)?.rest,
+        Claim::Disturbed(fault) => fault.scope().static_interval(data, place)?,
         _ => place,
     };
     let other_side = |h: &Held| {
-        let Claim::Disturbed(Disturbance::BadTurn) = h.claim else {
+        if !matches!(h.claim, Claim::Disturbed(fault) if fault.scope() == Scope::Turn) {
             return None;
-        };
+        }
         let from = data.turns.get(h.hypothesis.place?)?.from;
         let from = match rest.checked_sub(from)? {
             0 => rest.checked_sub(1)?,

@@ -16,7 +16,7 @@ pub struct Either {
 impl Either {
     /// `None` where nothing has another name.
     pub(super) fn of(known: Known, ties: impl Iterator<Item = &'static str>) -> Option<Self> {
-        let own = Claim::Disturbed(known.kind).name();
+        let own = Claim::Disturbed(known.fault).name();
         let mut or: Vec<&'static str> = Vec::new();
         for name in ties {
             if name != own && !or.contains(&name) {

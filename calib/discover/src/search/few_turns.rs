@@ -1,6 +1,6 @@
 //! Evidence that a few turns make.
 
-use estimate::methods::joint::{Disturbance, without};
+use estimate::methods::joint::{Scope, without};
 use faer::Mat;
 
 use crate::family::Family;
@@ -26,7 +26,7 @@ impl Turns {
         let is_knocked = state.fit.data.misses_something_between_samples();
         is_knocked.then(|| {
             let suspects = state.suspects().iter();
-            let turns = suspects.filter(|s| s.kind == Disturbance::BadTurn);
+            let turns = suspects.filter(|s| s.fault.scope() == Scope::Turn);
             Self(turns.map(|turn| state.explained_by(turn)).collect())
         })
     }

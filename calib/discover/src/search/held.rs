@@ -27,7 +27,7 @@ impl Held {
 
     /// Returns true if this is the given disturbance.
     pub fn is(&self, known: &Known) -> bool {
-        matches!(self.claim, Claim::Disturbed(kind) if kind == known.kind)
+        matches!(self.claim, Claim::Disturbed(fault) if fault == known.fault)
             && self.hypothesis.place == Some(known.place)
     }
 

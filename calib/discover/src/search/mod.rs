@@ -149,10 +149,10 @@ impl Search {
     ) -> Result<Vec<String>, Error> {
         let stays = |name: &Name| match name.claim {
             Claim::Effect(effect) => less.effects.iter().any(|(e, _)| e.name() == effect.name()),
-            Claim::Disturbed(kind) => less
+            Claim::Disturbed(fault) => less
                 .disturbed
                 .iter()
-                .any(|known| known.kind == kind && Some(known.place) == name.hypothesis.place),
+                .any(|known| known.fault == fault && Some(known.place) == name.hypothesis.place),
             Claim::Shape(..) => true,
         };
         let gone = self.names.iter().filter(|name| !stays(name));
@@ -298,11 +298,11 @@ impl Finder<'_> {
                 Claim::Effect(effect) => {
                     extension.hold(effect, h.hypothesis.shape, self.catalogue);
                 }
-                Claim::Disturbed(kind) => {
+                Claim::Disturbed(fault) => {
                     extension.disturbed.extend(
                         h.hypothesis
                             .place
-                            .map(|place| Known::disturbed(kind, place)),
+                            .map(|place| Known::disturbed(fault, place)),
                     );
                 }
                 Claim::Shape(..) => {}

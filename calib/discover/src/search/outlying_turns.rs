@@ -1,6 +1,6 @@
 //! Turns that miss by so much that they hide each other and everything else.
 
-use estimate::methods::joint::{Column, Disturbance, Suspect};
+use estimate::methods::joint::{Column, Scope, Suspect};
 use nalgebra::{DMatrix, DVector};
 use recording::averages::median;
 
@@ -26,7 +26,7 @@ pub(super) fn outlying_turns(state: &State) -> Vec<Held> {
     let suspects: Vec<&Suspect> = state
         .suspects()
         .iter()
-        .filter(|s| s.kind == Disturbance::BadTurn)
+        .filter(|s| s.fault.scope() == Scope::Turn)
         .collect();
     let turns = Turns::of(state, &suspects);
     let most = (SHARE * suspects.len() as f64) as usize;
@@ -47,7 +47,7 @@ pub(super) fn outlying_turns(state: &State) -> Vec<Held> {
         .copied()
         .filter(|&k| turns.is_gross(k, &beside(k)))
         .map(|k| Held {
-            claim: Claim::Disturbed(Disturbance::BadTurn),
+            claim: Claim::Disturbed(suspects[k].fault),
             hypothesis: Hypothesis {
                 shape: None,
                 place: Some(suspects[k].place),

@@ -1,6 +1,6 @@
 //! Doubts about a joint fit, as findings.
 
-use crate::methods::joint::{Disturbance, Flagged, JointFit, Missing, Reason, Seen};
+use crate::methods::joint::{Flagged, JointFit, Missing, Reason, Scope, Seen};
 use findings::{Finding, Findings, Kind};
 
 /// A placement off by so much, m/s², though nothing shook it, was not touched: the sensor lies otherwise in its case, or
@@ -16,7 +16,7 @@ const SPEAKS: f64 = 5e-4;
 /// The placements whose force no touch explains: nothing shook, and they are off by more than [`APART`].
 pub fn placements_apart(fit: &JointFit) -> Option<Finding> {
     let apart = |a: &&Flagged| {
-        let is_pushed = a.kind == Disturbance::DisturbedInterval && a.reason == Reason::Disturbed;
+        let is_pushed = a.fault.opens_force() && a.reason == Reason::Disturbed;
         is_pushed && !a.shook && a.size > APART
     };
     let all: Vec<String> = fit
@@ -84,20 +84,16 @@ pub fn disturbances(fit: &JointFit, warnings: &mut Findings) {
         }
     }
     for flagged in &fit.flagged {
-        let kind = match flagged.kind {
-            _ if flagged.reason == Reason::BiasStepped => Kind::BiasStepped,
-            Disturbance::MountSlip => Kind::Creep,
-            Disturbance::SuddenSlip => Kind::MountSlip,
-            Disturbance::DisturbedInterval => Kind::DisturbedInterval,
-            Disturbance::RateExcursion => Kind::RateExcursion,
-            Disturbance::BadTurn => Kind::TurnMissed,
+        let kind = match flagged.reason {
+            Reason::BiasStepped => Kind::BiasStepped,
+            Reason::Disturbed => flagged.fault.kind(),
         };
         let found = Finding::of(kind)
             .in_recording(name(flagged.recording))
             .between(flagged.span.from, flagged.span.to);
-        let found = match kind {
-            Kind::TurnMissed => found.at_turn(flagged.interval),
-            _ => found.at_interval(flagged.interval),
+        let found = match flagged.fault.scope() {
+            Scope::Turn => found.at_turn(flagged.interval),
+            Scope::StaticInterval | Scope::Chunk => found.at_interval(flagged.interval),
         };
         warnings.push(with_what_is_seen(found, flagged.seen));
     }

@@ -5,7 +5,7 @@ use sensor::{Model, Sensor};
 use solver::Parameters;
 
 use super::data::Data;
-use super::disturbance::Flagged;
+use super::faults::Flagged;
 use super::orientation::Shown;
 use crate::methods::Ending;
 use crate::methods::RawUnit;

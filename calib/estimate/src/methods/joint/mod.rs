@@ -45,7 +45,10 @@ pub use clock::undersampled::Undersampled;
 pub use clock::{ClockMode, ClockState, DecidedClock, SourceClock, TurnClock};
 pub use data::budget::{MOST_IN_A_SEARCH, MOST_STATIC_INTERVALS, within_budget};
 pub use data::{Chunk, Data, LostTurn, Mean, Rest, Source, TurnSamples};
-pub use faults::{Creep, DisturbedInterval, FAULTS, Fault, FaultRef, Flagged, OutlyingTurn, RateExcursion, Reason, Scope, Seen, Site, SuddenSlip, Suspect, suspects, suspects_beside_biases};
+pub use faults::{
+    Creep, DisturbedInterval, FAULTS, Fault, FaultRef, Flagged, OutlyingTurn, RateExcursion,
+    Reason, Scope, Seen, Site, SuddenSlip, Suspect, suspects, suspects_beside_biases,
+};
 pub use fit::JointFit;
 pub use noise::SensorNoise;
 pub use noise::bias::{BiasNoise, Within, within};

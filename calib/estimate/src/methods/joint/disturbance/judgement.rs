@@ -1,6 +1,5 @@
 //! Judgement of the rows: levels of noise, and the disturbances that the rows flag.
 
-use nalgebra::Matrix3;
 use sensor::Sensor;
 
 use super::belief::Weights;

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use recording::intervals::Span;
 use sensor::Sensor;
 
-use super::fault::{Fault, Scope, Site, axis_vector, Seen, Suspect};
+use super::fault::{Fault, Scope, Seen, Site, Suspect, axis_vector};
 use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::data::{Chunk, Mean};
 use crate::methods::joint::rows::Rows;

@@ -4,8 +4,8 @@ use findings::Kind;
 use recording::intervals::Span;
 use sensor::Sensor;
 
-use super::fault::{Fault, Scope, Site, unit_columns, Seen, Suspect};
 use super::creep::Creep;
+use super::fault::{Fault, Scope, Seen, Site, Suspect, unit_columns};
 use crate::methods::joint::disturbance::shake::Shake;
 use crate::methods::small_sample::LEAST_SPARE;
 

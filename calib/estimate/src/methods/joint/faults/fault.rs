@@ -47,6 +47,11 @@ pub trait Fault: fmt::Debug + Send + Sync {
         false
     }
 
+    /// Returns true if it is over with its static interval: what comes after is as without it.
+    fn is_over_with_interval(&self) -> bool {
+        self.scope() != Scope::Turn
+    }
+
     /// Size where its parameters have the length `norm` over a span.
     fn size(&self, norm: f64, _span: Span) -> f64 {
         norm
@@ -122,7 +127,13 @@ pub struct Site<'a> {
 impl Site<'_> {
     /// Change of the direction row of the turn at `place` where it begins (`at_begin`) or ends with the direction off by `moved`
     /// (body frame); `None` where the turn is not at that side of static interval `k`.
-    pub(super) fn carried(&self, place: usize, k: usize, at_begin: bool, moved: Vector3<f64>) -> Option<[f64; 2]> {
+    pub(super) fn carried(
+        &self,
+        place: usize,
+        k: usize,
+        at_begin: bool,
+        moved: Vector3<f64>,
+    ) -> Option<[f64; 2]> {
         let turn = &self.rows.data.turns[place];
         let shift = if at_begin && turn.from == k {
             self.rows.charts[k + 1].across.transpose() * (self.rotations[place] * -moved)

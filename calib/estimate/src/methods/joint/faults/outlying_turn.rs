@@ -3,7 +3,7 @@
 use findings::Kind;
 use sensor::Sensor;
 
-use super::fault::{Fault, Scope, Site, unit_columns, Suspect};
+use super::fault::{Fault, Scope, Site, Suspect, unit_columns};
 
 /// A turn that misses the direction after it, as lost or clipped samples make it: its two direction rows are open, rad.
 #[derive(Clone, Copy, Debug)]

@@ -4,7 +4,7 @@ use findings::Kind;
 use recording::intervals::Span;
 use sensor::Sensor;
 
-use super::fault::{Fault, Scope, Site, axis_vector, Seen, Suspect};
+use super::fault::{Fault, Scope, Seen, Site, Suspect, axis_vector};
 use crate::methods::joint::blocks::column::Column;
 
 /// A device that moves at once between two parts of a long static interval: a rotation by `δ` (rad, body frame) before one of its chunks,
@@ -46,6 +46,10 @@ impl Fault for SuddenSlip {
 
     fn is_imitated_by_bias(&self) -> bool {
         true
+    }
+
+    fn is_over_with_interval(&self) -> bool {
+        false
     }
 
     fn seen(&self, norm: f64, _span: Span, _gravity: f64, _seen: Seen) -> Seen {

@@ -5,8 +5,8 @@ use sensor::Sensor;
 
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::blocks::covariance::Covariance;
-use crate::methods::joint::faults::Suspect;
 use crate::methods::joint::disturbance::trial::Trial;
+use crate::methods::joint::faults::Suspect;
 use crate::methods::joint::noise::chain::Chain;
 use crate::methods::joint::noise::exposure::{Exposure, covariance};
 use crate::methods::joint::noise::rows::RowNoise;
