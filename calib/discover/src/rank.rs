@@ -1,5 +1,7 @@
 //! The evidence for everything that may be missing.
 
+use std::f64::consts::LN_2;
+
 use estimate::methods::joint::{BiasNoise, Columns};
 use faer::Mat;
 use sensor::Sensor;
@@ -34,8 +36,7 @@ pub struct Ranked {
     pub statistic: f64,
     /// Its degrees of freedom: what the data can see of the columns, and a shape.
     pub dof: f64,
-    /// `ln p` in this one test: of an effect or a disturbance that of the integrated likelihood ratio, of a shape that of the
-    /// statistic.
+    /// `ln p` in this one test: of an effect or a disturbance over all that the noise may be, of a shape that of the statistic.
     pub log_p: f64,
     /// `−ln p − ln n_sub − ln 2m`: significant at family-wise level α where above `−ln α`.
     pub evidence: f64,
@@ -122,12 +123,12 @@ fn best(place: usize, family: &Family, tried: Vec<Tried<'_>>, choice: f64) -> Op
     let is_shape = matches!(family.claim, Claim::Shape(..));
     let tried = tried.into_iter().enumerate();
     let ranked = tried.filter_map(|(k, tried)| {
-        let integrated = tried.log_p();
+        let over_all_noise = tried.log_p();
         let (level, statistic, score) = tried.likeliest?;
         // Shapes describe, and are held against the scatter of a bias that wanders: by likelihood ratios.
         let log_p = match is_shape {
             true => log_tail(statistic, score.dof as f64 + family.shape_dof),
-            false => integrated,
+            false => over_all_noise,
         };
         Some(Ranked {
             family: place,
@@ -149,7 +150,7 @@ fn best(place: usize, family: &Family, tried: Vec<Tried<'_>>, choice: f64) -> Op
     )
 }
 
-/// `ln p` of the integrated likelihood ratio of columns of a sensor (`m × k`, white-whitened).
+/// `ln p` of columns of a sensor (`m × k`, white-whitened) over all that the noise may be.
 pub fn log_p_of(
     projected: &Projected,
     (sensor, columns): (Sensor, &Mat<f64>),
@@ -179,18 +180,33 @@ impl Ranked {
 pub(super) struct Tried<'a> {
     /// The level where the data are likeliest under it, the likelihood ratio, and the score there.
     pub likeliest: Option<(&'a Level, f64, Score)>,
-    /// Of every level `ln π + ℓ₀` and `s/2`: prior and likelihood without the hypothesis, and half its score.
-    all: Vec<[f64; 2]>,
+    all: Vec<AtLevel>,
     /// Degrees of freedom of the shape.
     shape_dof: f64,
+}
+
+/// One hypothesis at one level of the noise.
+struct AtLevel {
+    /// `ln π + ℓ₀`: prior probability of the level and likelihood without the hypothesis.
+    without: f64,
+    /// `s/2`, half the score of the hypothesis.
+    gain: f64,
+    /// `½ ln det A⁺`: with the two before it is the likelihood with the coefficients anywhere.
+    spread: f64,
+    /// `ln P(χ²_q > s)`.
+    log_p: f64,
 }
 
 impl<'a> Tried<'a> {
     /// `gained` is the log-likelihood at `level` without the hypothesis, over that at the likeliest noise.
     pub fn add(&mut self, level: &'a Level, gained: f64, score: Score, shape_dof: f64) {
         self.shape_dof = shape_dof;
-        self.all
-            .push([level.log_prior + gained, 0.5 * score.statistic]);
+        self.all.push(AtLevel {
+            without: level.log_prior + gained,
+            gain: 0.5 * score.statistic,
+            spread: 0.5 * score.log_determinant,
+            log_p: log_tail(score.statistic, score.dof as f64 + shape_dof),
+        });
         let statistic = score.statistic + 2.0 * gained;
         let is_less = |(_, best, _): &(_, f64, _)| statistic > *best;
         if score.dof > 0 && self.likeliest.as_ref().is_none_or(is_less) {
@@ -198,26 +214,39 @@ impl<'a> Tried<'a> {
         }
     }
 
-    /// `ln P(χ²_q > T)` of the integrated likelihood ratio `T = 2 [ln Σ π e^(ℓ₀ + s/2) − ln Σ π e^ℓ₀]`, `π` the prior probability of a level
-    /// of the noise, `ℓ₀` the log-likelihood there without the hypothesis and `s` its score.
+    /// `ln p` of the hypothesis: of two tests the one that says more, each at half the level. Where the noise is known they are one.
     ///
-    /// A likelihood ratio is `χ²` where the noise is known. Where few static intervals show how a bias walks, the walk is integrated out
-    /// under both hypotheses alike (Berger, Liseo & Wolpert 1999, *Integrated likelihood methods for eliminating nuisance parameters*), and
-    /// [`PRICE_OF_INTEGRATION`] is taken off.
+    /// Few static intervals show how a bias walks. What looks like a walk, as a drift does, is seen best by a ratio of likelihoods over
+    /// all walks; what does not, as an error of orientation, by the mean of `p` over them.
     pub fn log_p(&self) -> f64 {
-        let Some((_, _, likeliest)) = &self.likeliest else {
-            return 0.0;
-        };
-        let with = log_sum(self.all.iter().map(|[own, gain]| own + gain));
-        let without = log_sum(self.all.iter().map(|[own, _]| *own));
-        let log_p = log_tail(
-            2.0 * (with - without),
-            likeliest.dof as f64 + self.shape_dof,
-        );
-        match self.all.len() {
-            1 => log_p,
-            _ => (log_p + PRICE_OF_INTEGRATION).min(0.0),
+        match (self.all.as_slice(), &self.likeliest) {
+            (_, None) => 0.0,
+            ([known], _) => known.log_p,
+            (_, Some((_, _, score))) => {
+                let dof = score.dof as f64 + self.shape_dof;
+                let integrated = log_tail(self.integrated(), dof) + PRICE_OF_INTEGRATION;
+                (integrated.min(self.averaged()) + LN_2).min(0.0)
+            }
         }
+    }
+
+    /// The integrated likelihood ratio `T = 2 [ln Σ π e^(ℓ₀ + s/2) − ln Σ π e^ℓ₀]`: the walk is integrated out under both hypotheses alike.
+    ///
+    /// Source: Berger, Liseo & Wolpert 1999, *Integrated likelihood methods for eliminating nuisance parameters*.
+    fn integrated(&self) -> f64 {
+        let with = log_sum(self.all.iter().map(|own| own.without + own.gain));
+        let without = log_sum(self.all.iter().map(|own| own.without));
+        2.0 * (with - without)
+    }
+
+    /// `ln Σ w p`, `w` the weights of the levels by their likelihood under the hypothesis, which the size of what it explains has no part
+    /// in.
+    ///
+    /// Source: Bayarri & Berger 2000, partial posterior predictive p-values.
+    fn averaged(&self) -> f64 {
+        let weight = |own: &AtLevel| own.without + own.gain + own.spread;
+        let weighed = log_sum(self.all.iter().map(|own| weight(own) + own.log_p));
+        weighed - log_sum(self.all.iter().map(weight))
     }
 }
 

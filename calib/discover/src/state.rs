@@ -4,8 +4,8 @@ use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 use estimate::methods::joint::{
-    Basis, BiasNoise, Column, Columns, Component, FaultRef, JointFit, Known, NoiseLevel,
-    Sensitivities, Site, Suspect, fit_joint, suspects, within,
+    Basis, BiasNoise, Column, Columns, Component, ComponentKind, FaultRef, JointFit, Known,
+    NoiseLevel, Sensitivities, Site, Suspect, fit_joint, suspects, within,
 };
 use faer::{Mat, MatMut};
 use recording::Error;
@@ -85,6 +85,13 @@ impl State {
             Channel::Direction => Some(self.fit.direction_rms()),
             Channel::MovingForce => None,
         }
+    }
+
+    /// Standard deviation by which the turns scatter beyond the gyroscope's noise, rad.
+    pub fn scatter_of_turns(&self) -> f64 {
+        let mut levels = self.fit.levels.iter();
+        let own = levels.find(|level| level.kind == ComponentKind::TurnScatter);
+        own.map_or(0.0, |level| level.size)
     }
 
     /// Number of rows.

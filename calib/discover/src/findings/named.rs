@@ -7,7 +7,7 @@ use super::beside::{Rival, rivals};
 use super::latitude::instead_of;
 use super::{EffectFinding, RankedClaim};
 use crate::family::Claim;
-use crate::gap::held_out::{gap_of, held_out};
+use crate::gap::held_out::{gap_of, held_out, held_out_as_after};
 use crate::gap::sequence::{Misfit, Sequence, channel_of};
 use crate::rank::Ranked;
 use crate::request::Request;
@@ -79,7 +79,7 @@ pub fn finding(name: &Name, last: &Final<'_>) -> EffectFinding {
             .and_then(Misfit::gap_by_chance),
         rms_before: without.rms(channel),
         rms_after: last.state.rms(channel),
-        held_out_gap_before: held(&held_out(without, noise)),
+        held_out_gap_before: held(&held_out_as_after(without, last.state)),
         held_out_gap_after: held(&last.held_out),
     }
 }

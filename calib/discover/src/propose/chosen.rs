@@ -2,7 +2,6 @@
 
 use super::dictionary::Product;
 use super::screen::Screened;
-use super::stability::alike;
 use crate::rank::APART;
 
 /// Share of the halves that must select a group (Meinshausen and Bühlmann 2010 take 0.6 to 0.9).
@@ -49,7 +48,7 @@ impl<'a> Stable<'a> {
 
     /// Returns true if two products explain nearly the same.
     pub fn are_alike(&self, one: usize, other: usize) -> bool {
-        alike(&self.screened.bases[one], &self.screened.bases[other])
+        self.screened.are_alike(self.products, one, other)
     }
 
     /// Those of one sensor: of those that are alike one, the simplest that is no less likely than the best by [`APART`].

@@ -1,6 +1,7 @@
 //! Candidate terms of an unexplained error: products of covariates.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
+use std::f64::consts::LN_2;
 
 use faer::{Mat, MatRef};
 use nalgebra::{DMatrix, Matrix2x3};
@@ -52,6 +53,11 @@ impl Product {
         first.map_or(0, |(_, factors)| factors.iter().map(of).sum())
     }
 
+    /// Returns true if both have the same factors on an axis of the same sensor.
+    pub fn shares_a_term(&self, other: &Self) -> bool {
+        self.sensor == other.sensor && self.parts.iter().any(|part| other.parts.contains(part))
+    }
+
     /// The term on the axis in place `k`, where the coefficient of the column of unit length is `coefficient`.
     pub fn term(&self, k: usize, coefficient: f64) -> Term {
         let (axis, factors) = &self.parts[k];
@@ -78,10 +84,16 @@ fn orthonormal(w: MatRef<'_, f64>) -> Mat<f64> {
     w * mix
 }
 
-/// `ln` of the number of formulas of so many products: any of them, each on any of its axes.
-pub fn log_formulas(products: &[Product], count: usize) -> f64 {
+/// `ln` of the number of formulas like one of so many products with so many terms: those of as many products, each on any of its axes, or those
+/// of as many terms, whichever are fewer; twice that, for the two ways to count.
+pub fn log_formulas(products: &[Product], count: usize, terms: usize) -> f64 {
     let axes = ((1u32 << Axis::ALL.len()) - 1) as f64;
-    ln_binomial(products.len() as u64, count as u64) + count as f64 * axes.ln()
+    let of_products = ln_binomial(products.len() as u64, count as u64) + count as f64 * axes.ln();
+    let parts = products.iter();
+    let parts = parts.flat_map(|p| p.parts.iter().map(move |part| (p.sensor, part)));
+    let distinct = parts.collect::<HashSet<_>>().len();
+    let of_terms = ln_binomial(distinct as u64, terms as u64);
+    of_products.min(of_terms) + LN_2
 }
 
 /// Every product of specific force, rate, angular acceleration, temperature and time, every size of a force or a rate, alone

@@ -28,7 +28,7 @@ use terms::terms;
 
 use super::family::effect_family;
 use super::gap::channel::Channel;
-use super::gap::held_out::held_out;
+use super::gap::held_out::{held_out, held_out_as_after};
 use super::gap::sequence::Misfit;
 use super::rank::{APART, Ranked, rank};
 use super::remainder::unexplained::Unexplained;
@@ -132,7 +132,8 @@ fn propose_of(
     rest: &Unexplained,
     (products, screened): (&[Product], &Screened),
 ) -> Option<Proposed> {
-    let frequencies = stability(last, &screened.whitened, &screened.bases, screened.floor);
+    let are_alike = |one: usize, other: usize| screened.are_alike(products, one, other);
+    let frequencies = stability(last, screened, &are_alike);
     let stable = Stable::of(screened, products, &frequencies);
     let first = *stable.places.first()?;
     let alike = stable
@@ -172,7 +173,8 @@ fn tried(
     let found = terms(&screened.whitened, chosen)?;
     let formula = Formula::new(sensor, found.terms.clone());
     let effect = formula.effect(name_of(sensor)).ok()?;
-    let ranked = evidence(last, effect, log_formulas(products, found.products))?;
+    let tried = log_formulas(products, found.products, found.terms.len());
+    let ranked = evidence(last, effect, tried)?;
     if ranked.evidence <= request.threshold() {
         return None;
     }
@@ -210,13 +212,12 @@ fn evidence(last: &State, effect: &'static dyn AnyEffect, log_formulas: f64) -> 
     rank(&last.projected, &[family], last.walks()).pop()
 }
 
-/// The held-out gap of the channel before and after, at the walks of the model after; `None` unless what was there is not
+/// The held-out gap of the channel before and after, at the noise of the model after; `None` unless what was there is not
 /// noise, `gap² ≤ 1 + 2 √(2/dof)`, and what is left is, or a small share of what was.
 fn closed(before: &State, after: &State, channel: Channel) -> Option<[f64; 2]> {
-    let of = |state: &State| -> Option<Misfit> {
-        held_out(state, after.noise)?.get(channel as usize).copied()
-    };
-    let (before, after) = (of(before)?, of(after)?);
+    let of = |misfits: [Misfit; 3]| misfits.get(channel as usize).copied();
+    let before = of(held_out_as_after(before, after)?)?;
+    let after = of(held_out(after, after.noise)?)?;
     let gaps = [before.gap(), after.gap()];
     let error = 2.0 * (2.0 / after.dof.max(1.0)).sqrt();
     let [was_noise, is_noise] = gaps.map(|gap| gap * gap <= 1.0 + error);

@@ -5,7 +5,7 @@ use faer::Mat;
 use sensor::Sensor;
 
 use super::chosen::MOST_PRODUCTS;
-use super::dictionary::Product;
+use super::dictionary::{Product, log_formulas};
 use super::screen::Screened;
 use crate::noise::level::Level;
 use crate::score::log_tail;
@@ -23,8 +23,7 @@ pub(super) fn most_evidence(screened: &Screened, products: &[Product], levels: &
     let sensors = [Sensor::Accelerometer, Sensor::Gyroscope];
     let explained = sensors.map(|sensor| explained(screened, products, sensor));
     let statistic = gained + explained.into_iter().fold(0.0, f64::max);
-    let offered: usize = products.iter().map(|product| product.parts.len()).sum();
-    -log_tail(statistic, 1.0) - (offered.max(1) as f64).ln()
+    -log_tail(statistic, 1.0) - log_formulas(products, 1, 1)
 }
 
 /// `χ²` that products of one sensor explain together.

@@ -15,6 +15,9 @@ const KEPT: usize = 40;
 /// Two products that share more than this (`ρ²`) are the same to these data: that of lower degree is kept.
 const TWINS: f64 = 0.98;
 
+/// Groups that share more than this (`ρ²`) stand for each other: halves that select the one speak for the other.
+const ALIKE: f64 = 0.5;
+
 /// Chance that noise alone pulls any product of the dictionary into the model.
 const BY_CHANCE: f64 = 0.05;
 
@@ -34,6 +37,13 @@ pub struct Screened {
 }
 
 impl Screened {
+    /// Returns true if two of the screened products explain nearly the same, or have a term in common: an error of one axis alone is in the
+    /// product that is the same on all axes and in the one that goes with the axis.
+    pub fn are_alike(&self, products: &[Product], one: usize, other: usize) -> bool {
+        let product = |place: usize| &products[self.products[place]];
+        alike(&self.bases[one], &self.bases[other]) || product(one).shares_a_term(product(other))
+    }
+
     /// `ln p` of one of the products.
     pub fn log_p(&self, place: usize) -> f64 {
         log_p(&self.bases[place], &self.whitened)
@@ -112,4 +122,10 @@ fn likeliest(products: &[Product], kept: &[usize], levels: &[Level]) -> Option<u
         level.whitened.log_likelihood() + gains.fold(0.0, f64::max)
     };
     (0..levels.len()).max_by(|a, b| of(&levels[*a]).total_cmp(&of(&levels[*b])))
+}
+
+/// Returns true if two spaces of orthonormal columns (`q × p`) share most of the smaller one.
+fn alike(one: &Mat<f64>, other: &Mat<f64>) -> bool {
+    let rank = one.ncols().min(other.ncols()).max(1) as f64;
+    (one.transpose() * other).squared_norm_l2() > ALIKE * rank
 }

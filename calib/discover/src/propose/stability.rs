@@ -10,6 +10,7 @@ use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
 use super::group_lasso::GroupLasso;
+use super::screen::Screened;
 use crate::noise::projected::Whitened;
 use crate::state::State;
 
@@ -18,9 +19,6 @@ const PAIRS: u64 = 25;
 
 /// Groups that a half may select: few, so that chance seldom selects the same again.
 const MOST: usize = 3;
-
-/// Groups that share more than this (`ρ²`) stand for each other: halves that select the one speak for the other.
-const ALIKE: f64 = 0.5;
 
 /// Share of the halves that must select anything at all.
 const SPEAK: f64 = 0.5;
@@ -34,14 +32,19 @@ const RIDGE: f64 = 1e-9;
 /// For every group the share of the halves that select it or one like it, of those that select any: a half in which nothing
 /// rises above the noise says nothing for or against. 0 where fewer than [`SPEAK`] select any.
 ///
-/// `bases` (`q × p_g`) are orthonormal, whitened. A half of the rests speaks through its rows, given all others:
+/// The bases (`q × p_g`) are orthonormal, whitened. A half of the rests speaks through its rows, given all others:
 /// with `B = N L⁻ᵀ` (`m × q`) and its rows `B_I`, through `B_I z ~ N(B_I W β, B_I B_Iᵀ)`. A group is selected where it is
 /// among the first [`MOST`] on the path of falling `λ`, no lower than `floor`.
 ///
 /// Source: Meinshausen and Bühlmann, Stability selection, 2010; halves in complementary pairs as of Shah and
 /// Samworth, Variable selection with error control, 2013; votes by clusters as of Faletto and Bien, Cluster stability
 /// selection, 2022.
-pub fn stability(state: &State, whitened: &Whitened, bases: &[Mat<f64>], floor: f64) -> Vec<f64> {
+pub fn stability(
+    state: &State,
+    screened: &Screened,
+    are_alike: &dyn Fn(usize, usize) -> bool,
+) -> Vec<f64> {
+    let (whitened, bases, floor) = (&screened.whitened, &screened.bases, screened.floor);
     let halves = Halves::new(state, whitened, bases);
     let rests = state.fit.data.rests.len();
     let selected: Vec<Vec<usize>> = (0..PAIRS)
@@ -58,18 +61,12 @@ pub fn stability(state: &State, whitened: &Whitened, bases: &[Mat<f64>], floor: 
         return vec![0.0; bases.len()];
     }
     let votes = |g: usize| {
-        let for_it = |own: &&Vec<usize>| own.iter().any(|&s| s == g || alike(&bases[s], &bases[g]));
+        let for_it = |own: &&Vec<usize>| own.iter().any(|&s| s == g || are_alike(s, g));
         selected.iter().filter(for_it).count()
     };
     (0..bases.len())
         .map(|g| votes(g) as f64 / speak.max(1) as f64)
         .collect()
-}
-
-/// Returns true if two spaces of orthonormal columns (`q × p`) share most of the smaller one.
-pub fn alike(one: &Mat<f64>, other: &Mat<f64>) -> bool {
-    let rank = one.ncols().min(other.ncols()).max(1) as f64;
-    (one.transpose() * other).squared_norm_l2() > ALIKE * rank
 }
 
 struct Halves<'a> {

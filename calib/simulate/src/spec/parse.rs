@@ -77,7 +77,7 @@ mod tests {
     fn a_misspelled_effect_or_parameter_is_named_with_its_line() {
         let message = refused("[effects.gyro_drfit]\nx = 1e-6\n");
         let expected = "a.toml:1:10: effects.gyro_drfit: there is no such effect (source of error); \
-                        did you mean `gyro_drift`?, or see which effects there are";
+                        did you mean `gyro_drift`?";
         assert_eq!(message, expected);
         let message = refused("[effects.gyro_warmup]\nx = 1e-6\ntua = 3.0\n");
         assert!(
