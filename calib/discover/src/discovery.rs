@@ -98,7 +98,10 @@ pub(super) fn discover_in(
         instead,
     } = match is_spoilt {
         true => Judged::nothing_looked_for(base),
-        false => judged(session, request, base)?,
+        // A formula whose parameters these recordings do not determine takes no name's place.
+        false => judged(session, request, base, |session, state| {
+            calibration(session, state, request).is_ok()
+        })?,
     };
     let apart = match is_spoilt {
         true => Vec::new(),

@@ -35,20 +35,27 @@ impl Judged {
     }
 }
 
-/// Looks for names, and takes those back that do not stand beside all that was found.
+/// Looks for names, and takes those back that do not stand beside all that was found; a formula may take their place where
+/// `may_replace` says so of it.
 ///
 /// # Errors
 /// As the joint fit.
-pub fn judged(session: &mut Session<'_>, request: &Request, base: State) -> Result<Judged, Error> {
+pub fn judged(
+    session: &mut Session<'_>,
+    request: &Request,
+    base: State,
+    may_replace: impl Fn(&Session<'_>, &State) -> bool,
+) -> Result<Judged, Error> {
     let alpha = request.alpha_of_rest();
     let found = names_and_rest(session, request, base)?;
     let (mut search, mut rest) = (found.search, found.rest);
-    let instead =
-        instead_of_names(session, request, &search, found.of_base).map(|(formula, mut whole)| {
-            whole.instead_of = search.withdraw_all();
-            rest = Some(whole);
-            formula
-        });
+    let instead = instead_of_names(session, request, &search, found.of_base);
+    let instead = instead.filter(|(formula, _)| may_replace(session, &formula.state));
+    let instead = instead.map(|(formula, mut whole)| {
+        whole.instead_of = search.withdraw_all();
+        rest = Some(whole);
+        formula
+    });
     if leave_out_mixed(session, &mut search)? {
         rest = rest_of(&search.last, alpha);
     }

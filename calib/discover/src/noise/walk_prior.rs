@@ -30,12 +30,14 @@ const USUAL: f64 = 0.95;
 /// Shares of the variance by which turns scatter at which claims are tried: what is taken for scatter may be the effect.
 const SCATTERS: [f64; 4] = [0.5, 0.2, 0.05, 0.0];
 
-/// The walks of one sensor in units of `σ / √T`, up to one beyond the likeliest, with the logarithm of their prior probabilities, which add
-/// up to one.
+/// The walks of one sensor in units of `σ / √T`, through the likeliest and up to one beyond it, with the logarithm of their prior
+/// probabilities, which add up to one.
 fn prior(likeliest: f64) -> Vec<(f64, f64)> {
-    let beyond = (likeliest / LOWEST).max(1.0).ln() / RATIO.ln();
-    let count = (beyond.ceil() as i32 + 1).clamp(FEWEST, MOST);
-    let walk = |k: i32| LOWEST * RATIO.powi(k);
+    // Steps of the likeliest above the lowest: the whole part is its place, the rest moves all walks.
+    let place = (likeliest / LOWEST).max(1.0).ln() / RATIO.ln();
+    let lowest = LOWEST * RATIO.powf(place.fract());
+    let count = (place as i32 + 2).clamp(FEWEST, MOST);
+    let walk = |k: i32| lowest * RATIO.powi(k);
     // Zero stands one step below the lowest.
     let density = |k: i32| (-0.5 * ((walk(k) / MEDIAN).ln() / WIDTH).powi(2)).exp();
     let all: f64 = (-1..count).map(density).sum();
@@ -145,6 +147,8 @@ mod tests {
         for likeliest in [0.0, 3.0, 40.0, 2000.0] {
             let prior = super::prior(likeliest);
             assert!(prior.last().unwrap().0 > likeliest);
+            let nearest = prior.iter().map(|(walk, _)| (walk - likeliest).abs());
+            assert!(nearest.fold(f64::INFINITY, f64::min) < 1e-9 * likeliest.max(1.0));
             let sum: f64 = prior.iter().map(|(_, log)| log.exp()).sum();
             assert!((sum - 1.0).abs() < 1e-12);
         }

@@ -53,11 +53,6 @@ impl Product {
         first.map_or(0, |(_, factors)| factors.iter().map(of).sum())
     }
 
-    /// Returns true if both have the same factors on an axis of the same sensor.
-    pub fn shares_a_term(&self, other: &Self) -> bool {
-        self.sensor == other.sensor && self.parts.iter().any(|part| other.parts.contains(part))
-    }
-
     /// The term on the axis in place `k`, where the coefficient of the column of unit length is `coefficient`.
     pub fn term(&self, k: usize, coefficient: f64) -> Term {
         let (axis, factors) = &self.parts[k];

@@ -30,6 +30,8 @@ pub struct Screened {
     pub products: Vec<usize>,
     /// Their orthonormal columns (`q × rank`).
     pub bases: Vec<Mat<f64>>,
+    /// Their whitened columns.
+    columns: Vec<Mat<f64>>,
     /// The disagreement at the densities of the walks that suit the best of them.
     pub whitened: Whitened,
     /// The `λ` below which noise alone would select.
@@ -37,11 +39,22 @@ pub struct Screened {
 }
 
 impl Screened {
-    /// Returns true if two of the screened products explain nearly the same, or have a term in common: an error of one axis alone is in the
+    /// Returns true if two of the screened products explain nearly the same, as a whole or on one axis: an error of one axis alone is in the
     /// product that is the same on all axes and in the one that goes with the axis.
     pub fn are_alike(&self, products: &[Product], one: usize, other: usize) -> bool {
         let product = |place: usize| &products[self.products[place]];
-        alike(&self.bases[one], &self.bases[other]) || product(one).shares_a_term(product(other))
+        let (a, b) = (product(one), product(other));
+        let columns = [&self.columns[one], &self.columns[other]];
+        let axes = a.parts.iter().enumerate();
+        let mut same_axis = axes.filter_map(|(i, (axis, _))| {
+            let k = b.parts.iter().position(|(own, _)| own == axis)?;
+            Some((columns[0].col(i), columns[1].col(k)))
+        });
+        let correlated = same_axis.any(|(x, y)| {
+            let shared = x.transpose() * y;
+            shared * shared > ALIKE * x.squared_norm_l2() * y.squared_norm_l2()
+        });
+        alike(&self.bases[one], &self.bases[other]) || (a.sensor == b.sensor && correlated)
     }
 
     /// `ln p` of one of the products.
@@ -62,6 +75,7 @@ pub fn screen(state: &State, products: &[Product]) -> Option<Screened> {
         kept: kept.clone(),
         products: Vec::new(),
         bases: Vec::new(),
+        columns: Vec::new(),
         whitened,
         floor: floor.sqrt(),
     };
@@ -78,6 +92,8 @@ pub fn screen(state: &State, products: &[Product]) -> Option<Screened> {
         if !(0..screened.bases.len()).any(is_twin) {
             screened.products.push(k);
             screened.bases.push(basis);
+            let columns = screened.whitened.columns(&products[k].columns);
+            screened.columns.push(columns);
         }
     }
     Some(by_evidence(screened))
@@ -92,6 +108,10 @@ fn by_evidence(screened: Screened) -> Screened {
         bases: order
             .iter()
             .map(|(_, i)| screened.bases[*i].clone())
+            .collect(),
+        columns: order
+            .iter()
+            .map(|(_, i)| screened.columns[*i].clone())
             .collect(),
         ..screened
     }
