@@ -20,7 +20,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.02,
         reason: "the accelerometer is cut off in a quiet stretch",
         text: "[the quiet stretch at {at} is no static interval][{count} quiet stretches are no static intervals ({listed})]: accelerometer {axis} is cut off at the end of its range",
-        advice: "set a larger range",
+        advice: "record with a larger range of the sensor if too few static intervals are left",
         remedies: Vec::new,
     },
     Entry {

@@ -56,7 +56,7 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::EntryElsewhere,
         "the file `{entry}` is in another archive than the one that was opened",
-        "open the archive that lists it, or take a file from the list of this one",
+        "name a file of the archive that was opened, or name the other archive",
         Vec::new,
     ),
 ];

@@ -112,7 +112,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::NoHeaderNoForce,
         "the table has {width:column} without a header (a row of names). None shows gravity: all read the same at rest in every orientation, as a gyroscope does",
-        "",
+        "record the accelerometer too, whose readings at rest have the length of gravity",
         || {
             vec![Remedy::such_as(
                 OptionName::Columns,
