@@ -30,21 +30,36 @@ const USUAL: f64 = 0.95;
 /// Shares of the variance by which turns scatter at which claims are tried: what is taken for scatter may be the effect.
 const SCATTERS: [f64; 4] = [0.5, 0.2, 0.05, 0.0];
 
+/// Steps are cut into so many from two below the likeliest walk to one above it: a long session knows its walk to a fifth.
+const FINER: i32 = 3;
+
 /// The walks of one sensor in units of `σ / √T`, through the likeliest and up to one beyond it, with the logarithm of their prior
 /// probabilities, which add up to one.
 fn prior(likeliest: f64) -> Vec<(f64, f64)> {
     // Steps of the likeliest above the lowest: the whole part is its place, the rest moves all walks.
     let place = (likeliest / LOWEST).max(1.0).ln() / RATIO.ln();
-    let lowest = LOWEST * RATIO.powf(place.fract());
-    let count = (place as i32 + 2).clamp(FEWEST, MOST);
-    let walk = |k: i32| lowest * RATIO.powi(k);
+    let (moved, place) = (place.fract(), place as i32);
+    let count = (place + 2).clamp(FEWEST, MOST);
+    let is_near = |k: i32| likeliest > 0.0 && (place - 2..=place).contains(&k);
+    let steps = (0..count).flat_map(|k| {
+        let parts = if is_near(k) { FINER } else { 1 };
+        let part = 1.0 / f64::from(parts);
+        (0..parts).map(move |i| (f64::from(k) + f64::from(i) * part, part))
+    });
+    let walk = |step: f64| LOWEST * RATIO.powf(step + moved);
     // Zero stands one step below the lowest.
-    let density = |k: i32| (-0.5 * ((walk(k) / MEDIAN).ln() / WIDTH).powi(2)).exp();
-    let all: f64 = (-1..count).map(density).sum();
-    let flat = (1.0 - USUAL) / f64::from(count + 1);
-    let probability = |k: i32| USUAL * density(k) / all + flat;
-    let own = (-1..count).map(|k| (if k < 0 { 0.0 } else { walk(k) }, probability(k).ln()));
-    own.collect()
+    let steps: Vec<(f64, f64)> = std::iter::once((-1.0, 1.0)).chain(steps).collect();
+    let usual = |&(step, width): &(f64, f64)| {
+        width * (-0.5 * ((walk(step) / MEDIAN).ln() / WIDTH).powi(2)).exp()
+    };
+    let all: f64 = steps.iter().map(usual).sum();
+    let widths: f64 = steps.iter().map(|(_, width)| width).sum();
+    let probability = |own: &(f64, f64)| USUAL * usual(own) / all + (1.0 - USUAL) * own.1 / widths;
+    let of = |own: &(f64, f64)| {
+        let walk = if own.0 < 0.0 { 0.0 } else { walk(own.0) };
+        (walk, probability(own).ln())
+    };
+    steps.iter().map(of).collect()
 }
 
 /// The unit of a sensor's walk, `σ / √T`, in m/s²/√s or rad/s/√s: the median over the static intervals and axes of every recording, of several
