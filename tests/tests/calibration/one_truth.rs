@@ -30,7 +30,7 @@ const UNKNOWABLE: [(&str, Option<Method>, &str); 8] = [
     ("accel_step", None, "time (t0)"),
     ("gyro_step", None, "time (t0)"),
     ("time_offset", None, "derivative of the specific force"),
-    ("earth_rate", None, "the orientation"),
+    ("earth_rate", None, "of the device"),
     (
         "accel_cross_axis",
         Some(Method::Stepwise),
