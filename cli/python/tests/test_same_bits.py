@@ -78,7 +78,7 @@ def test_effects_of_a_file_are_fitted_applied_and_read_again(arrays, folder):
     assert np.array_equal(one, other)
     with pytest.raises(stillpoint.UsageError, match="recording"):
         calibration.apply()
-    with pytest.raises(stillpoint.UsageError, match="effects"):
+    with pytest.raises(stillpoint.UsageError, match="sources of error"):
         calibration.apply(gyro=gyro)
 
 

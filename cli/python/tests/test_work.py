@@ -114,4 +114,5 @@ def test_samples_are_held_once_besides_the_arrays():
     print(f"{rows} rows: {made / rows:.1f} bytes a row for the recording, {corrected / rows:.2f} to correct readings")
     # And what checks keep for a moment: the stamps and one axis.
     assert made <= 64 * rows * 1.15 + 16e6
-    assert corrected <= 2e6
+    # A copy would be 24 MB; 2.4 MB were seen on a busy machine.
+    assert corrected <= 4e6
