@@ -6,6 +6,7 @@ use recording::readings::{FASTEST_HAND, Symptom, tremor};
 use recording::{Error, Recording};
 
 use super::cut::Cut;
+use super::magnetic::with_magnetometer;
 use super::outcome::Outcome;
 use super::request::{Method, Request};
 use super::stepwise::stepwise;
@@ -38,7 +39,8 @@ impl Fit<'_> {
         match self.by_method() {
             Ok(outcome) => {
                 let recordings = &self.recordings.recordings;
-                Ok(with_changes(outcome, recordings, self.request.gravity))
+                let outcome = with_changes(outcome, recordings, self.request.gravity);
+                with_magnetometer(outcome, recordings, self.request)
             }
             Err(Error::NotConverged(reason)) => Err(Error::not_converged(self.in_the_hand(reason))),
             Err(Error::NotEnough(refused)) => self

@@ -3,8 +3,7 @@
 //! ```text
 //! recordings ─ prepared ─► even stamps, no spikes, no copies
 //!            ─ cut ──────► static intervals and turns
-//!            ─ fit ──────► joint or stepwise, accelerometer alone where the turns do not suffice
-//!            ─ magnetic ─► magnetometer
+//!            ─ fit ──────► joint or stepwise, then the magnetometer; accelerometer alone where the turns do not suffice
 //!            ─ inputs ───► provenance and seal
 //! ```
 
@@ -95,8 +94,7 @@ fn in_steps(
         request,
         remarks: &remarks.into_iter().flatten().collect(),
     };
-    let outcome = fit.run()?;
-    let mut outcome = magnetic::with_magnetometer(outcome, &cut.recordings, request)?;
+    let mut outcome = fit.run()?;
     let apart = prepared::clocks::apart(&ready.originals);
     outcome.calibration.warnings.extend(apart);
     let mut inputs = ready.originals.clone();

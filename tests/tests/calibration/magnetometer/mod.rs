@@ -185,6 +185,20 @@ fn names_an_effect(calibration: &Calibration) -> bool {
 }
 
 #[test]
+fn whoever_asks_for_the_accelerometer_alone_gets_no_magnetometer() {
+    let session = spec(3, 0.0).run().unwrap();
+    let both = calibrated(&session, &request(Method::Joint));
+    assert!(both.magnetometer.is_some() && both.gyroscope.is_some());
+    let alone = Request {
+        accelerometer_alone: true,
+        ..request(Method::Joint)
+    };
+    let alone = calibrated(&session, &alone);
+    assert!(alone.accelerometer.is_some());
+    assert!(alone.magnetometer.is_none() && alone.gyroscope.is_none());
+}
+
+#[test]
 fn an_effect_that_the_model_lacks_is_named() {
     for effect in magnetometer::EFFECTS {
         let session = spec(12, 0.0).with_effect(effect.name(), 3.0).run().unwrap();
