@@ -89,13 +89,7 @@ pub fn is_folder(path: &Path) -> Result<bool, Error> {
 /// The folder or one of its entries cannot be read.
 pub fn members(folder: &Path) -> std::io::Result<Vec<PathBuf>> {
     let mut members = Vec::new();
-    let entries = loop {
-        match std::fs::read_dir(folder) {
-            Err(error) if error.kind() == ErrorKind::Interrupted => {}
-            other => break other?,
-        }
-    };
-    for entry in entries {
+    for entry in file_formats::read_folder(folder)? {
         let entry = entry?;
         if !entry.file_name().as_encoded_bytes().starts_with(b".") {
             members.push(entry.path());

@@ -311,20 +311,24 @@ mod tests {
         assert!(found[1].0.reasons[0].contains("index 1"));
     }
 
-    #[test]
-    fn what_is_complete_is_kept_and_what_changed_is_computed_again() {
-        let dir = tempfile::tempdir().unwrap();
-        let plan = plan(dir.path(), &["a", "b", "c"]);
-        let store = Store::new(dir.path().join("out"));
-        let compute = |device: &Device, index: usize, key: String| Computed {
+    /// A device whose calibration is `x`.
+    fn calibrated(device: &Device, index: usize, key: String) -> Computed {
+        Computed {
             record: Record {
                 cal_sha256: Some(crate::hash::of_text("x")),
                 ..empty(device, index, key)
             },
             calibration: Some("x".into()),
-        };
+        }
+    }
+
+    #[test]
+    fn what_is_complete_is_kept_and_what_changed_is_computed_again() {
+        let dir = tempfile::tempdir().unwrap();
+        let plan = plan(dir.path(), &["a", "b", "c"]);
+        let store = Store::new(dir.path().join("out"));
         let resumed = || {
-            let found = run_with(&plan, &store, Arc::new(compute), |_| {}).unwrap();
+            let found = run_with(&plan, &store, Arc::new(calibrated), |_| {}).unwrap();
             found.iter().map(|(_, t)| t.resumed).collect::<Vec<_>>()
         };
         assert_eq!(resumed(), [false; 3]);
@@ -345,14 +349,7 @@ mod tests {
         let dir = tempfile::tempdir().unwrap();
         let plan = plan(dir.path(), &["a"]);
         let store = Store::new(dir.path().join("out"));
-        let compute = |device: &Device, index: usize, key: String| Computed {
-            record: Record {
-                cal_sha256: Some(crate::hash::of_text("x")),
-                ..empty(device, index, key)
-            },
-            calibration: Some("x".into()),
-        };
-        let run = || run_with(&plan, &store, Arc::new(compute), |_| {}).unwrap();
+        let run = || run_with(&plan, &store, Arc::new(calibrated), |_| {}).unwrap();
         run();
         let (input, aside) = (dir.path().join("a"), dir.path().join("aside"));
         std::fs::rename(&input, &aside).unwrap();

@@ -133,8 +133,8 @@ mod tests {
 
     #[test]
     fn biases_that_flicker_on_all_axes_lack_nothing() {
-        // To a walk these leave a remainder.
-        for seed in [41, 47] {
+        // To a walk the first two leave a remainder.
+        for seed in [41, 47, 54] {
             let mut spec = Spec::hand_held(seed);
             spec.accelerometer.instability = 1e-3;
             spec.gyroscope.instability = 7.3e-5;
@@ -144,16 +144,15 @@ mod tests {
             let base = State::fit(&session, Extension::default()).unwrap();
             let mut walking = search(&session, &request, base.clone()).unwrap();
             let (rest, _) = unexplained(&mut walking, request.alpha_of_rest());
-            assert!(rest.is_some() || !walking.names.is_empty(), "{seed}");
+            let lacks = rest.is_some() || !walking.names.is_empty();
+            assert!(lacks || seed == 54, "{seed}");
             let found = names_and_rest(&mut session, &request, base).unwrap();
             assert!(
                 found.rest.is_none() && found.search.names.is_empty(),
                 "{seed}"
             );
-            assert!(
-                found.search.last.noise.flicker[0].iter().all(|b| *b > 1e-4),
-                "{seed}"
-            );
+            let flicker = found.search.last.noise.flicker[0];
+            assert!(!lacks || flicker.iter().all(|b| *b > 1e-4), "{seed}");
         }
     }
 }

@@ -33,7 +33,7 @@ mod tables;
 mod ulog;
 mod unpack;
 
-pub use container::{Container, Entry};
+pub use container::{Container, Entry, read_folder};
 pub use error::Error;
 pub use format::{Format, ReadSeek};
 pub use limits::Limits;

@@ -1,9 +1,7 @@
 //! Faults of the recording itself, found without a model.
 
 use ::findings::{Finding, Kind};
-use estimate::methods::joint::{
-    Creep, FaultRef, Flagged, RateExcursion, Reason, Scope, SensorNoise,
-};
+use estimate::methods::joint::{Flagged, Reason, Scope, SensorNoise};
 use recording::intervals::{Rails, Segmentation, Span};
 use recording::readings::{Symptom, altered_bias};
 use recording::{Recording, Stream};
@@ -155,13 +153,13 @@ pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<In
     // A rate that is off in an interval is off up to the turns beside it, which see it as a creep.
     let is_excursion = |of: &Flagged| {
         let all = state.fit.flagged.iter();
-        let mut excursions = all.filter(|a| a.fault == &RateExcursion as FaultRef);
+        let mut excursions = all.filter(|a| a.fault.kind() == Kind::RateExcursion);
         excursions.any(|a| (a.recording, a.interval) == (of.recording, of.interval))
     };
     found
         // An interval within which a bias stepped is no fault of the recording.
         .filter(|(flagged, _)| flagged.reason == Reason::Disturbed)
-        .filter(|(flagged, _)| flagged.fault != &Creep as FaultRef || !is_excursion(flagged))
+        .filter(|(flagged, _)| flagged.fault.kind() != Kind::Creep || !is_excursion(flagged))
         .map(|(flagged, (known, size))| {
             let or = either.iter().find(|either| either.known == known);
             let recording = &state.fit.data.sources[flagged.recording].name;

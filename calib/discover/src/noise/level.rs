@@ -18,7 +18,7 @@ const SHARES: [[f64; 2]; 7] = [
 ];
 
 /// Shares of the variance by which turns scatter that are tried too: what is taken for scatter may be the effect.
-const SCATTERS: [f64; 4] = [0.5, 0.2, 0.05, 0.0];
+pub const SCATTERS: [f64; 4] = [0.5, 0.2, 0.05, 0.0];
 
 /// One setting of the densities.
 #[derive(Clone, Debug)]
@@ -36,6 +36,22 @@ pub struct Level {
 }
 
 impl Level {
+    /// The level of this noise and share of the scatter; `None` where the disagreement is not finite there.
+    pub fn at(
+        projected: &Projected,
+        (noise, scatter): (BiasNoise, f64),
+        of: Option<Sensor>,
+        log_prior: f64,
+    ) -> Option<Self> {
+        Some(Self {
+            whitened: projected.at_share(noise, scatter)?,
+            noise,
+            scatter,
+            of,
+            log_prior,
+        })
+    }
+
     /// Returns true if noise of this sensor's bias is judged at this setting.
     pub fn is_of(&self, sensor: Sensor) -> bool {
         self.of.is_none_or(|own| own == sensor)
@@ -58,15 +74,7 @@ pub fn levels(projected: &Projected, noise: BiasNoise, given: bool) -> Vec<Level
         if levels.iter().any(is_there) {
             return;
         }
-        if let Some(whitened) = projected.at_share(noise, scatter) {
-            levels.push(Level {
-                noise,
-                scatter,
-                whitened,
-                of,
-                log_prior: 0.0,
-            });
-        }
+        levels.extend(Level::at(projected, (noise, scatter), of, 0.0));
     };
     add(noise, 1.0, None);
     if given {

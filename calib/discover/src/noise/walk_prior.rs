@@ -6,7 +6,7 @@
 use estimate::methods::joint::{BiasNoise, Data};
 use sensor::Sensor;
 
-use super::level::Level;
+use super::level::{Level, SCATTERS};
 use super::projected::Projected;
 
 /// Lowest walk above zero, in units of `σ / √T`.
@@ -26,9 +26,6 @@ const WIDTH: f64 = 1.0;
 
 /// Probability that the walk is as the log-normal part says; else any walk is as likely as another.
 const USUAL: f64 = 0.95;
-
-/// Shares of the variance by which turns scatter at which claims are tried: what is taken for scatter may be the effect.
-const SCATTERS: [f64; 4] = [0.5, 0.2, 0.05, 0.0];
 
 /// Steps are cut into so many from two below the likeliest walk to one above it: a long session knows its walk to a fifth.
 const FINER: i32 = 3;
@@ -95,14 +92,7 @@ pub fn walk_levels(
     is_given: bool,
 ) -> Vec<Level> {
     let level = |noise: BiasNoise, scatter: f64, of: Option<Sensor>, log_prior: f64| {
-        let whitened = projected.at_share(noise, scatter)?;
-        Some(Level {
-            noise,
-            scatter,
-            whitened,
-            of,
-            log_prior,
-        })
+        Level::at(projected, (noise, scatter), of, log_prior)
     };
     if is_given {
         return level(noise, 1.0, None, 0.0).into_iter().collect();

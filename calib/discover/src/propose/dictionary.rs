@@ -65,7 +65,8 @@ impl Product {
     }
 }
 
-fn orthonormal(w: MatRef<'_, f64>) -> Mat<f64> {
+/// An orthonormal basis (`q × rank`) of the directions of whitened columns that are seen.
+pub fn orthonormal(w: MatRef<'_, f64>) -> Mat<f64> {
     let gram = w.transpose() * w;
     let gram = DMatrix::from_fn(w.ncols(), w.ncols(), |i, j| gram[(i, j)]);
     let eigen = gram.symmetric_eigen();

@@ -132,8 +132,7 @@ fn propose_of(
     rest: &Unexplained,
     (products, screened): (&[Product], &Screened),
 ) -> Option<Proposed> {
-    let are_alike = |one: usize, other: usize| screened.are_alike(products, one, other);
-    let frequencies = stability(last, screened, &are_alike);
+    let frequencies = stability(last, products, screened);
     let stable = Stable::of(screened, products, &frequencies);
     let first = *stable.places.first()?;
     let alike = stable

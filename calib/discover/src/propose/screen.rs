@@ -3,7 +3,7 @@
 use faer::Mat;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-use super::dictionary::Product;
+use super::dictionary::{Product, orthonormal};
 use crate::noise::level::Level;
 use crate::noise::projected::Whitened;
 use crate::score::log_tail;
@@ -82,7 +82,8 @@ pub fn screen(state: &State, products: &[Product]) -> Option<Screened> {
     let mut simplest = kept;
     simplest.sort_by_key(|k| products[*k].degree());
     for k in simplest {
-        let basis = products[k].basis(&screened.whitened);
+        let columns = screened.whitened.columns(&products[k].columns);
+        let basis = orthonormal(columns.as_ref());
         let is_twin = |i: usize| {
             let other: &Mat<f64> = &screened.bases[i];
             let rank = other.ncols().max(basis.ncols()) as f64;
@@ -92,7 +93,6 @@ pub fn screen(state: &State, products: &[Product]) -> Option<Screened> {
         if !(0..screened.bases.len()).any(is_twin) {
             screened.products.push(k);
             screened.bases.push(basis);
-            let columns = screened.whitened.columns(&products[k].columns);
             screened.columns.push(columns);
         }
     }

@@ -9,6 +9,7 @@ use rand::seq::SliceRandom;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
+use super::dictionary::Product;
 use super::group_lasso::GroupLasso;
 use super::screen::Screened;
 use crate::noise::projected::Whitened;
@@ -39,11 +40,7 @@ const RIDGE: f64 = 1e-9;
 /// Source: Meinshausen and Bühlmann, Stability selection, 2010; halves in complementary pairs as of Shah and
 /// Samworth, Variable selection with error control, 2013; votes by clusters as of Faletto and Bien, Cluster stability
 /// selection, 2022.
-pub fn stability(
-    state: &State,
-    screened: &Screened,
-    are_alike: &dyn Fn(usize, usize) -> bool,
-) -> Vec<f64> {
+pub fn stability(state: &State, products: &[Product], screened: &Screened) -> Vec<f64> {
     let (whitened, bases, floor) = (&screened.whitened, &screened.bases, screened.floor);
     let halves = Halves::new(state, whitened, bases);
     let rests = state.fit.data.rests.len();
@@ -61,7 +58,10 @@ pub fn stability(
         return vec![0.0; bases.len()];
     }
     let votes = |g: usize| {
-        let for_it = |own: &&Vec<usize>| own.iter().any(|&s| s == g || are_alike(s, g));
+        let for_it = |own: &&Vec<usize>| {
+            own.iter()
+                .any(|&s| s == g || screened.are_alike(products, s, g))
+        };
         selected.iter().filter(for_it).count()
     };
     (0..bases.len())

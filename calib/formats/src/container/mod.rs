@@ -52,7 +52,10 @@ pub struct Container {
 }
 
 /// Lists the entries of a folder; the call is made again where a signal comes between.
-fn listed(folder: &Path) -> io::Result<ReadDir> {
+///
+/// # Errors
+/// The folder cannot be read.
+pub fn read_folder(folder: &Path) -> io::Result<ReadDir> {
     loop {
         match std::fs::read_dir(folder) {
             Err(error) if error.kind() == ErrorKind::Interrupted => {}
@@ -87,7 +90,7 @@ impl Container {
         let mut entries = Vec::new();
         let mut folders = vec![(path.to_owned(), String::new(), 0)];
         while let Some((folder, prefix, depth)) = folders.pop() {
-            let items = match listed(&folder) {
+            let items = match read_folder(&folder) {
                 Err(error) if depth > 0 && is_closed_or_gone(&error) => continue,
                 other => other.map_err(|error| of_member(&prefix, &error))?,
             };
