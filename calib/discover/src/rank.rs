@@ -9,6 +9,7 @@ use sensor::Sensor;
 use super::family::{Claim, Family};
 use super::noise::level::Level;
 use super::noise::projected::Projected;
+use super::noise::spectrum::Kept;
 use super::score::{Score, log_tail, of_normal, score};
 
 /// Evidence that differs by less than this (20 to 1) does not part two claims.
@@ -82,11 +83,12 @@ fn try_all<'a>(
         .map(|(_, family)| projected.by_recording(&family.columns))
         .collect();
     let columns = projected.side_by_side(&columns);
+    let mut kept = Kept::of(&columns);
     let nothing_yet =
         |family: &Family| family.hypotheses.iter().map(|_| Tried::default()).collect();
     let mut all: Vec<Vec<Tried<'_>>> = families.iter().map(|(_, f)| nothing_yet(f)).collect();
     for level in at_levels(sensor, levels) {
-        let seen = level.whitened.by_recording(columns.clone());
+        let seen = level.whitened.again(&mut kept);
         let gained = level.whitened.log_likelihood() - nothing;
         let mut first = 0;
         for ((_, family), tried) in families.iter().zip(&mut all) {

@@ -4,4 +4,5 @@ pub(super) mod level;
 pub(super) mod noise_file;
 pub(super) mod projected;
 pub(super) mod seen;
+pub(super) mod spectrum;
 pub(super) mod walk_prior;

@@ -4,10 +4,11 @@ use estimate::methods::joint::{
     BiasNoise, Column, Columns, Component, ComponentKind, NoiseLevel, RowGroups, Within,
     left_null_space, orthonormal,
 };
-use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
-use faer::{Mat, MatRef, Par, Side};
+use faer::{Mat, MatRef, Side};
+use sensor::Sensor;
 
 use super::seen::Seen;
+use super::spectrum::{Kept, Root, Spectrum, product};
 
 /// `z = Nᵀ r ~ N(Nᵀ E β + Nᵀ S γ, I + Σ θ_c C_c)`, `N` (`m × q`) of every recording the left null space of the columns of a
 /// model's Jacobian that are its own, directions and biases; `S` what all recordings share, which is taken out under the
@@ -192,11 +193,8 @@ impl Projected {
 
     /// The whole under white noise alone.
     pub fn white(&self) -> Whitened {
-        let whitened = self.whitened(vec![None; self.parts.len()]);
-        Whitened {
-            within: self.log_likelihood_within(&BiasNoise::default()),
-            ..whitened
-        }
+        let noise = BiasNoise::default();
+        self.whitened(&noise, vec![Root::Identity; self.parts.len()], 0.0)
     }
 
     /// The whole at given noise of the biases; `None` where that is not finite.
@@ -206,32 +204,52 @@ impl Projected {
 
     /// The same with a share of the variance by which turns scatter.
     pub fn at_share(&self, noise: BiasNoise, share: f64) -> Option<Whitened> {
-        let factor = |part: &Part| match self.covariance(part, noise, share) {
-            Some(v) => Some(Some(v.llt(Side::Lower).ok()?.L().to_owned())),
-            None => Some(None),
+        let mut log_determinant = 0.0;
+        let mut root = |part: &Part| match self.covariance(part, noise, share) {
+            Some(v) => {
+                let l = v.llt(Side::Lower).ok()?.L().to_owned();
+                log_determinant += (0..l.nrows()).map(|k| 2.0 * l[(k, k)].ln()).sum::<f64>();
+                Some(Root::Inverse(l))
+            }
+            None => Some(Root::Identity),
         };
-        let factors: Option<Vec<_>> = self.parts.iter().map(factor).collect();
-        Some(Whitened {
-            within: self.log_likelihood_within(&noise),
-            ..self.whitened(factors?)
+        let roots: Option<Vec<Root>> = self.parts.iter().map(&mut root).collect();
+        let roots = roots?;
+        Some(self.whitened(&noise, roots, log_determinant))
+    }
+
+    /// The whole at every density of the walk of one sensor beside the other noise of `noise`, from one factorisation; `None` where it is not
+    /// finite.
+    pub fn along_walk(&self, noise: BiasNoise, sensor: Sensor) -> Option<AlongWalk<'_>> {
+        let others = noise.with_walk(sensor, 0.0, 1.0);
+        let is_it = |kind: &ComponentKind| *kind == BiasNoise::walk_of(sensor);
+        let place = self.kinds.iter().position(is_it);
+        let spectrum = |part: &Part| {
+            let v = self.covariance(part, others, 1.0);
+            let q = part.null.ncols();
+            let c = place.map_or_else(|| Mat::zeros(q, q), |place| part.noise[place].clone());
+            Spectrum::new(v.as_ref(), c)
+        };
+        let spectra: Option<Vec<Spectrum>> = self.parts.iter().map(spectrum).collect();
+        Some(AlongWalk {
+            projected: self,
+            spectra: spectra?,
+            others,
+            sensor,
         })
     }
 
-    /// The whole under noise with these factors of its covariance, recording by recording.
-    fn whitened(&self, factors: Vec<Option<Mat<f64>>>) -> Whitened {
-        let log_determinants = factors
-            .iter()
-            .flatten()
-            .map(|l| (0..l.nrows()).map(|k| 2.0 * l[(k, k)].ln()).sum::<f64>());
-        let mut log_determinant = log_determinants.sum();
+    /// The whole under noise with these roots and `ln det` of its covariance, recording by recording.
+    fn whitened(&self, noise: &BiasNoise, roots: Vec<Root>, mut log_determinant: f64) -> Whitened {
         let sizes = self.parts.iter().map(|part| part.null.ncols());
         let mut whitened = Whitened {
             z: self.z.clone(),
-            factors: sizes.zip(factors).collect(),
+            sizes: sizes.collect(),
+            roots,
             taken: Mat::zeros(self.z.nrows(), 0),
             log_determinant: 0.0,
             square: 0.0,
-            within: 0.0,
+            within: self.log_likelihood_within(noise),
         };
         if self.shared.ncols() > 0 {
             let qr = whitened.columns(&self.shared).qr();
@@ -247,6 +265,29 @@ impl Projected {
     }
 }
 
+/// The disagreement at every density of the walk of one sensor.
+#[derive(Debug)]
+pub struct AlongWalk<'a> {
+    projected: &'a Projected,
+    spectra: Vec<Spectrum>,
+    others: BiasNoise,
+    sensor: Sensor,
+}
+
+impl AlongWalk<'_> {
+    /// The noise with a walk of this density, and the whole there.
+    pub fn at(&self, walk: f64) -> (BiasNoise, Whitened) {
+        let noise = self.others.with_walk(self.sensor, walk, 1.0);
+        let variance = walk * walk;
+        let roots = self.spectra.iter().map(|own| own.at(variance)).collect();
+        let log_determinants = self.spectra.iter().map(|own| own.log_determinant(variance));
+        let whitened = self
+            .projected
+            .whitened(&noise, roots, log_determinants.sum());
+        (noise, whitened)
+    }
+}
+
 /// Writes columns `used` of some rows.
 fn put(all: &mut Mat<f64>, above: usize, used: &[usize], own: &Mat<f64>) {
     for (k, &column) in used.iter().enumerate() {
@@ -259,10 +300,12 @@ fn put(all: &mut Mat<f64>, above: usize, used: &[usize], own: &Mat<f64>) {
 /// The disagreement at given noise of the biases, whitened.
 #[derive(Clone, Debug)]
 pub struct Whitened {
-    /// `P L⁻¹ z` (`q × 1`), `P` what takes out what the recordings share.
+    /// `P R z` (`q × 1`), `V⁻¹ = Rᵀ R`, `P` what takes out what the recordings share.
     pub z: Mat<f64>,
-    /// Number of rows of `z` and the Cholesky factor `L` of `V = L Lᵀ` of each recording; `None` for the identity.
-    factors: Vec<(usize, Option<Mat<f64>>)>,
+    /// Number of rows of `z` of each recording.
+    sizes: Vec<usize>,
+    /// `R` of each recording.
+    roots: Vec<Root>,
     /// An orthonormal basis of what the recordings share (`q × s`).
     taken: Mat<f64>,
     /// `ln det V` and that of `SᵀV⁻¹S`.
@@ -274,14 +317,12 @@ pub struct Whitened {
 }
 
 impl Whitened {
-    /// `P L⁻¹ F` (`q × k`) of projected columns.
+    /// `P R F` (`q × k`) of projected columns.
     pub fn columns(&self, f: &Mat<f64>) -> Mat<f64> {
         let mut w = f.clone();
         let mut above = 0;
-        for (q, factor) in &self.factors {
-            if let Some(l) = factor {
-                self.solve(l, above, &mut w);
-            }
+        for (q, root) in self.sizes.iter().zip(&self.roots) {
+            self.times(root, (above, *q), &mut w);
             above += q;
         }
         if self.taken.ncols() > 0 {
@@ -291,25 +332,31 @@ impl Whitened {
     }
 
     /// The same of columns that most recordings have nothing of.
-    pub fn by_recording(&self, mut f: Columns) -> Seen {
-        let mut taken = Mat::zeros(self.taken.ncols(), f.ncols());
+    pub fn by_recording(&self, f: Columns) -> Seen {
+        self.seen(product(&self.roots, f))
+    }
+
+    /// The same of columns that are whitened at other sizes of the noise too.
+    pub fn again(&self, f: &mut Kept<'_>) -> Seen {
+        self.seen(f.times(&self.roots))
+    }
+
+    /// With the projection of `R F` onto what the recordings share.
+    fn seen(&self, inside: Columns) -> Seen {
+        let mut taken = Mat::zeros(self.taken.ncols(), inside.ncols());
         let mut above = 0;
-        for (k, (q, factor)) in self.factors.iter().enumerate() {
-            let part = f.part_mut(k);
-            if let Some(l) = factor {
-                solve_lower_triangular_in_place(l.as_ref(), part.values.as_mut(), Par::Seq);
-            }
+        for (part, q) in inside.parts().iter().zip(&self.sizes) {
             if taken.nrows() > 0 {
-                let inside = self.taken.as_ref().subrows(above, *q).transpose() * &part.values;
+                let own = self.taken.as_ref().subrows(above, *q).transpose() * &part.values;
                 for (k, &column) in part.columns.iter().enumerate() {
                     for i in 0..taken.nrows() {
-                        taken[(i, column)] += inside[(i, k)];
+                        taken[(i, column)] += own[(i, k)];
                     }
                 }
             }
             above += q;
         }
-        Seen { inside: f, taken }
+        Seen { inside, taken }
     }
 
     /// The same with more columns (`q × k`, whitened) taken out, as if the model had them.
@@ -333,18 +380,19 @@ impl Whitened {
         }
     }
 
-    /// `L⁻¹` of the rows of a recording that begin at `above`, in those columns that are not zero there.
-    fn solve(&self, l: &Mat<f64>, above: usize, w: &mut Mat<f64>) {
-        let q = l.nrows();
-        if let [_] = self.factors.as_slice() {
-            solve_lower_triangular_in_place(l.as_ref(), w.as_mut(), Par::Seq);
+    /// `R` times the `q` rows of a recording that begin at `above`, in those columns that are not zero there.
+    fn times(&self, root: &Root, (above, q): (usize, usize), w: &mut Mat<f64>) {
+        if let Root::Identity = root {
+            return;
+        }
+        if let [_] = self.roots.as_slice() {
+            *w = root.times(std::mem::replace(w, Mat::zeros(0, 0)));
             return;
         }
         let is_used = |k: &usize| (above..above + q).any(|i| w[(i, *k)] != 0.0);
         let used: Vec<usize> = (0..w.ncols()).filter(is_used).collect();
-        let mut own = Mat::from_fn(q, used.len(), |i, k| w[(above + i, used[k])]);
-        solve_lower_triangular_in_place(l.as_ref(), own.as_mut(), Par::Seq);
-        put(w, above, &used, &own);
+        let own = Mat::from_fn(q, used.len(), |i, k| w[(above + i, used[k])]);
+        put(w, above, &used, &root.times(own));
     }
 
     /// Log-likelihood of the model as it is, up to a constant.
@@ -428,6 +476,25 @@ mod tests {
             }
             (whitened.square, whitened.log_likelihood(), gram, moved)
         };
+        // From one factorisation of all walks it is the same.
+        for projected in [&cut, &one] {
+            let along = projected.along_walk(BiasNoise::walks([0.0, 0.2]), Sensor::Gyroscope);
+            let (noise, whitened) = along.unwrap().at(0.7);
+            let direct = projected.at(noise).unwrap();
+            assert!((whitened.square / direct.square - 1.0).abs() < 1e-10);
+            let change = whitened.log_likelihood() - direct.log_likelihood();
+            assert!(change.abs() < 1e-10 * direct.square);
+            let e = Columns::cut(&e, &groups()).regrouped(&projected.rows);
+            let e = projected.by_recording(&e);
+            let kept = &mut Kept::of(&e);
+            for _ in 0..2 {
+                let seen = [whitened.again(kept), direct.by_recording(e.clone())];
+                let [a, b] = [&whitened, &direct].map(|w| w.z.clone());
+                let [a, b] = [seen[0].normal(0..3, &a), seen[1].normal(0..3, &b)];
+                assert!((&a.0 - &b.0).amax() < 1e-10 * b.0.amax());
+                assert!((&a.1 - &b.1).amax() < 1e-10 * b.1.amax());
+            }
+        }
         let (a, b) = (at(&cut, 0.7), at(&one, 0.7));
         assert!((a.0 / b.0 - 1.0).abs() < 1e-10);
         assert!((&a.2 - &b.2).norm_max() < 1e-10 * b.2.norm_max());

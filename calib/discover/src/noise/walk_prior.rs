@@ -110,16 +110,16 @@ pub fn walk_levels(
             &[1.0]
         };
         for flicker in flickers {
+            let noise = noise.with_shares(sensor, 1.0, *flicker);
+            let Some(along) = projected.along_walk(noise, sensor) else {
+                continue;
+            };
             let likeliest = noise.walk[usize::from(sensor == Sensor::Gyroscope)] / unit;
-            levels.extend(
-                prior(likeliest)
-                    .into_iter()
-                    .filter_map(|(walk, log_prior)| {
-                        let noise = noise.with_walk(sensor, walk * unit, *flicker);
-                        let log_prior = log_prior - (flickers.len() as f64).ln();
-                        level(noise, 1.0, Some(sensor), log_prior)
-                    }),
-            );
+            levels.extend(prior(likeliest).into_iter().map(|(walk, log_prior)| {
+                let (noise, whitened) = along.at(walk * unit);
+                let log_prior = log_prior - (flickers.len() as f64).ln();
+                Level::of(whitened, (noise, 1.0), Some(sensor), log_prior)
+            }));
         }
     }
     if projected.scatters {

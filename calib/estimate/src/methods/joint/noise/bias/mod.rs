@@ -78,6 +78,11 @@ impl BiasNoise {
         }
     }
 
+    /// The kind of the walk of a sensor's bias.
+    pub fn walk_of(sensor: Sensor) -> ComponentKind {
+        WALKS[usize::from(sensor == Sensor::Gyroscope)]
+    }
+
     /// Shares of the walk and of the flicker of one sensor.
     #[must_use]
     pub fn with_shares(mut self, sensor: Sensor, walk: f64, flicker: f64) -> Self {
