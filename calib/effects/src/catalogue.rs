@@ -84,3 +84,68 @@ pub fn looks_at_temperature(name: &str) -> bool {
 pub fn looks_at_vibration(name: &str) -> bool {
     name.contains("vibration") || needs_of(name).contains(&Quantity::Vibration)
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector3;
+    use sensor::{Axis, DefinedParam, Definition, Kinematics};
+
+    use super::*;
+
+    #[test]
+    fn the_formula_of_an_effect_is_its_error() {
+        let of_an_instant = [
+            Quantity::SpecificForce,
+            Quantity::AngularRate,
+            Quantity::Time,
+            Quantity::Temperature,
+        ];
+        let mut compared = 0;
+        for effect in catalogue().filter(|effect| effect.sensor() != Sensor::Magnetometer) {
+            let is_known = |quantity: &Quantity| of_an_instant.contains(quantity);
+            let formula = effect.formula(Axis::X);
+            let name = effect.name();
+            assert_eq!(
+                effect.needs().iter().all(is_known),
+                formula.is_some(),
+                "{name}"
+            );
+            if formula.is_none() {
+                continue;
+            }
+            let parameters = effect.params().iter();
+            let own = Definition {
+                name: "own".into(),
+                x: effect.formula(Axis::X).unwrap(),
+                y: effect.formula(Axis::Y).unwrap(),
+                z: effect.formula(Axis::Z).unwrap(),
+                parameters: parameters
+                    .map(|p| DefinedParam {
+                        nominal: p.nominal,
+                        ..DefinedParam::new(p.name, p.unit, 0.1)
+                    })
+                    .collect(),
+                ..Definition::silent(effect.sensor())
+            };
+            let own = own.effect().unwrap();
+            let p: Vec<f64> = (0..effect.params().len())
+                .map(|k| 0.7 + 0.3 * k as f64)
+                .collect();
+            for sign in [1.0, -1.0] {
+                let mut truth = Kinematics::new(
+                    Vector3::new(2.0, -3.0, 5.0) * sign,
+                    Vector3::new(-0.7, 1.1, 0.4) * sign,
+                );
+                truth.time = 3.0 + 2.5 * sign;
+                truth.temperature = 31.0 + 9.0 * sign;
+                let (found, expected) = (own.error_f64(&truth, &p), effect.error_f64(&truth, &p));
+                assert!(
+                    (found - expected).norm() <= 1e-12 * expected.norm(),
+                    "{name}"
+                );
+            }
+            compared += 1;
+        }
+        assert_eq!(compared, 24);
+    }
+}

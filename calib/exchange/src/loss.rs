@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::targets::effects::is_code;
 use calib::effects::force_sensitivity;
 use findings::{Finding, Kind};
 use nalgebra::{Matrix3, Vector3};
@@ -169,6 +170,9 @@ fn of_effects(source: &Source<'_>, kept: &Kept) -> Vec<Loss> {
         let Ok(effect) = values.effect() else {
             continue;
         };
+        if kept.formulas && is_code(effect) {
+            continue;
+        }
         let sensor = effect.sensor();
         let model = Model::base(sensor).with(effect);
         let mut p = Base::identity().parameters().to_vec();

@@ -8,8 +8,10 @@ use std::process::Command;
 
 use calib::calibration::{EffectParameter, EffectValues, apply};
 use calib::recording::Stream;
+use calib::truth::{Corrector, Sample};
 use calib::{Calibration, Recording};
 use nalgebra::{Matrix3, Vector3};
+use sensor::{DefinedParam, Definition, Sensor};
 use stillpoint_exchange::{Error, Settings, Source, TARGETS, by_name, export, import};
 
 const ACCELEROMETER: &str = "1 -0.00283 0.00412\n0 1 0.00331\n0 0 1\n0.9951 0 0\n0 1.0043 0\n0 0 0.9987\n0.21\n-0.43\n0.31\n";
@@ -46,6 +48,68 @@ fn with_g_sensitivity() -> Calibration {
         outside: None,
     });
     calibration
+}
+
+/// One with effects of many kinds, one of them a user's own.
+fn with_effects() -> Calibration {
+    let mut calibration = with_g_sensitivity();
+    let own = Definition {
+        name: "accel_own".into(),
+        y: "k * sign(fx) * fz^2 + step(wx) * k".into(),
+        z: "-k^2 * abs(fx - 1) / (2 + fz^2)".into(),
+        parameters: vec![DefinedParam::new("k", "m/s^2", 1e-2)],
+        ..Definition::silent(Sensor::Accelerometer)
+    };
+    let added: [(&str, &[f64], Option<Definition>); 6] = [
+        ("accel_quadratic", &[2e-4, -3e-4, 1e-4], None),
+        ("accel_own", &[-1e-3], Some(own)),
+        ("gyro_scale_temperature", &[3e-4, -2e-4, 5e-4], None),
+        ("gyro_warmup", &[1e-3, 2e-3, -1e-3, 90.0], None),
+        ("gyro_asymmetry", &[-4e-4, 3e-4, 2e-4], None),
+        (
+            "accel_misalignment_temperature",
+            &[1e-4, -2e-4, 1e-4, 3e-4, -1e-4, 2e-4],
+            None,
+        ),
+    ];
+    for (name, values, definition) in added {
+        let parameters = values.iter().enumerate();
+        let parameters = parameters.map(|(k, value)| EffectParameter {
+            name: format!("p{k}"),
+            value: *value,
+            std: None,
+            unit: String::new(),
+        });
+        calibration.effects.push(EffectValues {
+            name: name.into(),
+            definition,
+            parameters: parameters.collect(),
+            outside: None,
+        });
+    }
+    calibration
+}
+
+/// Temperature (°C) and time (s) of a reading.
+fn surroundings(k: usize) -> (f64, f64) {
+    (10.0 + k as f64, 5.0 * k as f64)
+}
+
+/// What the corrector makes of readings with surroundings.
+fn corrected(calibration: &Calibration, readings: &[[Vector3<f64>; 2]]) -> Vec<[Vector3<f64>; 2]> {
+    let mut corrector = Corrector::of(calibration).unwrap();
+    let readings = readings.iter().enumerate();
+    let corrected = readings.map(|(k, [a, w])| {
+        let (celsius, t) = surroundings(k);
+        let signal = corrector.correct(&Sample {
+            t,
+            accelerometer: Some(*a),
+            gyroscope: Some(*w),
+            temperature: Some(celsius),
+        });
+        [signal.accelerometer.unwrap(), signal.gyroscope.unwrap()]
+    });
+    corrected.collect()
 }
 
 /// Readings in all directions; both sensors at the same instants.
@@ -377,6 +441,84 @@ fn compiled_c_makes_what_apply_makes_in_floats() {
     }
 }
 
+#[test]
+fn compiled_c_corrects_with_effects() {
+    let calibration = with_effects();
+    let lost = export(
+        by_name("c").unwrap(),
+        &Source::new(&calibration),
+        &Settings::default(),
+    );
+    assert!(
+        !lost
+            .unwrap()
+            .lost
+            .iter()
+            .any(|loss| loss.what.contains("effect"))
+    );
+    let dir = tempfile::tempdir().unwrap();
+    std::fs::write(dir.path().join("cal.h"), text(&calibration, "c")).unwrap();
+    let readings = readings();
+    let mut main = String::from(
+        "#include <stdio.h>\n#include \"cal.h\"\nint main(void) {\n    float f[3], w[3];\n",
+    );
+    for (k, [a, g]) in readings.iter().enumerate() {
+        let list = |v: &Vector3<f64>| format!("{{{:e}f, {:e}f, {:e}f}}", v.x, v.y, v.z);
+        let (celsius, t) = surroundings(k);
+        let _ = writeln!(
+            main,
+            "    {{\n        const float a[3] = {}, g[3] = {};\n        stillpoint_correct(a, g, {celsius:e}f, {t:e}f, f, w);\n        \
+             printf(\"%.9g %.9g %.9g %.9g %.9g %.9g\\n\", (double)f[0], (double)f[1], (double)f[2], (double)w[0], (double)w[1], \
+             (double)w[2]);\n    }}",
+            list(a),
+            list(g)
+        );
+    }
+    main.push_str("    return 0;\n}\n");
+    let printed = compiled_and_run(dir.path(), &main);
+    for (own, other) in corrected(&calibration, &readings).iter().zip(printed) {
+        let off = [(own[0] - other[0]).norm(), (own[1] - other[1]).norm()];
+        assert!(off[0] < 6e-6 && off[1] < 3e-6, "{off:?}");
+    }
+}
+
+#[test]
+fn compiled_rust_corrects_with_effects() {
+    let calibration = with_effects();
+    let dir = tempfile::tempdir().unwrap();
+    let readings = readings();
+    let list: Vec<String> = readings
+        .iter()
+        .enumerate()
+        .map(|(k, [a, w])| {
+            let (celsius, t) = surroundings(k);
+            format!(
+                "({:?}, {:?}, {celsius:?}, {t:?})",
+                a.as_slice(),
+                w.as_slice()
+            )
+        })
+        .collect();
+    let main = format!(
+        "#![deny(warnings)]\n#[allow(dead_code)]\nmod cal;\nfn main() {{\n    for (a, w, celsius, t) in [{}] {{\n        \
+         let (f, w) = cal::correct(a, w, celsius, t);\n        \
+         println!(\"{{:e}} {{:e}} {{:e}} {{:e}} {{:e}} {{:e}}\", f[0], f[1], f[2], w[0], w[1], w[2]);\n    }}\n}}\n",
+        list.join(", ")
+    );
+    std::fs::write(dir.path().join("cal.rs"), text(&calibration, "rust")).unwrap();
+    std::fs::write(dir.path().join("main.rs"), main).unwrap();
+    ran(
+        dir.path(),
+        "rustc",
+        &["--edition", "2021", "main.rs", "-o", "main"],
+    );
+    let printed = lines_of_six(&ran(dir.path(), "./main", &[]));
+    for (own, other) in corrected(&calibration, &readings).iter().zip(printed) {
+        let off = [(own[0] - other[0]).norm(), (own[1] - other[1]).norm()];
+        assert!(off[0] < 1e-9 && off[1] < 1e-9, "{off:?}");
+    }
+}
+
 /// What a C program prints, six numbers a line.
 fn compiled_and_run(dir: &Path, main: &str) -> Vec<[Vector3<f64>; 2]> {
     std::fs::write(dir.join("main.c"), main).unwrap();
@@ -389,6 +531,7 @@ fn compiled_and_run(dir: &Path, main: &str) -> Vec<[Vector3<f64>; 2]> {
         "main.c",
         "-o",
         "main",
+        "-lm",
     ];
     ran(dir, "cc", &flags);
     lines_of_six(&ran(dir, "./main", &[]))

@@ -1,12 +1,14 @@
 //! An effect that is defined by text: what a user writes without compiling anything.
 
 mod budget;
+mod code;
 mod defined;
 mod emit;
 mod fault;
 mod formula;
 
 pub use budget::EffectFault;
+pub use code::{ErrorCode, error_code};
 pub use defined::{fault_of, grant_steps};
 pub use emit::emit_effect;
 pub use fault::{DefinitionError, DefinitionFault};

@@ -6,6 +6,7 @@ mod needs;
 use nalgebra::{Matrix3, Vector3};
 use solver::{Jet, Jet2, Scalar, lit};
 
+use crate::axis::Axis;
 use crate::kinematics::{Kinematics, Sensor};
 use crate::param::Param;
 use crate::quantity::Quantity;
@@ -56,6 +57,10 @@ pub trait Effect: Send + Sync + 'static {
     /// Size of a coefficient in a consumer-grade device, in its unit: what a simulation draws from. It
     /// is meant for the parameters that are 0 in a perfect sensor.
     const TYPICAL: f64;
+    /// The error on an axis as an expression over the names of [`Covariate`](crate::Covariate)s and of the parameters, where that is enough:
+    /// `{i} * f{j}`, `{i}`, `{j}` and `{k}` standing for the letters of the axis, the next one and the one after. Code in other languages is
+    /// made of it.
+    const FORMULA: Option<&'static str> = None;
     /// True if the error is `F p`: linear in the parameters, with an `F` that does not depend on this sensor's own
     /// signal. Fits of such an effect are faster; `false` is always right.
     const LINEAR: bool = false;
@@ -85,6 +90,15 @@ impl<E: Effect> AnyEffect for E {
     }
     fn equation(&self) -> &'static str {
         E::EQUATION
+    }
+    fn formula(&self, axis: Axis) -> Option<String> {
+        let letter = |axis: Axis| axis.letter();
+        let (next, last) = (axis.following(), axis.following().following());
+        let text = E::FORMULA?.replace("{i}", letter(axis));
+        Some(
+            text.replace("{j}", letter(next))
+                .replace("{k}", letter(last)),
+        )
     }
     fn params(&self) -> &[Param] {
         E::PARAMS

@@ -24,8 +24,8 @@ pub use axis::Axis;
 pub use base::{BASE_PARAMETERS, Base, PLACES, base_names, inverse};
 pub use covariate::{Covariate, NoSuchCovariate};
 pub use definition::{
-    DefinedParam, Definition, DefinitionError, DefinitionFault, EffectFault, Factor, Formula, Term,
-    emit_effect, fault_of, grant_steps,
+    DefinedParam, Definition, DefinitionError, DefinitionFault, EffectFault, ErrorCode, Factor,
+    Formula, Term, emit_effect, error_code, fault_of, grant_steps,
 };
 pub use effect::{
     AnyEffect, Effect, ModelScalar, Nature, mat3, observed_needs, off_diagonal, silent_at_rest,

@@ -4,12 +4,14 @@ use std::fmt::Write as _;
 
 use findings::{Finding, Kind};
 use nalgebra::{Matrix3, Vector3};
-use sensor::{Base, Sensor};
+use sensor::expression::Language;
+use sensor::{Axis, Base, Covariate, REFERENCE_TEMPERATURE, Sensor};
 
 use crate::error::Error;
 use crate::kept::Kept;
 use crate::source::Source;
 use crate::target::{Settings, Target, Written};
+use crate::targets::effects::{Effects, ROUNDS};
 
 /// Largest whole number that a 32-bit integer holds.
 const LARGEST: f64 = 2_147_483_647.0;
@@ -29,12 +31,13 @@ impl Target for CHeader {
     }
 
     fn about(&self) -> &'static str {
-        "a C99 header: stillpoint_correct_accelerometer(raw, out) in float, and in integers of raw counts"
+        "a C99 header: stillpoint_correct_accelerometer(raw, out) in float, in integers of raw counts, and with effects"
     }
 
     fn keeps(&self, source: &Source<'_>) -> Kept {
         Kept {
             g_sensitivity: true,
+            formulas: true,
             ..Kept::sensors_of(source)
         }
     }
@@ -44,8 +47,13 @@ impl Target for CHeader {
         text.push_str(&source.provenance(" *"));
         text.push_str(
             " * at rest specific force is +g on the axis that points up; rates are right-handed about each axis\n */\n\
-             #ifndef STILLPOINT_CALIBRATION_H\n#define STILLPOINT_CALIBRATION_H\n\n#include <stdint.h>\n\n",
+             #ifndef STILLPOINT_CALIBRATION_H\n#define STILLPOINT_CALIBRATION_H\n\n",
         );
+        let effects = Effects::of(source, Language::C);
+        text.push_str(match effects {
+            Some(_) => "#include <math.h>\n#include <stdint.h>\n\n",
+            None => "#include <stdint.h>\n\n",
+        });
         if let Some(base) = &source.accelerometer {
             text.push_str(&function(source, Sensor::Accelerometer, base)?);
         }
@@ -54,6 +62,9 @@ impl Target for CHeader {
         }
         if let Some(base) = &source.magnetometer {
             text.push_str(&function(source, Sensor::Magnetometer, base)?);
+        }
+        if let Some(effects) = effects {
+            text.push_str(&whole(source, &effects));
         }
         text.push_str("#endif\n");
         Ok(Written::text(text))
@@ -108,6 +119,73 @@ fn function(source: &Source<'_>, sensor: Sensor, base: &Base<f64>) -> Result<Str
         text.push_str(&integers(base, name, small, scale)?);
     }
     Ok(text)
+}
+
+/// Both sensors with the effects.
+fn whole(source: &Source<'_>, effects: &Effects) -> String {
+    let has = |sensor| effects.errors.iter().any(|(own, _)| *own == sensor);
+    let (accelerometer, gyroscope) = (has(Sensor::Accelerometer), has(Sensor::Gyroscope));
+    let mut arguments = Vec::new();
+    arguments.extend(accelerometer.then_some("const float raw_accelerometer[3]"));
+    arguments.extend(gyroscope.then_some("const float raw_gyroscope[3]"));
+    arguments.extend(["float celsius", "float seconds"]);
+    arguments.extend(accelerometer.then_some("float force[3]"));
+    arguments.extend(gyroscope.then_some("float rate[3]"));
+    let mut text = format!(
+        "/* the whole calibration, with the effects of the sensors: temperature in deg C, time since the first sample in s,\n\
+         \x20  force in m/s^2 and rate in rad/s of one instant; the functions above leave the effects out */\n\
+         static inline void stillpoint_correct({})\n{{\n",
+        arguments.join(", ")
+    );
+    let surroundings = [
+        (Covariate::Time, "t = seconds".to_owned()),
+        (Covariate::Temperature, "T = celsius".to_owned()),
+        (
+            Covariate::TemperatureChange,
+            format!("dT = celsius - {}", single(REFERENCE_TEMPERATURE)),
+        ),
+    ];
+    for (covariate, set) in surroundings {
+        if effects.look_at(covariate) {
+            let _ = writeln!(text, "    const float {set};");
+        }
+    }
+    let mut first = String::new();
+    let mut known = String::new();
+    let mut next = String::new();
+    for (sensor, errors) in &effects.errors {
+        let (base, out, name) = match sensor {
+            Sensor::Accelerometer => ("a", "force", "accelerometer"),
+            _ => ("w", "rate", "gyroscope"),
+        };
+        let is_with_force = *sensor == Sensor::Gyroscope && source.g_sensitivity.is_some();
+        let beside = if is_with_force { ", nothing" } else { "" };
+        if is_with_force {
+            text.push_str("    const float nothing[3] = {0.0f, 0.0f, 0.0f};\n");
+        }
+        let _ = writeln!(text, "    float {base}[3];");
+        let _ = writeln!(
+            first,
+            "    stillpoint_correct_{name}(raw_{name}{beside}, {base});\n    \
+             for (i = 0; i < 3; ++i) {{\n        {out}[i] = {base}[i];\n    }}"
+        );
+        for (i, axis) in Axis::ALL.into_iter().enumerate() {
+            let covariate = match sensor {
+                Sensor::Accelerometer => Covariate::SpecificForce(axis),
+                _ => Covariate::AngularRate(axis),
+            };
+            if effects.look_at(covariate) {
+                let _ = writeln!(known, "        const float {covariate} = {out}[{i}];");
+            }
+            let _ = writeln!(next, "        {out}[{i}] = {base}[{i}] - ({});", errors[i]);
+        }
+    }
+    let _ = writeln!(
+        text,
+        "    int i, round;\n    (void)celsius;\n    (void)seconds;\n{first}    \
+         for (round = 0; round < {ROUNDS}; ++round) {{\n{known}{next}    }}\n}}\n"
+    );
+    text
 }
 
 /// The same for counts of 16 bits in integers.

@@ -52,8 +52,11 @@ impl Controller {
                 Err(Error::settings(found.detail("raw", self.raw)))
             }
             (Readings::Mixed(by), Some(_)) => {
-                let found = Finding::of(Kind::CorrectedPartly);
-                Err(Error::settings(found.detail("system", system_name(by))))
+                let [corrected, others] = source.calibration.corrected_by(sensor, by);
+                let found = Finding::of(Kind::CorrectedPartly)
+                    .detail("system", system_name(by))
+                    .detail("corrected", corrected);
+                Err(Error::settings(found.detail("others", others)))
             }
             (Readings::Restored { by }, Some(_)) => {
                 let found = Finding::of(Kind::CorrectionTakenOff);

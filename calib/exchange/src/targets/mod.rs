@@ -3,6 +3,7 @@
 mod ardupilot;
 mod c_header;
 mod document;
+pub(crate) mod effects;
 mod imu_tk;
 mod in_force;
 mod kalibr;

@@ -2,12 +2,14 @@
 
 use std::fmt::Write as _;
 
-use sensor::{Base, Sensor};
+use sensor::expression::Language;
+use sensor::{Axis, Base, Covariate, REFERENCE_TEMPERATURE, Sensor};
 
 use crate::error::Error;
 use crate::kept::Kept;
 use crate::source::Source;
 use crate::target::{Settings, Target, Written};
+use crate::targets::effects::{Effects, ROUNDS};
 
 /// `f = T (A − b)` and `w = T (W − b) − G f` in `f64`.
 #[derive(Debug)]
@@ -19,12 +21,13 @@ impl Target for RustModule {
     }
 
     fn about(&self) -> &'static str {
-        "a Rust module: correct_accelerometer(raw) and correct_gyroscope(raw) in f64, no dependencies"
+        "a Rust module: correct_accelerometer(raw) and correct_gyroscope(raw) in f64, and with effects; no dependencies"
     }
 
     fn keeps(&self, source: &Source<'_>) -> Kept {
         Kept {
             g_sensitivity: true,
+            formulas: true,
             ..Kept::sensors_of(source)
         }
     }
@@ -43,6 +46,9 @@ impl Target for RustModule {
             if let Some(base) = base {
                 text.push_str(&module(source, sensor, base));
             }
+        }
+        if let Some(effects) = Effects::of(source, Language::Rust) {
+            text.push_str(&whole(source, &effects));
         }
         Ok(Written::text(text))
     }
@@ -86,6 +92,66 @@ fn module(source: &Source<'_>, sensor: Sensor, base: &Base<f64>) -> String {
          \x20   [0, 1, 2].map(|i: usize| {{\n        {upper}_T[i][0] * d[0] + {upper}_T[i][1] * d[1] + {upper}_T[i][2] * d[2]{term}\n    }})\n}}\n"
     );
     text
+}
+
+/// Both sensors with the effects.
+fn whole(source: &Source<'_>, effects: &Effects) -> String {
+    let mut arguments = String::new();
+    let mut first = String::new();
+    let mut known = String::new();
+    let mut next = String::new();
+    let mut results = Vec::new();
+    for (sensor, errors) in &effects.errors {
+        let (base, out, name) = match sensor {
+            Sensor::Accelerometer => ("a", "force", "accelerometer"),
+            _ => ("w", "rate", "gyroscope"),
+        };
+        let is_with_force = *sensor == Sensor::Gyroscope && source.g_sensitivity.is_some();
+        let beside = if is_with_force { ", [0.0; 3]" } else { "" };
+        let _ = write!(arguments, "raw_{name}: [f64; 3], ");
+        let _ = writeln!(
+            first,
+            "    let {base} = correct_{name}(raw_{name}{beside});\n    let mut {out} = {base};"
+        );
+        for (i, axis) in Axis::ALL.into_iter().enumerate() {
+            let covariate = match sensor {
+                Sensor::Accelerometer => Covariate::SpecificForce(axis),
+                _ => Covariate::AngularRate(axis),
+            };
+            if effects.look_at(covariate) {
+                let _ = writeln!(known, "        let {covariate} = {out}[{i}];");
+            }
+            let _ = writeln!(next, "        {out}[{i}] = {base}[{i}] - ({});", errors[i]);
+        }
+        results.push(out);
+    }
+    let surroundings = [
+        (Covariate::Time, "t = seconds".to_owned()),
+        (Covariate::Temperature, "T = celsius".to_owned()),
+        (
+            Covariate::TemperatureChange,
+            format!("dT = celsius - {REFERENCE_TEMPERATURE:?}"),
+        ),
+    ];
+    let surroundings = surroundings.into_iter();
+    let surroundings: String = surroundings
+        .filter(|(covariate, _)| effects.look_at(*covariate))
+        .map(|(_, set)| format!("    let {set};\n"))
+        .collect();
+    let (kind, value) = match results.as_slice() {
+        [one] => ("[f64; 3]".to_owned(), (*one).to_owned()),
+        all => (
+            "([f64; 3], [f64; 3])".to_owned(),
+            format!("({})", all.join(", ")),
+        ),
+    };
+    format!(
+        "/// The whole calibration with the effects of the sensors: force in m/s^2 and rate in rad/s of one instant, at a temperature\n\
+         /// in °C and a time since the first sample in s. The functions above leave the effects out.\n\
+         #[allow(non_snake_case, unused_parens)]\n\
+         pub fn correct({arguments}celsius: f64, seconds: f64) -> {kind} {{\n    let _ = (celsius, seconds);\n\
+         {surroundings}{first}    for _ in 0..{ROUNDS} {{\n{known}{next}    }}\n    {value}\n}}\n"
+    )
 }
 
 fn matrix(m: &nalgebra::Matrix3<f64>) -> String {

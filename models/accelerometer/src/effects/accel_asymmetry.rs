@@ -18,6 +18,7 @@ impl Effect for AccelAsymmetry {
     const NAME: &'static str = "accel_asymmetry";
     const SENSOR: Sensor = Sensor::Accelerometer;
     const EQUATION: &'static str = "A_i += k_i |f_i|";
+    const FORMULA: Option<&'static str> = Some("{i} * abs(f{i})");
     const PARAMS: &'static [Param] = &params("", ["x", "y", "z"]);
     const TYPICAL: f64 = 1e-3;
     const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::SpecificForce]);

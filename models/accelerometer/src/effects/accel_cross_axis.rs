@@ -18,6 +18,7 @@ impl Effect for AccelCrossAxis {
     const NAME: &'static str = "accel_cross_axis";
     const SENSOR: Sensor = Sensor::Accelerometer;
     const EQUATION: &'static str = "A_i += k_i f_j f_k";
+    const FORMULA: Option<&'static str> = Some("{i} * f{j} * f{k}");
     const PARAMS: &'static [Param] = &params("1/(m/s^2)", ["x", "y", "z"]);
     const TYPICAL: f64 = 1e-4;
     const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::SpecificForce]);

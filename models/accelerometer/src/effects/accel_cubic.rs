@@ -20,6 +20,7 @@ impl Effect for AccelCubic {
     const NAME: &'static str = "accel_cubic";
     const SENSOR: Sensor = Sensor::Accelerometer;
     const EQUATION: &'static str = "A_i += k_i f_i³";
+    const FORMULA: Option<&'static str> = Some("{i} * f{i}^3");
     const PARAMS: &'static [Param] = &params("1/(m/s^2)^2", ["x", "y", "z"]);
     const TYPICAL: f64 = 1e-5;
     const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::SpecificForce]);

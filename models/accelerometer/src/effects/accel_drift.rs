@@ -18,6 +18,7 @@ impl Effect for AccelDrift {
     const NAME: &'static str = "accel_drift";
     const SENSOR: Sensor = Sensor::Accelerometer;
     const EQUATION: &'static str = "A_i += c_i t";
+    const FORMULA: Option<&'static str> = Some("{i} * t");
     const PARAMS: &'static [Param] = &params("m/s^3", ["x", "y", "z"]);
     const TYPICAL: f64 = 1.5e-5;
     const LINEAR: bool = true;

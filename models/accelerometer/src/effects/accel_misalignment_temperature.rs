@@ -24,6 +24,7 @@ impl Effect for AccelMisalignmentTemperature {
     const NAME: &'static str = "accel_misalignment_temperature";
     const SENSOR: Sensor = Sensor::Accelerometer;
     const EQUATION: &'static str = "A_i += Σ_j c_ij (T - T0) f_j, j ≠ i";
+    const FORMULA: Option<&'static str> = Some("dT * ({i}{j} * f{j} + {i}{k} * f{k})");
     const PARAMS: &'static [Param] = &params("rad/K", ["xy", "xz", "yx", "yz", "zx", "zy"]);
     const TYPICAL: f64 = 1e-4;
     const NEEDS: Option<&'static [Quantity]> =

@@ -25,6 +25,8 @@ impl Effect for AccelPeriodic {
     const NAME: &'static str = "accel_periodic";
     const SENSOR: Sensor = Sensor::Accelerometer;
     const EQUATION: &'static str = "A_i += a_i sin(2π f_i/P) + b_i (cos(2π f_i/P) - 1)";
+    const FORMULA: Option<&'static str> =
+        Some("a{i} * sin(2*pi * f{i} / period) + b{i} * (cos(2*pi * f{i} / period) - 1)");
     const PARAMS: &'static [Param] = &[
         Param::new("ax", "m/s^2", 0.0),
         Param::new("ay", "m/s^2", 0.0),

@@ -20,6 +20,7 @@ impl Effect for AccelQuadratic {
     const NAME: &'static str = "accel_quadratic";
     const SENSOR: Sensor = Sensor::Accelerometer;
     const EQUATION: &'static str = "A_i += k_i f_i²";
+    const FORMULA: Option<&'static str> = Some("{i} * f{i}^2");
     const PARAMS: &'static [Param] = &params("1/(m/s^2)", ["x", "y", "z"]);
     const TYPICAL: f64 = 1e-4;
     const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::SpecificForce]);

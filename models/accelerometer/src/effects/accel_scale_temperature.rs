@@ -20,6 +20,7 @@ impl Effect for AccelScaleTemperature {
     const NAME: &'static str = "accel_scale_temperature";
     const SENSOR: Sensor = Sensor::Accelerometer;
     const EQUATION: &'static str = "A_i += c_i (T - T0) f_i";
+    const FORMULA: Option<&'static str> = Some("{i} * dT * f{i}");
     const PARAMS: &'static [Param] = &params("1/K", ["x", "y", "z"]);
     const TYPICAL: f64 = 2e-4;
     const NEEDS: Option<&'static [Quantity]> =

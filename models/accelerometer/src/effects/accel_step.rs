@@ -22,6 +22,7 @@ impl Effect for AccelStep {
     const NAME: &'static str = "accel_step";
     const SENSOR: Sensor = Sensor::Accelerometer;
     const EQUATION: &'static str = "A_i += c_i [t > t0]";
+    const FORMULA: Option<&'static str> = Some("{i} * step(t - t0)");
     const PARAMS: &'static [Param] = &[
         Param::new("x", "m/s^2", 0.0),
         Param::new("y", "m/s^2", 0.0),

@@ -19,6 +19,7 @@ impl Effect for AccelTemperature {
     const NAME: &'static str = "accel_temperature";
     const SENSOR: Sensor = Sensor::Accelerometer;
     const EQUATION: &'static str = "A_i += c_i (T - T0)";
+    const FORMULA: Option<&'static str> = Some("{i} * dT");
     const PARAMS: &'static [Param] = &params("m/s^2/K", ["x", "y", "z"]);
     const TYPICAL: f64 = 2e-3;
     const LINEAR: bool = true;

@@ -21,6 +21,7 @@ impl Effect for AccelTemperatureQuadratic {
     const NAME: &'static str = "accel_temperature_quadratic";
     const SENSOR: Sensor = Sensor::Accelerometer;
     const EQUATION: &'static str = "A_i += c_i (T - T0)²";
+    const FORMULA: Option<&'static str> = Some("{i} * dT^2");
     const PARAMS: &'static [Param] = &params("m/s^2/K^2", ["x", "y", "z"]);
     const TYPICAL: f64 = 2e-4;
     const LINEAR: bool = true;

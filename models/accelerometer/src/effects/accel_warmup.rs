@@ -19,6 +19,7 @@ impl Effect for AccelWarmup {
     const NAME: &'static str = "accel_warmup";
     const SENSOR: Sensor = Sensor::Accelerometer;
     const EQUATION: &'static str = "A_i += c_i exp(-t/tau)";
+    const FORMULA: Option<&'static str> = Some("{i} * exp(-t / tau)");
     const PARAMS: &'static [Param] = &[
         Param::new("x", "m/s^2", 0.0),
         Param::new("y", "m/s^2", 0.0),

@@ -18,6 +18,7 @@ impl Effect for GyroAsymmetry {
     const NAME: &'static str = "gyro_asymmetry";
     const SENSOR: Sensor = Sensor::Gyroscope;
     const EQUATION: &'static str = "W_i += k_i |w_i|";
+    const FORMULA: Option<&'static str> = Some("{i} * abs(w{i})");
     const PARAMS: &'static [Param] = &params("", ["x", "y", "z"]);
     const TYPICAL: f64 = 5e-4;
     const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::AngularRate]);

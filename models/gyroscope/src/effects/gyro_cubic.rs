@@ -18,6 +18,7 @@ impl Effect for GyroCubic {
     const NAME: &'static str = "gyro_cubic";
     const SENSOR: Sensor = Sensor::Gyroscope;
     const EQUATION: &'static str = "W_i += k_i w_i³";
+    const FORMULA: Option<&'static str> = Some("{i} * w{i}^3");
     const PARAMS: &'static [Param] = &params("1/(rad/s)^2", ["x", "y", "z"]);
     const TYPICAL: f64 = 2e-4;
     const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::AngularRate]);

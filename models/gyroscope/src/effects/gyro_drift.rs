@@ -18,6 +18,7 @@ impl Effect for GyroDrift {
     const NAME: &'static str = "gyro_drift";
     const SENSOR: Sensor = Sensor::Gyroscope;
     const EQUATION: &'static str = "W_i += c_i t";
+    const FORMULA: Option<&'static str> = Some("{i} * t");
     const PARAMS: &'static [Param] = &params("rad/s^2", ["x", "y", "z"]);
     const TYPICAL: f64 = 5e-7;
     const LINEAR: bool = true;

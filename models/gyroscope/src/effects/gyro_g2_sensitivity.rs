@@ -18,6 +18,7 @@ impl Effect for GyroG2Sensitivity {
     const NAME: &'static str = "gyro_g2_sensitivity";
     const SENSOR: Sensor = Sensor::Gyroscope;
     const EQUATION: &'static str = "W_i += k_i f_i²";
+    const FORMULA: Option<&'static str> = Some("{i} * f{i}^2");
     const PARAMS: &'static [Param] = &params("rad/s/(m/s^2)^2", ["x", "y", "z"]);
     const TYPICAL: f64 = 2e-6;
     const LINEAR: bool = true;

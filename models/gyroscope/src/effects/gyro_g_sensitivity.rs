@@ -18,6 +18,7 @@ impl Effect for GyroGSensitivity {
     const NAME: &'static str = "gyro_g_sensitivity";
     const SENSOR: Sensor = Sensor::Gyroscope;
     const EQUATION: &'static str = "W += G f, G 3x3";
+    const FORMULA: Option<&'static str> = Some("{i}x * fx + {i}y * fy + {i}z * fz");
     const PARAMS: &'static [Param] = &params(
         "rad/s/(m/s^2)",
         ["xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"],

@@ -24,6 +24,7 @@ impl Effect for GyroMisalignmentTemperature {
     const NAME: &'static str = "gyro_misalignment_temperature";
     const SENSOR: Sensor = Sensor::Gyroscope;
     const EQUATION: &'static str = "W_i += Σ_j c_ij (T - T0) w_j, j ≠ i";
+    const FORMULA: Option<&'static str> = Some("dT * ({i}{j} * w{j} + {i}{k} * w{k})");
     const PARAMS: &'static [Param] = &params("rad/K", ["xy", "xz", "yx", "yz", "zx", "zy"]);
     const TYPICAL: f64 = 1e-4;
     const NEEDS: Option<&'static [Quantity]> =

@@ -18,6 +18,7 @@ impl Effect for GyroQuadratic {
     const NAME: &'static str = "gyro_quadratic";
     const SENSOR: Sensor = Sensor::Gyroscope;
     const EQUATION: &'static str = "W_i += k_i w_i²";
+    const FORMULA: Option<&'static str> = Some("{i} * w{i}^2");
     const PARAMS: &'static [Param] = &params("1/(rad/s)", ["x", "y", "z"]);
     const TYPICAL: f64 = 4e-4;
     const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::AngularRate]);

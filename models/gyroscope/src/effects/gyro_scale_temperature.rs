@@ -20,6 +20,7 @@ impl Effect for GyroScaleTemperature {
     const NAME: &'static str = "gyro_scale_temperature";
     const SENSOR: Sensor = Sensor::Gyroscope;
     const EQUATION: &'static str = "W_i += c_i (T - T0) w_i";
+    const FORMULA: Option<&'static str> = Some("{i} * dT * w{i}");
     const PARAMS: &'static [Param] = &params("1/K", ["x", "y", "z"]);
     const TYPICAL: f64 = 2e-4;
     const NEEDS: Option<&'static [Quantity]> =

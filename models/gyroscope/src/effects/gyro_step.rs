@@ -22,6 +22,7 @@ impl Effect for GyroStep {
     const NAME: &'static str = "gyro_step";
     const SENSOR: Sensor = Sensor::Gyroscope;
     const EQUATION: &'static str = "W_i += c_i [t > t0]";
+    const FORMULA: Option<&'static str> = Some("{i} * step(t - t0)");
     const PARAMS: &'static [Param] = &[
         Param::new("x", "rad/s", 0.0),
         Param::new("y", "rad/s", 0.0),

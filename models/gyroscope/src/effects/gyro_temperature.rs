@@ -19,6 +19,7 @@ impl Effect for GyroTemperature {
     const NAME: &'static str = "gyro_temperature";
     const SENSOR: Sensor = Sensor::Gyroscope;
     const EQUATION: &'static str = "W_i += c_i (T - T0)";
+    const FORMULA: Option<&'static str> = Some("{i} * dT");
     const PARAMS: &'static [Param] = &params("rad/s/K", ["x", "y", "z"]);
     const TYPICAL: f64 = 5e-5;
     const LINEAR: bool = true;

@@ -24,6 +24,7 @@ impl Effect for GyroTemperatureQuadratic {
     const NAME: &'static str = "gyro_temperature_quadratic";
     const SENSOR: Sensor = Sensor::Gyroscope;
     const EQUATION: &'static str = "W_i += c_i (T - T0)²";
+    const FORMULA: Option<&'static str> = Some("{i} * dT^2");
     const PARAMS: &'static [Param] = &params("rad/s/K^2", ["x", "y", "z"]);
     const TYPICAL: f64 = 5e-6;
     const LINEAR: bool = true;

@@ -19,6 +19,7 @@ impl Effect for GyroWarmup {
     const NAME: &'static str = "gyro_warmup";
     const SENSOR: Sensor = Sensor::Gyroscope;
     const EQUATION: &'static str = "W_i += c_i exp(-t/tau)";
+    const FORMULA: Option<&'static str> = Some("{i} * exp(-t / tau)");
     const PARAMS: &'static [Param] = &[
         Param::new("x", "rad/s", 0.0),
         Param::new("y", "rad/s", 0.0),

@@ -35,11 +35,19 @@ impl Definition {
         Ok(new)
     }
 
+    /// The covariates, and all names of an expression: theirs and those of the parameters.
+    pub(super) fn names<'a>(
+        parameters: impl Iterator<Item = &'a str>,
+    ) -> (Vec<Covariate>, Vec<String>) {
+        let covariates: Vec<Covariate> = Covariate::all().collect();
+        let own = covariates.iter().map(|c| c.name());
+        let names = own.chain(parameters.map(str::to_owned)).collect();
+        (covariates, names)
+    }
+
     fn read(&self) -> Result<Defined, DefinitionError> {
         self.check_names()?;
-        let covariates: Vec<Covariate> = Covariate::all().collect();
-        let mut names: Vec<String> = covariates.iter().map(|c| c.name()).collect();
-        names.extend(self.parameters.iter().map(|p| p.name.clone()));
+        let (covariates, names) = Self::names(self.parameters.iter().map(|p| p.name.as_str()));
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         let mut axes: [Option<Expression>; 3] = [None, None, None];
         for axis in Axis::ALL {
@@ -212,6 +220,12 @@ impl AnyEffect for Defined {
     }
     fn equation(&self) -> &'static str {
         self.equation
+    }
+    fn formula(&self, axis: Axis) -> Option<String> {
+        match self.definition.axis(axis).trim() {
+            "" => Some("0".to_owned()),
+            text => Some(text.to_owned()),
+        }
     }
     fn params(&self) -> &[Param] {
         &self.params

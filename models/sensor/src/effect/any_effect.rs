@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 use solver::{Jet, Jet2, Scalar};
 
+use crate::axis::Axis;
 use crate::definition::Definition;
 use crate::kinematics::{Kinematics, Sensor};
 use crate::param::{Param, Role};
@@ -29,6 +30,11 @@ pub trait AnyEffect: Send + Sync {
     fn sensor(&self) -> Sensor;
     /// The equation as users read it.
     fn equation(&self) -> &'static str;
+    /// The error on an axis as an expression, where there is one.
+    fn formula(&self, axis: Axis) -> Option<String> {
+        let _ = axis;
+        None
+    }
     /// Names, units and nominal values.
     fn params(&self) -> &[Param];
     /// Size of a coefficient in a consumer-grade device.

@@ -3,6 +3,7 @@
 //! Usual precedence: `-x^2` is `-(x^2)`, `^` binds to the right and wants a constant exponent (derivatives
 //! at a negative base exist for whole ones only).
 
+mod code;
 mod node;
 mod parse;
 
@@ -10,6 +11,7 @@ use solver::Scalar;
 
 use node::Node;
 
+pub use code::Language;
 pub(crate) use node::CALL;
 pub use node::FUNCTIONS;
 pub use parse::{Expected, ParseError, ParseFault};
@@ -39,6 +41,24 @@ impl Expression {
     /// Returns true if the expression contains variable `k`.
     pub fn uses(&self, k: usize) -> bool {
         self.root.uses(k)
+    }
+
+    /// The expression in another language; variable `k` is written `variable(k)`.
+    ///
+    /// # Examples
+    /// ```
+    /// use stillpoint_sensor::expression::{Expression, Language};
+    ///
+    /// let area = Expression::parse("pi/4 * (a + b)^2", &["a", "b"])?;
+    /// let names = |k| ["a", "b"][k].to_owned();
+    /// assert_eq!(
+    ///     area.code(Language::C, &names),
+    ///     "3.141592654e0f / 4.000000000e0f * powf((a + b), 2.000000000e0f)"
+    /// );
+    /// # Ok::<(), stillpoint_sensor::expression::ParseError>(())
+    /// ```
+    pub fn code(&self, language: Language, variable: &impl Fn(usize) -> String) -> String {
+        code::code(&self.root, language, variable)
     }
 
     /// Its value where variable `k` is `variable(k)`.

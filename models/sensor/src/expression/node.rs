@@ -110,25 +110,32 @@ impl Node {
 }
 
 impl Function {
+    /// All of them, in the order of [`FUNCTIONS`].
+    const ALL: [Self; FUNCTIONS.len()] = [
+        Self::Sin,
+        Self::Cos,
+        Self::Tan,
+        Self::Asin,
+        Self::Acos,
+        Self::Atan,
+        Self::Sinh,
+        Self::Cosh,
+        Self::Tanh,
+        Self::Exp,
+        Self::Ln,
+        Self::Sqrt,
+        Self::Abs,
+        Self::Sign,
+        Self::Step,
+    ];
+
     pub fn named(name: &str) -> Option<Self> {
-        Some(match name {
-            "sin" => Self::Sin,
-            "cos" => Self::Cos,
-            "tan" => Self::Tan,
-            "asin" => Self::Asin,
-            "acos" => Self::Acos,
-            "atan" => Self::Atan,
-            "sinh" => Self::Sinh,
-            "cosh" => Self::Cosh,
-            "tanh" => Self::Tanh,
-            "exp" => Self::Exp,
-            "ln" => Self::Ln,
-            "sqrt" => Self::Sqrt,
-            "abs" => Self::Abs,
-            "sign" => Self::Sign,
-            "step" => Self::Step,
-            _ => return None,
-        })
+        let place = FUNCTIONS.iter().position(|own| *own == name)?;
+        Self::ALL.get(place).copied()
+    }
+
+    pub fn name(self) -> &'static str {
+        FUNCTIONS[self as usize]
     }
 
     pub fn of<D: Scalar>(self, x: D) -> D {
