@@ -4,6 +4,7 @@
 //! arrays · files ──► Recording ──► calibrate ──► Calibration ──► apply ──► Recording
 //! simulate ────────►           ├─► discover ──► Findings
 //!                              └─► allan ──► Noise     evaluate ──► Evaluation
+//! samples as they come ──► guided::Session ──► Instruction
 //! ```
 //!
 //! ```
@@ -40,6 +41,7 @@ mod discover;
 mod error;
 mod evaluate;
 pub mod example;
+pub mod guided;
 mod recording;
 mod request;
 mod simulate;

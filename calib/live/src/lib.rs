@@ -8,7 +8,7 @@
 //!                    the recording on disk       View  (what a terminal or a page shows)
 //! ```
 //!
-//! A [`Source`] writes what it receives before it hands it on, so that a process that is killed loses nothing that it had.
+//! A `Source` (feature `sources`) writes what it receives before it hands it on, so that a process that is killed loses nothing that it had.
 //! A [`Session`] is a state machine without a clock: time is that of the stamps, so that a simulated session runs as fast as
 //! it can be computed. What it says are values ([`Instruction`]); words are those of the command line.
 //!
@@ -20,31 +20,46 @@
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod attitude;
+mod batch;
 mod direction;
+#[cfg(feature = "sources")]
 mod error;
 mod instruction;
+#[cfg(feature = "sources")]
 mod lines;
 mod motion;
+#[cfg(feature = "sources")]
 mod open;
+#[cfg(feature = "sources")]
 mod phyphox;
 mod promise;
+#[cfg(feature = "sources")]
 mod recorder;
 mod running;
+#[cfg(feature = "sources")]
 mod serial;
 mod session;
+#[cfg(feature = "sources")]
 mod source;
 mod view;
 
+pub use batch::{Batch, Event};
 pub use direction::Direction;
+#[cfg(feature = "sources")]
 pub use error::{Error, Limit};
 pub use instruction::{Instruction, Verdict};
+#[cfg(feature = "sources")]
 pub use lines::Lines;
 pub use motion::Motion;
+#[cfg(feature = "sources")]
 pub use open::open;
+#[cfg(feature = "sources")]
 pub use phyphox::Phyphox;
 pub use promise::{PROMISE, Promise, Shortfall};
+#[cfg(feature = "sources")]
 pub use recorder::Recorder;
 pub use running::{Errors, Estimate};
 pub use session::{Aim, Placement, Session};
-pub use source::{Batch, Event, FILES, Finished, Opening, Source, Waits};
+#[cfg(feature = "sources")]
+pub use source::{FILES, Finished, Opening, Source, Waits};
 pub use view::View;

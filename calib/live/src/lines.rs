@@ -10,9 +10,10 @@ use calib::Recording;
 use calib::recording::{ReadOptions, Stream};
 use output::Growing;
 
+use crate::batch::{Batch, Event};
 use crate::error::{Error, Limit};
 use crate::serial;
-use crate::source::{Batch, Event, Finished, Opening, Source};
+use crate::source::{Finished, Opening, Source};
 
 /// Bytes of one read.
 const CHUNK: usize = 64 << 10;

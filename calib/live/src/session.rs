@@ -16,8 +16,8 @@ use crate::instruction::{Instruction, Verdict};
 use crate::motion::{Detector, Motion, WINDOW, moments};
 use crate::promise::{PROMISE, Shortfall};
 
+use crate::batch::{Batch, Event};
 use crate::running::Estimate;
-use crate::source::{Batch, Event};
 
 /// Time between two looks at the samples, s.
 const STEP: f64 = 0.1;

@@ -25,9 +25,10 @@ use calib::Recording;
 use calib::recording::{ReadOptions, Stream};
 use findings::{Finding, Front, Kind};
 
+use crate::batch::{Batch, Event};
 use crate::error::{Error, Limit};
 use crate::recorder::Recorder;
-use crate::source::{Batch, Event, Finished, Opening, Source};
+use crate::source::{Finished, Opening, Source};
 use client::Client;
 use config::{Buffers, Experiment};
 use output::{Existing, Output};

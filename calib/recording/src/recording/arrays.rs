@@ -7,6 +7,7 @@ use sensor::Sensor;
 use super::assemble::assemble;
 use super::options::ReadOptions;
 use super::samples::{Pushed, Samples};
+use super::stream::Stream;
 use super::{Recording, Role};
 use crate::Error;
 use crate::rows::table::Table;
@@ -94,24 +95,73 @@ impl Rows<'_> {
             ("temperature", self.temperature.len()),
             ("mag", self.mag.len()),
         ];
-        let stamps = self.t.len();
-        let other = arrays.iter().find(|(_, len)| *len != 0 && *len != stamps);
-        if let Some((array, len)) = other {
-            let lengths = Finding::of(Kind::ArrayLengths)
-                .detail("array", *array)
-                .count("rows", *len)
-                .count("stamps", stamps);
-            return Err(in_file(name, lengths));
-        }
+        self.of_one_length(name, arrays.into_iter().filter(|(_, len)| *len != 0))?;
         if self.accel.is_empty() && self.gyro.is_empty() {
             return Err(in_file(name, Finding::of(Kind::ArraysEmpty)));
         }
-        if stamps < 2 {
+        if self.t.len() < 2 {
             return Err(Error::not_enough(
                 Finding::of(Kind::OneSample).in_file(name),
             ));
         }
         Ok(())
+    }
+
+    /// Refuses an array that is not as long as the stamps.
+    fn of_one_length(
+        &self,
+        name: &str,
+        mut arrays: impl Iterator<Item = (&'static str, usize)>,
+    ) -> Result<(), Error> {
+        let stamps = self.t.len();
+        let Some((array, len)) = arrays.find(|(_, len)| *len != stamps) else {
+            return Ok(());
+        };
+        let lengths = Finding::of(Kind::ArrayLengths)
+            .detail("array", array)
+            .count("rows", len)
+            .count("stamps", stamps);
+        Err(in_file(name, lengths))
+    }
+
+    /// Both sensors as they come, in part: their numbers are checked, and that every stamp is later than the one before it, `last` at first.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for arrays of different lengths, a number that is not finite, or time that does not go on.
+    ///
+    /// # Examples
+    /// ```
+    /// use stillpoint_recording::Rows;
+    ///
+    /// let rows = Rows { t: &[0.5], accel: &[[0.0, 0.0, 9.8]], gyro: &[[0.0; 3]], ..Rows::default() };
+    /// let [accelerometer, _] = rows.in_part("mine", None)?;
+    /// assert_eq!(accelerometer.t, [0.5]);
+    /// assert!(rows.in_part("mine", Some(0.5)).is_err());
+    /// # Ok::<(), stillpoint_recording::Error>(())
+    /// ```
+    pub fn in_part(&self, name: &str, last: Option<f64>) -> Result<[Stream; 2], Error> {
+        let arrays = [("accel", self.accel.len()), ("gyro", self.gyro.len())];
+        self.of_one_length(name, arrays.into_iter())?;
+        let mut last = last;
+        for (k, &t) in self.t.iter().enumerate() {
+            check(name, k, "t", t, 1)?;
+            if last.is_some_and(|last| t <= last) {
+                return Err(goes_back(name, k as u64 + 1, last.unwrap_or(t), t));
+            }
+            last = Some(t);
+        }
+        let sensors = [("accel", self.accel, 2), ("gyro", self.gyro, 5)];
+        for (array, values, first) in sensors {
+            for (k, value) in values.iter().enumerate() {
+                for (axis, &v) in value.iter().enumerate() {
+                    check(name, k, array, v, first + axis)?;
+                }
+            }
+        }
+        Ok(sensors.map(|(_, values, _)| Stream {
+            t: self.t[..values.len()].to_vec(),
+            values: values.iter().map(|v| Vector3::from(*v)).collect(),
+        }))
     }
 
     fn samples(&self, name: &str, sensor: Sensor) -> Result<Samples, Error> {
@@ -129,11 +179,7 @@ impl Rows<'_> {
             }
             let line = k as u64 + 1;
             if let Pushed::Backwards(last) = samples.push(t - zero, Vector3::from(*value), line) {
-                let back = Finding::of(Kind::TimeGoesBack)
-                    .detail("from", figure(last + zero))
-                    .detail("to", figure(t))
-                    .only_remedies([Remedy::SortRows, Remedy::Split]);
-                return Err(at_line(name, line, back));
+                return Err(goes_back(name, line, last + zero, t));
             }
         }
         Ok(samples)
@@ -146,6 +192,15 @@ fn origin(t: &[f64]) -> i64 {
         Some(&first) if first.is_finite() && first.abs() >= 1e9 => first as i64,
         _ => 0,
     }
+}
+
+/// Time goes from `last` back to `t`.
+fn goes_back(name: &str, line: u64, last: f64, t: f64) -> Error {
+    let back = Finding::of(Kind::TimeGoesBack)
+        .detail("from", figure(last))
+        .detail("to", figure(t))
+        .only_remedies([Remedy::SortRows, Remedy::Split]);
+    at_line(name, line, back)
 }
 
 fn check(name: &str, row: usize, array: &str, value: f64, column: usize) -> Result<(), Error> {
