@@ -260,8 +260,6 @@ kinds! {
     LatitudeDoubtful = "latitude_doubtful",
     /// The recording system has taken the bias off.
     BiasRemovedBefore = "bias_removed_before",
-    /// Readings of a recording were corrected before, and others were not.
-    CorrectedBefore = "corrected_before",
     /// A recording repeats another.
     SameData = "same_data",
     /// Parameters differ from recording to recording.
@@ -278,8 +276,6 @@ kinds! {
     NotOfType = "not_of_type",
     /// The biases of the recordings of a calibration differ.
     BiasesDiffer = "biases_differ",
-    /// A recording looks like one of another device.
-    ForeignDevice = "foreign_device",
     /// An effect of the user gives no number.
     EffectFault = "effect_fault",
     /// A limit is not kept.

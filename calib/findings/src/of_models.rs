@@ -136,7 +136,7 @@ mod tests {
         assert!(refused("sinn(x)").starts_with("column 1: there is no function `sinn`: sin, "));
         assert!(refused("x^y").starts_with("column 3: the exponent must be a constant; write"));
         assert!(refused(&"(".repeat(5000)).contains("longer than 2000"));
-        assert!(refused(&"(".repeat(900)).contains("nested more than 100"));
+        assert!(refused(&"(".repeat(900)).contains("more than 100 deep"));
     }
 
     #[test]

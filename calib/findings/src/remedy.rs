@@ -246,8 +246,6 @@ pub enum Remedy {
     FreezeNoRows,
     /// Record both sensors at the same time.
     BothSensors,
-    /// Report a bug.
-    Report,
     // Of files.
     /// Unpack the file by another program, and name what comes out.
     UnpackFirst,

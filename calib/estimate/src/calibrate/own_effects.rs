@@ -44,7 +44,8 @@ fn suspected(effects: &[&'static dyn AnyEffect], error: Error) -> Error {
     if own.is_empty() {
         return error;
     }
-    let suspected = Finding::of(Kind::OwnEffectSuspected).detail("effects", own.join(", "));
+    let name = if own.len() == 1 { "effect" } else { "effects" };
+    let suspected = Finding::of(Kind::OwnEffectSuspected).detail(name, own.join(", "));
     let with = |reason: Box<Finding>| reason.because(suspected);
     match error {
         Error::NotEnough(reason) => Error::not_enough(with(reason)),

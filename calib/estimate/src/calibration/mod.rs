@@ -351,9 +351,9 @@ impl Calibration {
     pub fn knows_its_effects(&self) -> Result<(), Error> {
         self.effects.iter().try_for_each(|values| {
             let known = values.effect().map(|_| ());
-            known.map_err(|what| {
-                let found = Finding::of(Kind::EffectNotHere).detail("effect", values.name.clone());
-                Error::not_enough(found.because(*what))
+            known.map_err(|_| {
+                let found = Finding::of(Kind::EffectNotHere);
+                Error::not_enough(found.detail("effect", values.name.clone()))
             })
         })
     }

@@ -288,7 +288,6 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         Remedy::LoseNoSamples => "record again without losing samples",
         Remedy::FreezeNoRows => "record again without rows that repeat the one before",
         Remedy::BothSensors => "record both sensors at the same time",
-        Remedy::Report => "report this to us as a bug of the program",
         Remedy::UnpackFirst => {
             "unpack it yourself if you trust it, and name the file that comes out"
         }
@@ -445,7 +444,13 @@ impl Setting {
 /// `the local gravity (--gravity 9.81)`.
 fn setting(setting: &Setting, front: Front) -> String {
     let [plain, ..] = names(setting.option);
-    with_setting(plain, setting, front)
+    let changes = |value: &String| value.contains(['*', '+']);
+    match (setting.option, setting.value.as_ref().is_some_and(changes)) {
+        (OptionName::Columns, true) => {
+            with_setting(&format!("{plain} with this change"), setting, front)
+        }
+        _ => with_setting(plain, setting, front),
+    }
 }
 
 /// `words (--gravity 9.81)`.

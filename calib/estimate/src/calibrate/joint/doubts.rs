@@ -26,7 +26,7 @@ pub fn placements_apart(fit: &JointFit) -> Option<Finding> {
         .map(|a| {
             let name = &fit.data.sources[a.recording].name;
             format!(
-                "{name}: static interval {} by {:.2} m/s²",
+                "static interval {} of {name} by {:.2} m/s²",
                 a.interval + 1,
                 a.size
             )

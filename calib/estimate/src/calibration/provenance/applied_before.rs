@@ -111,22 +111,25 @@ impl Calibration {
                 _ => None,
             });
         let (sensor, by) = mixed?;
-        let inputs = self.provenance.inputs.iter();
-        let is = |input: &&crate::calibration::Input| {
-            claim(&input.applied_before, sensor) == Readings::CorrectedBy(by)
-        };
-        let (corrected, others): (Vec<_>, Vec<_>) = inputs.partition(is);
-        let names = |inputs: &[&crate::calibration::Input]| {
-            let names: Vec<&str> = inputs.iter().map(|i| i.recording.as_str()).collect();
-            names.join(", ")
-        };
+        let [corrected, others] = self.corrected_by(sensor, by);
         Some(
             Finding::of(Kind::CorrectedInPart)
-                .in_recording(names(&corrected))
+                .in_recording(corrected)
                 .of_sensor(sensor)
                 .detail("by", system_name(by))
-                .detail("others", names(&others)),
+                .detail("others", others),
         )
+    }
+
+    /// Names of the recordings whose readings of a sensor this system had corrected, and of the others.
+    pub fn corrected_by(&self, sensor: Sensor, by: &str) -> [String; 2] {
+        let inputs = self.provenance.inputs.iter();
+        let (corrected, others): (Vec<_>, Vec<_>) = inputs
+            .partition(|input| claim(&input.applied_before, sensor) == Readings::CorrectedBy(by));
+        [corrected, others].map(|inputs| {
+            let names: Vec<&str> = inputs.iter().map(|i| i.recording.as_str()).collect();
+            names.join(", ")
+        })
     }
 }
 

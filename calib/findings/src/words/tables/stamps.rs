@@ -60,7 +60,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.05,
         reason: "the log lost samples",
         text: "the log lost samples {count:time}, for {missing} in all, first at t = {t0} ({listed})",
-        advice: "record again if that is often or long",
+        advice: "nothing has to be done, for turns and static intervals without samples are not used",
         remedies: Vec::new,
     },
     Entry {
@@ -143,7 +143,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 1.0,
         reason: "the stamps tell another rate than the given one",
-        text: "the time stamps tell a rate of {rate}, but {given} was given[. The given rate passes over {missing:sample} that are missing]. Angles of turns come out {share} too {size}",
+        text: "the time stamps tell a rate of {rate}, but {given} was given[. In between {missing:sample} are missing, which the given rate does not count]. Angles of turns come out {share} too {size}",
         advice: "",
         remedies: || {
             vec![Remedy::Omit {

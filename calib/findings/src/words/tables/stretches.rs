@@ -4,6 +4,10 @@ use crate::kind::Kind;
 use crate::level::Level;
 use crate::words::entry::Entry;
 
+/// What to do about a turn that cannot be integrated.
+const TURN_LEFT_OUT: &str =
+    "nothing has to be done while the device turns about each axis both ways in the others";
+
 pub(super) const ENTRIES: &[Entry] = &[
     Entry {
         kind: Kind::StretchTurns,
@@ -56,7 +60,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.02,
         reason: "samples are missing in a turn",
         text: "samples are missing for {length} s of this turn, from t = {start} on",
-        advice: "",
+        advice: TURN_LEFT_OUT,
         remedies: Vec::new,
     },
     Entry {
@@ -65,7 +69,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.02,
         reason: "the gyroscope is frozen in a turn",
         text: "the gyroscope repeated one reading for {length} s of this turn, from t = {start} on",
-        advice: "",
+        advice: TURN_LEFT_OUT,
         remedies: Vec::new,
     },
     Entry {
@@ -74,7 +78,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.02,
         reason: "the gyroscope is saturated in a turn",
         text: "this turn is faster than the gyroscope can read in {samples:sample}",
-        advice: "",
+        advice: TURN_LEFT_OUT,
         remedies: Vec::new,
     },
     Entry {
@@ -83,7 +87,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.02,
         reason: "a turn has no samples",
         text: "the gyroscope has no samples in this turn",
-        advice: "",
+        advice: TURN_LEFT_OUT,
         remedies: Vec::new,
     },
 ];

@@ -162,7 +162,7 @@ fn each_part(
     let names: Vec<String> = all.iter().map(|recording| recording.name.clone()).collect();
     let said = match all.len() {
         2 => names.join(" and "),
-        _ => format!("{name}#1 to #{count}"),
+        _ => format!("{name}#1 to {name}#{count}"),
     };
     if let Some(first) = all.first_mut() {
         first.warnings.push_first(

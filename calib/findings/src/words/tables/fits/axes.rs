@@ -30,7 +30,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 3.0,
         reason: "the {sensor} reads gravity {share} {more} than it is, on all axes",
-        text: "the {sensor} reads gravity as {reads}, {share} {more} than {gravity}, on all axes alike[: {beyond} has another unit or range, or the local gravity is another][. The calibration corrects {carried}, unless the factor to m/s² was wrong]",
+        text: "the {sensor} reads gravity as {reads}, {share} {more} than {gravity}, on all axes alike[: {beyond} has another unit or range, or the local gravity is another][. The calibration corrects {carried}: nothing has to be done unless the factor to m/s² was wrong]",
         advice: "",
         remedies: || vec![Remedy::any_of([OptionName::AccelUnit, OptionName::Gravity])],
     },

@@ -30,15 +30,6 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         remedies: || vec![Remedy::Uncalibrated],
     },
     Entry {
-        kind: Kind::CorrectedBefore,
-        level: Level::Care,
-        severity: 0.3,
-        reason: "some readings were corrected before and others were not",
-        text: "the readings were not all corrected alike before: {how}. One calibration does not hold for both",
-        advice: "calibrate the corrected recordings and the others apart",
-        remedies: Vec::new,
-    },
-    Entry {
         kind: Kind::SameData,
         level: Level::Remark,
         severity: 0.0001,
@@ -109,15 +100,6 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         text: "the biases (readings at rest) of the calibration's recordings differ ({how}), and this recording is none of them. The program subtracts the biases of the last one, {last}",
         advice: "",
         remedies: || vec![Remedy::UpdateBias],
-    },
-    Entry {
-        kind: Kind::ForeignDevice,
-        level: Level::Care,
-        severity: 1.0,
-        reason: "the recording looks like one of another device",
-        text: "corrected by this calibration {what}. The recording may be of another device, or of another time",
-        advice: "",
-        remedies: || vec![Remedy::OwnCalibration, Remedy::UpdateBias],
     },
     Entry {
         kind: Kind::EffectFault,

@@ -44,7 +44,7 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::CorrectedPartly,
-        "{system} had corrected some recordings of the calibration and not others",
+        "{system} had corrected some recordings of the calibration ({corrected}) and not others ({others})",
         "calibrate the corrected recordings and the others apart",
         Vec::new,
     ),

@@ -110,7 +110,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::ArrayNotFinite,
-        "{array} is {value} here, a finite number expected",
+        "{array} is {value} here, which no sensor reads",
         "leave such rows out",
         Vec::new,
     ),

@@ -78,7 +78,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::TurnsOff,
         "{by} {unit} for the gyroscope. But the accelerometer saw turns about {factor} times as far, so the unit of the gyroscope or of the time stamps is wrong",
-        "",
+        "look both units up in the documentation of what wrote the file, and give the right one",
         || {
             vec![Remedy::examples([
                 (OptionName::TimeUnit, "us"),

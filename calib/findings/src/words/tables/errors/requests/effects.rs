@@ -91,8 +91,8 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::OwnEffectSuspected,
-        "the model holds {effects}, an effect of your own: if a calibration without it works, its formula is the reason",
-        "calibrate without it once",
+        "the model holds [an effect of your own ({effect})][effects of your own ({effects})]: if a calibration without works, the reason is a formula of yours",
+        "calibrate without your own effects once",
         Vec::new,
     ),
     Entry::error(

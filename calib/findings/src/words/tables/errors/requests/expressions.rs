@@ -48,7 +48,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::ExpressionDeep,
-        "[{key}: ][`{text}`, ]column {column}: brackets are nested more than {most} deep",
+        "[{key}: ][`{text}`, ]column {column}: brackets and signs stand more than {most} deep within each other",
         "write it with fewer brackets",
         Vec::new,
     ),

@@ -12,13 +12,13 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::SolverRefused,
-        "the program cannot fit the model to the recording: {reason}",
+        "no calibration fits this recording: its numbers are too large, too small or not those of a sensor[ ({reason})]",
         "check the units and the columns of the recording",
         Vec::new,
     ),
     Entry::error(
         Kind::FitStopped,
-        "the fit of the {sensor} came to no end in {steps:step} ({ending})[: its readings at rest still differ from gravity by {left}]",
+        "the fit of the {sensor} came to no end in {steps:step}[: its readings at rest still differ from gravity by {left}]",
         "check that [the gravity of {gravity} is right and that ]the device was still in its static intervals",
         Vec::new,
     ),
