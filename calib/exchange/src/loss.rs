@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::targets::effects::is_code;
+use crate::targets::code::is_code;
 use calib::effects::force_sensitivity;
 use findings::{Finding, Kind};
 use nalgebra::{Matrix3, Vector3};

@@ -56,7 +56,7 @@ fn with_effects() -> Calibration {
     let own = Definition {
         name: "accel_own".into(),
         y: "k * sign(fx) * fz^2 + step(wx) * k".into(),
-        z: "-k^2 * abs(fx - 1) / (2 + fz^2)".into(),
+        z: "-k^2 * abs(fx - 1) / (2 + fz^2) + 1e3 * sqrt(k^6) * t".into(),
         parameters: vec![DefinedParam::new("k", "m/s^2", 1e-2)],
         ..Definition::silent(Sensor::Accelerometer)
     };

@@ -22,44 +22,24 @@
 mod attitude;
 mod batch;
 mod direction;
-#[cfg(feature = "sources")]
-mod error;
 mod instruction;
-#[cfg(feature = "sources")]
-mod lines;
 mod motion;
-#[cfg(feature = "sources")]
-mod open;
-#[cfg(feature = "sources")]
-mod phyphox;
 mod promise;
-#[cfg(feature = "sources")]
-mod recorder;
 mod running;
-#[cfg(feature = "sources")]
-mod serial;
 mod session;
 #[cfg(feature = "sources")]
-mod source;
+mod sources;
 mod view;
 
 pub use batch::{Batch, Event};
 pub use direction::Direction;
-#[cfg(feature = "sources")]
-pub use error::{Error, Limit};
 pub use instruction::{Instruction, Verdict};
-#[cfg(feature = "sources")]
-pub use lines::Lines;
 pub use motion::Motion;
-#[cfg(feature = "sources")]
-pub use open::open;
-#[cfg(feature = "sources")]
-pub use phyphox::Phyphox;
 pub use promise::{PROMISE, Promise, Shortfall};
-#[cfg(feature = "sources")]
-pub use recorder::Recorder;
 pub use running::{Errors, Estimate};
 pub use session::{Aim, Placement, Session};
 #[cfg(feature = "sources")]
-pub use source::{FILES, Finished, Opening, Source, Waits};
+pub use sources::{
+    Error, FILES, Finished, Limit, Lines, Opening, Phyphox, Recorder, Source, Waits, open,
+};
 pub use view::View;

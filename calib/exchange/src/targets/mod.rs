@@ -1,9 +1,8 @@
 //! One file per target, and their list.
 
 mod ardupilot;
-mod c_header;
+pub(crate) mod code;
 mod document;
-pub(crate) mod effects;
 mod imu_tk;
 mod in_force;
 mod kalibr;
@@ -13,7 +12,6 @@ mod numpy;
 mod px4;
 mod ros;
 mod ros2;
-mod rust_module;
 mod toml_table;
 
 use crate::target::Target;
@@ -26,8 +24,8 @@ pub static TARGETS: [&dyn Target; 12] = [
     &ros2::Ros2,
     &px4::Px4,
     &ardupilot::ArduPilot,
-    &c_header::CHeader,
-    &rust_module::RustModule,
+    &code::CHeader,
+    &code::RustModule,
     &toml_table::TomlTable,
     &matlab::Matlab,
     &numpy::NumPy,

@@ -29,7 +29,7 @@ pub struct ErrorCode {
 ///     ..Definition::silent(Sensor::Accelerometer)
 /// };
 /// let code = error_code(swirl.effect()?, &[0.25], Axis::X, Language::Rust).unwrap();
-/// assert_eq!(code.text, "0.25 * fy * fz");
+/// assert_eq!(code.text, "0.25_f64 * fy * fz");
 /// assert_eq!(code.covariates.len(), 2);
 /// # Ok::<(), stillpoint_sensor::DefinitionError>(())
 /// ```

@@ -16,7 +16,7 @@ impl Language {
     pub fn number(self, value: f64) -> String {
         match self {
             Self::C => format!("{value:.9e}f"),
-            Self::Rust => format!("{value:?}"),
+            Self::Rust => format!("{value:?}_f64"),
         }
     }
 }
@@ -51,6 +51,11 @@ fn written(
     let pair = |a: &Node, sign: &str, b: &Node, binds: Binds, right: Binds| {
         (format!("{} {sign} {}", own(a, binds), own(b, right)), binds)
     };
+    // An argument of a function in C, what a method is called on in Rust.
+    let base = |x: &Node| match language {
+        Language::C => written(x, language, variable).0,
+        Language::Rust => own(x, Binds::Whole),
+    };
     match node {
         Node::Constant(c) if *c < 0.0 => (language.number(*c), Binds::Sign),
         Node::Constant(c) => (language.number(*c), Binds::Whole),
@@ -70,7 +75,7 @@ fn written(
                 Binds::Whole,
             ),
         },
-        Node::RealPower(x, r) => (power(&own(x, Binds::Whole), *r, language), Binds::Whole),
+        Node::RealPower(x, r) => (power(&base(x), *r, language), Binds::Whole),
         Node::Call(function, x) => {
             let (text, _) = written(x, language, variable);
             (call(*function, &text, language), Binds::Whole)

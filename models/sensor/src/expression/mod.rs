@@ -50,10 +50,10 @@ impl Expression {
     /// use stillpoint_sensor::expression::{Expression, Language};
     ///
     /// let area = Expression::parse("pi/4 * (a + b)^2", &["a", "b"])?;
-    /// let names = |k| ["a", "b"][k].to_owned();
+    /// let names = |k: usize| ["a", "b"][k].to_owned();
     /// assert_eq!(
     ///     area.code(Language::C, &names),
-    ///     "3.141592654e0f / 4.000000000e0f * powf((a + b), 2.000000000e0f)"
+    ///     "3.141592654e0f / 4.000000000e0f * powf(a + b, 2.000000000e0f)"
     /// );
     /// # Ok::<(), stillpoint_sensor::expression::ParseError>(())
     /// ```

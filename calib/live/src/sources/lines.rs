@@ -11,9 +11,9 @@ use calib::recording::{ReadOptions, Stream};
 use output::Growing;
 
 use crate::batch::{Batch, Event};
-use crate::error::{Error, Limit};
-use crate::serial;
-use crate::source::{Finished, Opening, Source};
+use crate::sources::error::{Error, Limit};
+use crate::sources::serial;
+use crate::sources::{Finished, Opening, Source};
 
 /// Bytes of one read.
 const CHUNK: usize = 64 << 10;
@@ -289,7 +289,7 @@ fn keep(source: &mut dyn Read, keeper: &mut Keeper, tell: &Sender<Told>, grows: 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::source::Waits;
+    use crate::sources::Waits;
     use std::sync::mpsc::SyncSender;
 
     /// What a test sends, as a stream of bytes.

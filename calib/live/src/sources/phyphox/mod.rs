@@ -26,9 +26,9 @@ use calib::recording::{ReadOptions, Stream};
 use findings::{Finding, Front, Kind};
 
 use crate::batch::{Batch, Event};
-use crate::error::{Error, Limit};
-use crate::recorder::Recorder;
-use crate::source::{Finished, Opening, Source};
+use crate::sources::error::{Error, Limit};
+use crate::sources::recorder::Recorder;
+use crate::sources::{Finished, Opening, Source};
 use client::Client;
 use config::{Buffers, Experiment};
 use output::{Existing, Output};

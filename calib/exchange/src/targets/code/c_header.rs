@@ -11,7 +11,8 @@ use crate::error::Error;
 use crate::kept::Kept;
 use crate::source::Source;
 use crate::target::{Settings, Target, Written};
-use crate::targets::effects::{Effects, ROUNDS};
+
+use super::effects::{Effects, ROUNDS};
 
 /// Largest whole number that a 32-bit integer holds.
 const LARGEST: f64 = 2_147_483_647.0;

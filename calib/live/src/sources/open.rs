@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use crate::error::Error;
-use crate::lines::Lines;
-use crate::phyphox::Phyphox;
-use crate::source::{Opening, Source};
+use crate::sources::error::Error;
+use crate::sources::lines::Lines;
+use crate::sources::phyphox::Phyphox;
+use crate::sources::{Opening, Source};
 
 /// Opens what `name` says: the address of a phone (`http://HOST:PORT`, `HOST:PORT`), `-`, a serial port or a file that
 /// grows.

@@ -9,7 +9,8 @@ use crate::error::Error;
 use crate::kept::Kept;
 use crate::source::Source;
 use crate::target::{Settings, Target, Written};
-use crate::targets::effects::{Effects, ROUNDS};
+
+use super::effects::{Effects, ROUNDS};
 
 /// `f = T (A − b)` and `w = T (W − b) − G f` in `f64`.
 #[derive(Debug)]

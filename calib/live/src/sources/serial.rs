@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::path::Path;
 
-use crate::error::Error;
+use crate::sources::error::Error;
 
 /// Opens a file; a terminal device is set to `baud` bits per second, 8 data bits, and hands bytes on as they come.
 pub(crate) fn open(path: &Path, baud: u32) -> Result<File, Error> {

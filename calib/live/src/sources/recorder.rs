@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use calib::recording::Stream;
 use output::Growing;
 
-use crate::error::Error;
+use crate::sources::error::Error;
 
 /// Names and headers of the two files of a plain recording.
 const FILES: [(&str, &str); 2] = [("acc", "t,ax,ay,az\n"), ("gyro", "t,gx,gy,gz\n")];

@@ -1,12 +1,24 @@
 //! Sources of samples.
 
+mod error;
+mod lines;
+mod open;
+mod phyphox;
+mod recorder;
+mod serial;
+
 use std::path::PathBuf;
 use std::time::Duration;
 
 use calib::recording::ReadOptions;
 
 use crate::batch::Batch;
-use crate::error::Error;
+
+pub use error::{Error, Limit};
+pub use lines::Lines;
+pub use open::open;
+pub use phyphox::Phyphox;
+pub use recorder::Recorder;
 
 /// Files that a session writes into its folder.
 pub const FILES: [&str; 5] = [

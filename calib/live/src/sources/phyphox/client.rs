@@ -6,7 +6,7 @@ use calib::recording::shown::shown;
 use findings::{Finding, Kind};
 use ureq::Agent;
 
-use crate::source::Waits;
+use crate::sources::Waits;
 
 /// Largest answers, bytes: of the experiment, its pauses and its commands; of samples, a quarter of an hour at 500 Hz; of the
 /// exported file.
