@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 
 pub use args::Args;
 use calib::Recording;
-use calib::intervals::{Moments, Span};
+use calib::intervals::{Moments, Segmentation, Span};
 use calib::methods::{Choice, cut};
 use calib::readings::symptoms;
 use serde_json::json;
@@ -206,6 +206,7 @@ fn report(
     .plot(plot)
     .plot(&coverage::picture(&session, &coverage))
     .table(intervals)
+    .text(turns_left_out(segmentation).unwrap_or_default())
     .section("Threshold")
     .text(format!(
         "{} times the level at rest.",
@@ -259,6 +260,9 @@ fn text(recording: &Recording, choice: &Choice) -> String {
         }
     }
     let mut text = format!("{table}\n");
+    if let Some(advice) = turns_left_out(segmentation) {
+        let _ = writeln!(text, "{advice}");
+    }
     let _ = writeln!(
         text,
         "{}: {} static intervals, {} turns; motion where Σ var² of a window reaches {} times its level \
@@ -294,4 +298,11 @@ fn text(recording: &Recording, choice: &Choice) -> String {
         let _ = writeln!(text, "{trials}");
     }
     text
+}
+
+/// What to do about turns that are not used; `None` where all are.
+fn turns_left_out(segmentation: &Segmentation) -> Option<String> {
+    let fault = segmentation.turns.iter().find_map(|t| t.fault.as_ref())?;
+    let advice = fault.finding().advice(Front::CommandLine)?;
+    Some(format!("Of turns that are not used: {advice}."))
 }

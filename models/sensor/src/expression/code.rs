@@ -70,10 +70,7 @@ fn written(
                 let factors = vec![own(x, Binds::Whole); *n as usize];
                 (factors.join(" * "), Binds::Product)
             }
-            _ => (
-                power(&own(x, Binds::Whole), f64::from(*n), language),
-                Binds::Whole,
-            ),
+            _ => (power(&base(x), f64::from(*n), language), Binds::Whole),
         },
         Node::RealPower(x, r) => (power(&base(x), *r, language), Binds::Whole),
         Node::Call(function, x) => {
