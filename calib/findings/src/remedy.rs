@@ -161,8 +161,6 @@ pub enum Remedy {
     RestLonger,
     /// Turn more slowly.
     TurnSlower,
-    /// Turn between the placements.
-    TurnBetween,
     /// Record at a higher rate.
     SampleFaster,
     /// Filter the readings before they are sampled.

@@ -191,7 +191,7 @@ fn report(
         .filter(|t| t.fault.is_none())
         .count();
     let count = format!("{} static intervals", segmentation.statics.len());
-    Ok(Report::new(format!(
+    let mut report = Report::new(format!(
         "Static intervals and turns of {}",
         show::name(&recording.name)
     ))
@@ -205,14 +205,17 @@ fn report(
     .section("Static intervals")
     .plot(plot)
     .plot(&coverage::picture(&session, &coverage))
-    .table(intervals)
-    .text(turns_left_out(segmentation).unwrap_or_default())
-    .section("Threshold")
-    .text(format!(
-        "{} times the level at rest.",
-        segmentation.multiplier
-    ))
-    .table(trials))
+    .table(intervals);
+    if let Some(advice) = turns_left_out(segmentation) {
+        report = report.text(advice);
+    }
+    Ok(report
+        .section("Threshold")
+        .text(format!(
+            "{} times the level at rest.",
+            segmentation.multiplier
+        ))
+        .table(trials))
 }
 
 fn text(recording: &Recording, choice: &Choice) -> String {

@@ -235,7 +235,6 @@ pub(crate) fn words(remedy: &Remedy, front: Front) -> String {
         Remedy::LayDown => "lay the device down and record again",
         Remedy::RestLonger => "keep the device still for longer",
         Remedy::TurnSlower => "turn more slowly",
-        Remedy::TurnBetween => "turn the device between the placements",
         Remedy::SampleFaster => "record at a higher rate",
         Remedy::FilterFirst => "let the sensor filter its readings before they are sampled",
         Remedy::TemperatureCycles => {

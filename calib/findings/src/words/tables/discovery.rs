@@ -7,7 +7,7 @@ use crate::remedy::{OptionName, Remedy};
 use crate::words::entry::Entry;
 
 /// Advice that separates an error of the device from an error of that day.
-const ONCE_MORE: &str = "record the device once more (an error that returns belongs to the device, any other to that day)";
+const ONCE_MORE: &str = "the calibration holds with the errors that it states; to see whether the device has this error, record it on another day and look whether it returns";
 
 pub(super) const ENTRIES: &[Entry] = &[
     Entry {
@@ -105,7 +105,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.1,
         reason: "the {sensor} feels a horizontal direction of the room",
-        text: "{sensor}: an error that keeps one horizontal direction of the room (such as north), however the device is turned. The rotation of the earth does so near the equator",
+        text: "{sensor}: an error that keeps one horizontal direction of the room (such as north), however the device is turned. Near the equator the rotation of the earth does so, and the latitude explains it there",
         advice: ONCE_MORE,
         remedies: || vec![Remedy::set(OptionName::Latitude)],
     },

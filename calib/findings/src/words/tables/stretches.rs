@@ -24,7 +24,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.02,
         reason: "the accelerometer is cut off in a quiet stretch",
         text: "[the quiet stretch at {at} is no static interval][{count} quiet stretches are no static intervals ({listed})]: accelerometer {axis} is cut off at the end of its range",
-        advice: "record with a larger range of the sensor if too few static intervals are left",
+        advice: "nothing has to be done while ten static intervals are left; else record with a larger range of the sensor",
         remedies: Vec::new,
     },
     Entry {
@@ -77,7 +77,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.02,
         reason: "the gyroscope is saturated in a turn",
-        text: "this turn is faster than the gyroscope can read in {samples:sample}",
+        text: "the gyroscope reached the end of its range in this turn ({samples:sample})",
         advice: TURN_LEFT_OUT,
         remedies: Vec::new,
     },

@@ -30,7 +30,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.5,
         reason: "the gyroscope's unit is only guessed from its largest reading",
-        text: "the gyroscope is taken as {unit}, because it reaches {fastest}. That is a guess",
+        text: "the gyroscope is taken as {unit}, because its largest reading is {fastest}. That is a guess",
         advice: "",
         remedies: || vec![Remedy::set(OptionName::GyroUnit)],
     },

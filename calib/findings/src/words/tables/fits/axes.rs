@@ -76,8 +76,8 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         severity: 10.0,
         reason: "the turns do not show the gyroscope's axes",
         text: "no sensor can have the matrix that the fit found for the gyroscope (its determinant is negative and no axis is flipped). The turns do not show the gyroscope's axes",
-        advice: "",
-        remedies: || vec![Remedy::TurnBetween],
+        advice: "record again, and between the placements turn the device about each of its three axes by a quarter turn or more",
+        remedies: Vec::new,
     },
     Entry {
         kind: Kind::LeftHanded,

@@ -75,7 +75,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.05,
         reason: "the device moved in {at}",
-        text: "[{at}: ]the device moved[ by {size}] while it should have rested, as a slipping mount does. The program fits this move[ ({slip} at once)]",
+        text: "[{at}: ]the device moved[ by {size}] while it should have rested, as a slipping mount does. The program corrects for this move[ ({slip} at once)]",
         advice: "",
         remedies: || vec![Remedy::RecordAgain, Remedy::LeaveOut],
     },

@@ -55,8 +55,8 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::EntryElsewhere,
-        "the file `{entry}` is in another archive than the one that was opened",
-        "name a file of the archive that was opened, or name the other archive",
+        "the file `{entry}` is not in the archive that was opened",
+        "name the archive that holds it, or unpack it first",
         Vec::new,
     ),
 ];

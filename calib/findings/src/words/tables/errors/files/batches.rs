@@ -127,7 +127,7 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::DevicesTooFew,
-        "{found:device} with {parameters:parameter} in common are too few to learn the typical values of a type: at least {needed} are needed",
+        "the batch has {found:device}, too few to learn the typical values of a type: for {parameters:parameter} at least {needed} devices are needed",
         "calibrate more devices of the type",
         Vec::new,
     ),

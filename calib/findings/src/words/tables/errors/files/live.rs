@@ -12,8 +12,8 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::PhoneLost,
-        "the phone gives no answer[ for {seconds}] ({reason})",
-        "check that remote access is on (⋮, Allow remote access), that the phone's screen is on and that it is in the same network",
+        "the phone gives no usable answer[ for {seconds}] ({reason})",
+        "check that remote access is on (⋮, Allow remote access), that the phone's screen is on and that it is in the same network; if the phone answers, clear the data in phyphox and start the measurement again",
         Vec::new,
     ),
     Entry::error(

@@ -113,7 +113,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::BinaryData,
-        "the text has binary data at byte {at_byte}: truncated or wrong format?",
+        "the text has binary data at byte {at_byte}, as a damaged file or one of another format has",
         "copy or export the file again",
         Vec::new,
     ),

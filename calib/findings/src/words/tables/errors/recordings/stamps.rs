@@ -54,7 +54,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::StampsByOne,
-        "the time stamps go up by 1 from row to row: do they count the rows?",
+        "the time stamps go up by 1 from row to row, as if they counted the rows",
         "",
         || {
             vec![Remedy::examples([

@@ -67,8 +67,8 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::PriorDegenerate,
-        "the program cannot combine the prior (typical values of a type of device) with the recording: their covariances have no sum that can be inverted",
-        "make the prior again, or calibrate without it",
+        "the prior (typical values of a type of device) does not go with the recording: the fit of both together has no solution. The prior is damaged, or was made of too few devices",
+        "make the prior again from more devices, or calibrate without it",
         Vec::new,
     ),
     Entry::error(
@@ -97,7 +97,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::DevicesDiffer,
-        "{parameter} is {one} in {first} and {two} in {second}, {distance} standard errors apart. The recordings are of different devices or at very different temperatures[ ({celsius})]",
+        "{parameter} is {one} in {first} and {two} in {second}, {distance} standard errors apart. The recordings are of different devices, or of one device at different temperatures[ ({celsius})]",
         "if the devices differ, calibrate each alone",
         || vec![Remedy::set(OptionName::ForceDevice)],
     ),
@@ -111,7 +111,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
         Kind::ReadingsTwice,
         "this recording repeats readings of {other}: from {at} on they equal those from static interval {interval} (t = {time}) on. Counted twice they make the standard errors too small",
         "leave one of the two recordings out",
-        || vec![Remedy::set(OptionName::ForceDevice)],
+        Vec::new,
     ),
     Entry::error(
         Kind::AxesOfOtherTurned,

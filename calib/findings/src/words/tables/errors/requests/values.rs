@@ -13,7 +13,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::GravityNotOnEarth,
-        "gravity is {gravity}, on the earth it lies between {least} and {most} m/s²; an error of 0.01 changes every scale factor by 0.1 %",
+        "gravity is given as {gravity} m/s², and on the earth it lies between {least} and {most} m/s². An error of 0.01 m/s² changes every scale factor by 0.1 %",
         "correct the value",
         Vec::new,
     ),
