@@ -1,4 +1,4 @@
-//! Files of tables, end to end: `cargo test -p stillpoint --features parquet,hdf5,xlsx --test tables`.
+//! Files of tables, end to end: with the tests of the workspace, or `cargo test -p stillpoint --features parquet,hdf5,xlsx --test tables`.
 
 #![cfg(all(feature = "parquet", feature = "hdf5", feature = "xlsx"))]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]

@@ -332,7 +332,7 @@ mod tests {
             .unwrap_err()
             .to_string();
         assert!(
-            message.contains("do not tell the three axes apart"),
+            message.contains("too alike to tell the biases"),
             "{message}"
         );
     }

@@ -5,6 +5,7 @@ use crate::level::Level;
 use crate::remedy::{OptionName, Remedy};
 
 use crate::words::entry::Entry;
+use crate::words::tables::reading::IF_EXACT;
 
 /// Advice that separates an error of the device from an error of that day.
 const ONCE_MORE: &str = "the calibration holds with the errors that it states; to see whether the device has this error, record it on another day and look whether it returns";
@@ -25,7 +26,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.3,
         reason: "the rate of rotation jumps between samples",
         text: "the rate of rotation jumps between samples, so that {share} ({low} to {high}) of each jump is missing in the angle. The turns miss gravity by {angle} (rms), most of it expected in turns {turns}",
-        advice: "put the device down more gently and record again",
+        advice: "use this calibration if its standard errors are small enough for you; if not, put the device down more gently",
         remedies: || vec![Remedy::SampleFaster, Remedy::FilterFirst],
     },
     Entry {
@@ -33,8 +34,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.1,
         reason: "the stamps are {way} in this recording, unlike in the others",
-        text: "the stamps of the accelerometer are {size} ± {error} {way} in this recording, unlike in the others. The calibration does not contain this offset",
-        advice: "",
+        text: "the stamps of the accelerometer are {size} ± {error} {way} in this recording, unlike in the others. The calibration does not contain this offset, and its parameters do not depend on it",
+        advice: "use this calibration, but shift the stamps of this recording before you combine its two sensors in motion",
         remedies: || vec![Remedy::OneClock],
     },
     Entry {
@@ -51,8 +52,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.1,
         reason: "samples are lost in {at}",
-        text: "[{at}: ]samples are lost in this turn, and it misses gravity by {size}: it does not lead to the direction of gravity that the accelerometer reads after it",
-        advice: "",
+        text: "[{at}: ]samples are lost in this turn, and it misses gravity by {size}: it does not lead to the direction of gravity that the accelerometer reads after it. The program does not use the turn",
+        advice: IF_EXACT,
         remedies: || vec![Remedy::RecordAgain],
     },
     Entry {

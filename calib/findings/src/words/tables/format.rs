@@ -6,6 +6,10 @@ use crate::remedy::{OptionName, Remedy};
 
 use crate::words::entry::Entry;
 
+/// When the end of a recording is not missed.
+const ALL_FOUND: &str =
+    "nothing has to be done if the program finds all placements that you made; else record again";
+
 pub(super) const ENTRIES: &[Entry] = &[
     Entry {
         kind: Kind::TextEncoding,
@@ -114,7 +118,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "the file is cut short",
         text: "the file ends within {within}[ at byte {byte}][ in line {line}]. The program has read what comes \
                before. The end of the recording may be missing",
-        advice: "record again if the missing end matters",
+        advice: ALL_FOUND,
         remedies: Vec::new,
     },
     Entry {
@@ -124,7 +128,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "the recording was not closed properly",
         text: "the file ends without a footer at byte {byte}: the recording was not closed properly. The end of the \
                recording may be missing",
-        advice: "",
+        advice: ALL_FOUND,
         remedies: Vec::new,
     },
     Entry {

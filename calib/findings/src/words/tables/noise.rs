@@ -14,8 +14,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "the noise of {sensor} {axis} is not known",
         text: "the program cannot tell the noise of {sensor} {axis}: the recording is too short, or the signal never \
                changes",
-        advice: "",
-        remedies: || vec![Remedy::RestLonger],
+        advice: "record at least 128 samples at rest; if there are that many, check the column, for its readings never change",
+        remedies: Vec::new,
     },
     Entry {
         kind: Kind::NoiseModelMisses,
@@ -51,8 +51,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.05,
         reason: "the mean of {sensor} {axis} jumps during the rest",
-        text: "the mean of {sensor} {axis} jumps by {listed}[ and {more} more times]. The jumps act as a random walk (slow drift at random) of {walk}, and the bias instability (slow wander at rest) includes them",
-        advice: "",
+        text: "the mean of {sensor} {axis} jumps by {listed}[ and {more} more times]. The jumps act as a random walk (slow drift at random) of {walk}. The bias instability (slow wander at rest) includes them",
+        advice: "use these values if the sensor jumps in use too; if not, analyse only the longest stretch between two jumps",
         remedies: || vec![Remedy::such_as(OptionName::Rest, "60,3600")],
     },
     Entry {
@@ -70,7 +70,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.05,
         reason: "readings of the {sensor} repeat for a while",
         text: "the readings of the {sensor} repeat one value at t = {listed}: nothing was measured in that time. The noise is therefore stated too small",
-        advice: "",
+        advice: "do not use these values; analyse only the longest stretch between two of these times",
         remedies: || vec![Remedy::such_as(OptionName::Rest, "60,3600")],
     },
     Entry {
@@ -78,8 +78,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.001,
         reason: "the {sensor} is slower than the rows",
-        text: "the {sensor} gives new readings less often than the file has rows: {share} of the rows repeat the reading before. The Allan deviation (scatter of means over a time) over a few samples and the noise from rounding are wrong by that",
-        advice: "",
+        text: "the {sensor} is slower than the file: {share} of the rows repeat the reading before. The Allan deviation (scatter of means over a time) over a few samples and the noise from rounding are wrong",
+        advice: "nothing has to be done unless you need these two values, for those over longer times hold",
         remedies: Vec::new,
     },
     Entry {
@@ -88,7 +88,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "how long the first rest must be is not known",
         text: "the recording is too short to tell how long the first rest of a calibration must be. The mean of the gyroscope does not settle in it",
-        advice: "",
-        remedies: || vec![Remedy::RestLonger],
+        advice: "nothing has to be done unless you need this time; if you do, record twice as long at rest, and again until the program finds it",
+        remedies: Vec::new,
     },
 ];

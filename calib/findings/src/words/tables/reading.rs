@@ -6,15 +6,21 @@ use crate::remedy::{OptionName, Remedy};
 
 use crate::words::entry::Entry;
 
+/// What decides whether a result that stands on less than was recorded can be used.
+pub(super) const IF_EXACT: &str =
+    "use the calibration from this recording if its standard errors are small enough for you";
+
+/// What missing or repeated samples ask for.
+pub(super) const LEFT_OUT: &str = "nothing has to be done, for the program leaves out the turns that this spoils and says so if too few are left";
+
 pub(super) const ENTRIES: &[Entry] = &[
     Entry {
         kind: Kind::Saturated,
         level: Level::Care,
         severity: 0.5,
         reason: "the {sensor} is saturated on {axis}",
-        text: "{sensor} {axis} is saturated at {limit} in {rows:row}[ between rows {from_row} and {to_row}]: its range \
-               ends at this value, and the true value is larger",
-        advice: "",
+        text: "{sensor} {axis} is saturated at {limit} in {rows:row}[ between rows {from_row} and {to_row}]: its range ends there, and the true value is larger. The program leaves out the turns and static intervals that this spoils",
+        advice: IF_EXACT,
         remedies: || vec![Remedy::LargerRange, Remedy::TurnSlower],
     },
     Entry {
@@ -44,7 +50,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.05,
         reason: "readings of the {sensors} repeat for a while",
         text: "{rows:row} repeated the reading of the {sensors} from the row before, in {places:place} ({listed}). The program leaves these rows out",
-        advice: "record again if these are many",
+        advice: LEFT_OUT,
         remedies: Vec::new,
     },
     Entry {
@@ -85,7 +91,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "the device did not lie still in {intervals}",
         text: "the {sensor} is up to {ratio} times noisier in {intervals} than in the others: its readings scatter more, as from vibration or a hand",
-        advice: "",
+        advice: IF_EXACT,
         remedies: || vec![Remedy::LayDown],
     },
     Entry {
@@ -94,16 +100,15 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "the noise of the {sensor} changes part of the way",
         text: "the {sensor} is up to {ratio} times noisier in {intervals} than before: its readings scatter more. Perhaps a fan or a motor ran then, or a setting of the sensor was changed",
-        advice: "",
-        remedies: || vec![Remedy::RecordAgain, Remedy::Split],
+        advice: "use the calibration from this recording if only a fan or a motor ran; if a setting was changed, split the recording where the noise changes and calibrate one part",
+        remedies: || vec![Remedy::RecordAgain],
     },
     Entry {
         kind: Kind::HandHeld,
         level: Level::Care,
         severity: 0.1,
         reason: "the device was held in the hand and never lies still",
-        text: "the device never lies still: its rate of rotation wavers by {rate} in the quietest stretches, as in a \
-               hand",
+        text: "the device never lies still: its rate of rotation wavers by {rate} in the quietest stretches, as in a hand. Where a calibration is possible, its standard errors tell whether it can be used",
         advice: "",
         remedies: || vec![Remedy::LayDown],
     },
@@ -176,7 +181,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "{system} had filtered the readings before",
         text: "{system} has subtracted from {gyro} the mean that it read when it started. It has also filtered {accel}",
-        advice: "",
+        advice: "use the calibration only for logs of {system} with the same filters, and estimate the gyroscope's bias again after each start",
         remedies: || vec![Remedy::Uncalibrated],
     },
     Entry {
@@ -185,7 +190,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.3,
         reason: "the accelerometer is the sum of two columns that the phone's software computed",
         text: "the accelerometer is the sum of `{linear}`, .. and gravity `{gravity}`, .., both computed by the phone's software. That software has corrected them by a calibration of its own",
-        advice: "",
+        advice: "use the calibration only for readings that the same phone's software has corrected in the same way",
         remedies: || vec![Remedy::Uncalibrated],
     },
     Entry {

@@ -5,6 +5,7 @@ use crate::level::Level;
 use crate::remedy::{OptionName, Remedy};
 
 use crate::words::entry::Entry;
+use crate::words::tables::reading::LEFT_OUT;
 
 pub(super) const ENTRIES: &[Entry] = &[
     Entry {
@@ -51,7 +52,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.05,
         reason: "samples of the {sensor} are missing",
         text: "the {sensor} has {count:gap} without samples, the longest of {longest} from t = {t0} on",
-        advice: "record again if the gaps are many or long",
+        advice: LEFT_OUT,
         remedies: Vec::new,
     },
     Entry {
@@ -60,7 +61,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.05,
         reason: "the log lost samples",
         text: "the log lost samples {count:time}, for {missing} in all, first at t = {t0} ({listed})",
-        advice: "nothing has to be done, for turns and static intervals without samples are not used",
+        advice: LEFT_OUT,
         remedies: Vec::new,
     },
     Entry {
@@ -77,7 +78,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.3,
         reason: "the clock of the log jumps back",
-        text: "the clock of the log jumps back {count:time}",
+        text: "the clock of the log jumps back {count:time}, and the program does not correct that. A calibration from this log is not to be used",
         advice: "",
         remedies: || vec![Remedy::RecordAgain],
     },
@@ -124,9 +125,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 30.0,
         reason: "the stamps may count the rows instead of seconds",
-        text: "the stamps go up by 1 from row to row. The program reads them as seconds, though they may count the \
-               rows",
-        advice: "",
+        text: "the stamps go up by 1 from row to row. The program reads them as seconds. If they count the rows, the rate has to be given; if they are milliseconds, the unit",
+        advice: "nothing has to be done if one row was recorded each second",
         remedies: || vec![Remedy::any_of([OptionName::Rate, OptionName::TimeUnit])],
     },
     Entry {

@@ -15,7 +15,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.02,
         reason: "a quiet stretch turns at a constant rate",
         text: "[the quiet stretch at {at} is no static interval][{count} quiet stretches are no static intervals ({listed})]: the device turned at a constant rate[ of {rate}], which no bias explains",
-        advice: "lay the device down where nothing turns",
+        advice: "nothing has to be done while ten static intervals are left; else lay the device down where nothing turns",
         remedies: Vec::new,
     },
     Entry {
@@ -33,7 +33,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.02,
         reason: "the device tilts in a quiet stretch",
         text: "[the quiet stretch at {at} is no static interval][{count} quiet stretches are no static intervals ({listed})]: the device tilts steadily[, by a slope of {slope} and {angle} in all]",
-        advice: "lay it down on something firm",
+        advice: "nothing has to be done while ten static intervals are left; else lay it down on something firm",
         remedies: Vec::new,
     },
     Entry {
@@ -42,7 +42,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.02,
         reason: "the device vibrates in a quiet stretch",
         text: "[the quiet stretch at {at} is no static interval][{count} quiet stretches are no static intervals ({listed})]: a machine or a hand shook the device there, and the program does not use it",
-        advice: "lay it down where no machine runs",
+        advice: "nothing has to be done while ten static intervals are left; else lay it down where no machine runs",
         remedies: Vec::new,
     },
     Entry {
@@ -51,7 +51,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.02,
         reason: "a sensor has no samples in a quiet stretch",
         text: "[the quiet stretch at {at} is no static interval][{count} quiet stretches are no static intervals ({listed})]: a sensor has no samples in that time",
-        advice: "give stretches in which all sensors were recorded",
+        advice: "nothing has to be done while ten static intervals are left; else give stretches in which all sensors were recorded",
         remedies: Vec::new,
     },
     Entry {

@@ -74,7 +74,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         reason: "the temperatures may be °F",
         text: "temperatures of {least} to {most} are taken as °C, though in °F they would be {least_celsius} to \
                {most_celsius}",
-        advice: "",
+        advice: "nothing has to be done if the values are in °C",
         remedies: || {
             vec![Remedy::NameUnit {
                 example: "temp [F]".into(),

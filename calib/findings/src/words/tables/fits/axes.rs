@@ -21,8 +21,8 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 1.0,
         reason: "the axes of the {sensor} differ in their range",
-        text: "the axes of the {sensor} read {x}, {y} and {z} raw whole numbers (counts) per m/s². These differ by {share}. The axes may not all have one range",
-        advice: "check the range that is set for each axis",
+        text: "the axes of the {sensor} read {x}, {y} and {z} raw whole numbers (counts) per m/s². These differ by {share}: the axes may have different ranges. The calibration converts each axis by its own number",
+        advice: "use this calibration for readings with the same ranges; if all axes should have one range, set it and record again",
         remedies: Vec::new,
     },
     Entry {
@@ -30,8 +30,8 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 3.0,
         reason: "the {sensor} reads gravity {share} {more} than it is, on all axes",
-        text: "the {sensor} reads gravity as {reads}, {share} {more} than {gravity}, on all axes alike[: {beyond} has another unit or range, or the local gravity is another][. The calibration corrects {carried}: nothing has to be done unless the factor to m/s² was wrong]",
-        advice: "",
+        text: "the {sensor} reads gravity as {reads}, {share} {more} than {gravity}, on all axes alike[: {beyond} has another unit or range, or the local gravity is another][. The calibration corrects {carried}]",
+        advice: "correct what is wrong of unit, range and local gravity[; if nothing is wrong, use this calibration, for it corrects {carried}]",
         remedies: || vec![Remedy::any_of([OptionName::AccelUnit, OptionName::Gravity])],
     },
     Entry {
@@ -49,7 +49,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the readings look like units of g",
         text: "the readings of the accelerometer look like units of g (9.8 m/s²). The calibration converts them to m/s²",
-        advice: "",
+        advice: "use this calibration for readings in the same unit",
         remedies: || vec![Remedy::set_to(OptionName::AccelUnit, "g")],
     },
     Entry {
@@ -66,8 +66,8 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Bad,
         severity: 10.0,
         reason: "the gyroscope misses gravity by {missed} after the fit",
-        text: "the gyroscope misses gravity by {missed} rms after the fit: its turns do not lead to the directions that the accelerometer reads. Perhaps axes of a sensor are exchanged or have the wrong sign, or the time stamps are wrong",
-        advice: "check the columns, the signs of the axes and the time stamps",
+        text: "the gyroscope misses gravity by {missed} rms after the fit: its turns do not lead to the directions that the accelerometer reads. Perhaps axes are exchanged, a sign or the time stamps are wrong",
+        advice: "do not use this calibration; compare columns, signs and time stamps with the description of the app or the data sheet, correct what differs, and record again if nothing does",
         remedies: || vec![Remedy::LookInto],
     },
     Entry {
@@ -94,7 +94,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         severity: 0.01,
         reason: "the gyroscope's axes are turned against the accelerometer's",
         text: "the gyroscope's axes are turned against the accelerometer's[: {axes}][, by an angle that is no {angle}]. The calibration turns them back[. If both sensors are mounted alike, the {other} is mirrored (left-handed) instead]",
-        advice: "",
+        advice: "[use this calibration if the data sheet draws the axes of the gyroscope and the {other} turned so; if it draws them alike, correct the sign of the {other}]",
         remedies: Vec::new,
     },
     Entry {
@@ -103,7 +103,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         severity: 30.0,
         reason: "the gyroscope's scale factor is {ratio} on all axes",
         text: "the gyroscope's scale factor is {ratio} on all axes, too far from 1 for a sensor: its unit or its sampling rate is wrong",
-        advice: "",
+        advice: "compare the length of the recording with its true duration: if they differ, the rate is wrong, and if not, the unit or the range",
         remedies: || vec![Remedy::any_of([OptionName::Rate, OptionName::GyroUnit])],
     },
     Entry {
@@ -112,7 +112,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         severity: 0.001,
         reason: "the gyroscope's unit looks like {unit}",
         text: "the readings of the gyroscope look like {unit}[ that were read as {read}]. The calibration converts them to rad/s",
-        advice: "",
+        advice: "use this calibration for readings in the same unit",
         remedies: || vec![Remedy::set_to(OptionName::GyroUnit, "deg/s")],
     },
 ];

@@ -88,8 +88,8 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.1,
         reason: "the device does not look like one of the prior's type",
-        text: "the device does not look like one of its type (the typical values given as a prior): {parameter} lies {distance} standard deviations from the mean of the type (by chance with a probability of {p}). The program does not use the prior",
-        advice: "check that the prior is for this type of device",
+        text: "the device does not look like its type (the typical values given as a prior): {parameter} lies {distance} standard deviations from the type's mean (by chance with probability {p}). The prior is not used",
+        advice: "use this calibration, which was made without the prior; if the device is of another type, give the prior of that type",
         remedies: Vec::new,
     },
     Entry {
@@ -116,7 +116,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         severity: 5.0,
         reason: "{name} is {value}, and {allowed} is allowed",
         text: "{name} is {value}, and {allowed} is allowed",
-        advice: "",
+        advice: "do not use this calibration where this limit has to hold",
         remedies: || vec![Remedy::RecordAgain],
     },
     Entry {

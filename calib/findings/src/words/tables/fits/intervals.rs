@@ -5,6 +5,7 @@ use crate::level::Level;
 use crate::remedy::{OptionName, Remedy, Setting};
 
 use crate::words::entry::Entry;
+use crate::words::tables::reading::IF_EXACT;
 
 pub(in super::super) const ENTRIES: &[Entry] = &[
     Entry {
@@ -66,9 +67,9 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.05,
         reason: "the readings drift in {at}",
-        text: "[{at}: ]the readings drift[ by {size}] while the device should rest, as when it slowly slips or the sensor warms up. The program fits the drift[ ({angle} in all, up to {slope} in the accelerometer's reading)]",
-        advice: "",
-        remedies: || vec![Remedy::RecordAgain, Remedy::LeaveOut],
+        text: "[{at}: ]the readings drift[ by {size}] while the device should rest, as when it slowly slips or warms up. The program fits the drift[ ({angle} in all, up to {slope} in the accelerometer's reading)]",
+        advice: IF_EXACT,
+        remedies: || vec![Remedy::RecordAgain],
     },
     Entry {
         kind: Kind::MountSlip,
@@ -76,8 +77,8 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         severity: 0.05,
         reason: "the device moved in {at}",
         text: "[{at}: ]the device moved[ by {size}] while it should have rested, as a slipping mount does. The program corrects for this move[ ({slip} at once)]",
-        advice: "",
-        remedies: || vec![Remedy::RecordAgain, Remedy::LeaveOut],
+        advice: IF_EXACT,
+        remedies: || vec![Remedy::RecordAgain],
     },
     Entry {
         kind: Kind::DisturbedInterval,
@@ -85,8 +86,8 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         severity: 0.03,
         reason: "something touched the device in {at}",
         text: "[{at}: ]something touched or pushed the device[, by {size}]. The program does not use the accelerometer's reading in this interval[ (off by {force})][ (shakes at t = {shaken}, {times} times as much as usual)][ (this cut a {cut} in two, and the shorter part counts as part of a turn)]",
-        advice: "",
-        remedies: || vec![Remedy::RecordAgain, Remedy::LeaveOut],
+        advice: IF_EXACT,
+        remedies: || vec![Remedy::RecordAgain],
     },
     Entry {
         kind: Kind::RateExcursion,
@@ -103,7 +104,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         severity: 0.1,
         reason: "{at} misses gravity, and is not used",
         text: "[{at}: ]the turn misses gravity[ by {size},] by far more than the noise: it does not lead to the direction of gravity that the accelerometer reads after it. The program does not use the turn[ (shakes at t = {shaken}, {times} times as much as usual)]",
-        advice: "",
+        advice: IF_EXACT,
         remedies: || vec![Remedy::RecordAgain],
     },
     Entry {
@@ -111,8 +112,8 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.02,
         reason: "a turn lasts long and may hide a static interval",
-        text: "{at} lasts {length}, and the program found no static interval (time at rest) in it",
-        advice: "",
+        text: "{at} lasts {length}, and the program found no static interval (time at rest) in it. It finds short ones with a smaller least length, and shaky ones with a higher threshold",
+        advice: "nothing has to be done if the device did not rest in it",
         remedies: || {
             vec![Remedy::IfWrong {
                 any_of: vec![
@@ -139,7 +140,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Bad,
         severity: 1.0,
         reason: "{at} disagrees with the others",
-        text: "{at} disagrees with the others by {size} (chance does that in {p} of recordings). The device may have been touched, or have slipped",
+        text: "{at} disagrees with the others by {size} (chance does that in {p} of recordings). The device may have been touched, or have slipped. Leaving the interval out is enough while ten others remain",
         advice: "",
         remedies: || vec![Remedy::LeaveOut, Remedy::RecordAgain],
     },
@@ -161,8 +162,8 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.005,
         reason: "the static intervals are short",
-        text: "static intervals (rests) of {least} and more are used, because too few are longer",
-        advice: "",
+        text: "static intervals (rests) of {least} and more are used, because too few last 2.5 s",
+        advice: IF_EXACT,
         remedies: || vec![Remedy::RestLonger],
     },
     Entry {

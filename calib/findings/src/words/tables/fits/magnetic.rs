@@ -5,6 +5,7 @@ use crate::level::Level;
 use crate::remedy::{OptionName, Remedy};
 
 use crate::words::entry::Entry;
+use crate::words::tables::reading::IF_EXACT;
 
 pub(in super::super) const ENTRIES: &[Entry] = &[
     Entry {
@@ -21,8 +22,8 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.5,
         reason: "the magnetic field differs from place to place",
-        text: "the magnetic field differs by {size} per axis from one static interval to the next ({share} of it; the magnetometer's noise makes {noise}), as near iron or currents. The program has enlarged the magnetometer's standard errors to cover that",
-        advice: "",
+        text: "the magnetic field differs by {size} per axis between static intervals ({share} of it; the magnetometer's noise makes {noise}), as near iron or currents. The program has enlarged the magnetometer's standard errors to cover that",
+        advice: IF_EXACT,
         remedies: || vec![Remedy::AwayFromIron],
     },
     Entry {
@@ -31,7 +32,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         severity: 0.3,
         reason: "the model of the magnetometer lacks {effect}",
         text: "the readings of the magnetometer depend on {effect}, a source of error that its model lacks. Its standard errors do not cover that",
-        advice: "",
+        advice: "use this calibration if you do not need the magnetometer",
         remedies: || vec![Remedy::set(OptionName::Effects)],
     },
     Entry {
@@ -40,7 +41,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         severity: 0.3,
         reason: "magnetometer and gyroscope disagree about the heading",
         text: "magnetometer and gyroscope disagree about the heading (the horizontal direction) after turns, by more than noise. The program calibrates the gyroscope by its turns alone",
-        advice: "",
+        advice: "use this calibration without its magnetometer",
         remedies: || vec![Remedy::AwayFromIron],
     },
     Entry {
@@ -58,7 +59,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         severity: 30.0,
         reason: "the axes of the magnetometer are turned or mirrored",
         text: "the magnetometer's axes are turned against the accelerometer's ({axes}), and the calibration turns them back. The corrected field then points {angle} {side} the horizontal plane[, which is right only {half} of the magnetic equator]",
-        advice: "",
+        advice: "[use this calibration if you are {half} of the magnetic equator]",
         remedies: || vec![Remedy::set(OptionName::Latitude)],
     },
     Entry {
@@ -67,7 +68,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         severity: 30.0,
         reason: "signs of the magnetometer's axes are wrong",
         text: "the magnetic field points {angle} {side} the horizontal plane, which cannot be at a latitude of {latitude}. One or three axes of the magnetometer, or all of the accelerometer, have the wrong sign",
-        advice: "",
+        advice: "correct the latitude if it is wrong; if it is right, compare the signs of both sensors with the data sheet",
         remedies: || vec![Remedy::such_as(OptionName::Flip, "mx")],
     },
     Entry {

@@ -6,6 +6,10 @@ use crate::remedy::Remedy;
 
 use crate::words::entry::Entry;
 
+/// What can be done with a recording of two parts.
+const ONE_PART: &str =
+    "do not use this calibration; split the recording at this place and calibrate the longer part";
+
 pub(in super::super) const ENTRIES: &[Entry] = &[
     Entry {
         kind: Kind::BiasStep,
@@ -13,8 +17,8 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         severity: 0.5,
         reason: "the bias of the {sensor} jumps part of the way",
         text: "the bias of the {sensor} on {axis} jumps by {size} between static intervals {after} and {before} ({at}). One calibration does not hold for both parts",
-        advice: "",
-        remedies: || vec![Remedy::Split, Remedy::RecordAgain],
+        advice: ONE_PART,
+        remedies: || vec![Remedy::RecordAgain],
     },
     Entry {
         kind: Kind::ScaleChange,
@@ -22,8 +26,8 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         severity: 3.0,
         reason: "the scale of the {sensor} changes part of the way",
         text: "the scale factor of the {sensor} on {axis} changes by {size} between static intervals {after} and {before} ({at})[, as with another unit or range of the {force}][, as with another range of the {rate}, or a clock that runs at another rate]. One calibration does not hold for both parts",
-        advice: "",
-        remedies: || vec![Remedy::Split, Remedy::RecordAgain],
+        advice: ONE_PART,
+        remedies: || vec![Remedy::RecordAgain],
     },
     Entry {
         kind: Kind::AxesTurnPartWay,
@@ -31,8 +35,8 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         severity: 5.0,
         reason: "the axes of the {sensor} turn part of the way",
         text: "the axes of the {sensor} turn by {size} between static intervals {after} and {before} ({at}), as if the sensor had moved in its case. One calibration does not hold for both parts",
-        advice: "",
-        remedies: || vec![Remedy::Split, Remedy::RecordAgain],
+        advice: ONE_PART,
+        remedies: || vec![Remedy::RecordAgain],
     },
     Entry {
         kind: Kind::SignChange,
@@ -40,8 +44,8 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         severity: 30.0,
         reason: "an axis of the {sensor} changes its sign part of the way",
         text: "the {axis} axis of the {sensor} changes its sign between static intervals {after} and {before} ({at}). One calibration does not hold for both parts",
-        advice: "",
-        remedies: || vec![Remedy::Split, Remedy::RecordAgain],
+        advice: ONE_PART,
+        remedies: || vec![Remedy::RecordAgain],
     },
     Entry {
         kind: Kind::ColumnsSwapPartWay,
@@ -49,24 +53,24 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         severity: 30.0,
         reason: "two columns of the {sensor} change places part of the way",
         text: "the columns {axis} of the {sensor} change places between static intervals {after} and {before} ({at}). One calibration does not hold for both parts",
-        advice: "",
-        remedies: || vec![Remedy::Split, Remedy::RecordAgain],
+        advice: ONE_PART,
+        remedies: || vec![Remedy::RecordAgain],
     },
     Entry {
         kind: Kind::TurnOff,
         level: Level::Care,
         severity: 0.3,
         reason: "{at} misses gravity, and the other turns do not",
-        text: "{at} misses gravity by {size}: unlike the other turns, it does not lead to the direction of gravity that the accelerometer reads after it. Perhaps rows are lost, repeated or moved in it, or the clock jumped",
-        advice: "",
-        remedies: || vec![Remedy::RecordAgain, Remedy::Split],
+        text: "{at} misses gravity by {size}: unlike the other turns, it does not lead to the direction that the accelerometer reads after it. Perhaps rows are lost, repeated or moved in it, or the clock jumped",
+        advice: "use this calibration if another warning says that this turn is not used",
+        remedies: || vec![Remedy::RecordAgain],
     },
     Entry {
         kind: Kind::IntervalOff,
         level: Level::Care,
         severity: 0.2,
         reason: "{at} disagrees with the turns before and after it",
-        text: "the direction of gravity in {at} is {size} off that to which the turns before and after it lead. The device may have been touched, or have slipped",
+        text: "the direction of gravity in {at} is {size} off that to which the turns before and after it lead. The device may have been touched. Leaving the interval out is enough while ten others remain",
         advice: "",
         remedies: || vec![Remedy::LeaveOut, Remedy::RecordAgain],
     },

@@ -73,8 +73,8 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::NoBatchPart,
-        "this file holds no results of a batch",
-        "leave it out of the call",
+        "this file holds no results of a batch: it is another file, or a damaged part",
+        "leave it out of the call if it is another file",
         || vec![Remedy::RunShard { shard: None }],
     ),
     Entry::error(

@@ -26,7 +26,7 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::ExportLeftHanded,
         "{target} wants right-handed axes, and the {of}'s are left-handed (det T < 0): one axis has to be read with the other sign",
-        "calibrate again with one axis turned over",
+        "compare the axes of the {of} with those in the data sheet; where one points the other way, correct its sign in the recording and calibrate again",
         || vec![Remedy::set(OptionName::Flip)],
     ),
     Entry::error(
@@ -84,8 +84,8 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::ScaleZero,
-        "{target} divides by the scale factors, and one of them is zero",
-        "calibrate the device again",
+        "{target} divides by the scale factors, and one of them is zero: the readings of an axis do not change with the placement",
+        "look for this axis in the recording, correct its column or its connection, and calibrate again",
         Vec::new,
     ),
     Entry::error(

@@ -91,7 +91,7 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::ExportOfOther,
         "the file that the phone exported is of another session than the one that the program guided",
-        "next time leave the experiment open and keep its data until the program ends",
+        "use the calibration that is made from the live readings instead; next time leave the experiment open and keep its data until the program ends",
         Vec::new,
     ),
 ];

@@ -21,7 +21,7 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     note(
         Kind::DensitiesUnknown,
         "the calibration does not tell {listed}, of which Kalibr wants a number each",
-        "",
+        "write in numbers of the data sheet",
         || vec![Remedy::AnalyseNoise],
     ),
     note(
@@ -56,14 +56,14 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     ),
     note(
         Kind::NotApplied,
-        "the functions that were written leave out {what}[: an error of up to {size} at {signal}]. Its numbers are in the file beside them",
-        "",
+        "the functions that were written do not correct {what}[: an error of up to {size} at {signal} remains]. Its numbers are in the file beside them",
+        "nothing has to be done if that is small enough for you; else correct it in your own code by these numbers",
         Vec::new,
     ),
     note(
         Kind::LostInExport,
-        "the export leaves out {what}[: an error of up to {size} at {signal}]",
-        "",
+        "the export leaves out {what}[: an error of up to {size} at {signal} remains]",
+        "nothing has to be done if that is small enough for you; else correct recordings by the calibration itself (the command apply)",
         Vec::new,
     ),
 ];

@@ -53,7 +53,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::SensorUnclear,
-        "the names of the columns tell no {sensor}, but the columns {columns} change and are not used: one of them may be it",
+        "the names of the columns tell no {sensor}, but the columns {columns} change and are not used. If they hold the {sensor}, name them. If they do not, only one sensor was recorded",
         "",
         || vec![Remedy::OneSensor],
     ),

@@ -100,8 +100,8 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::LogSensorUnclear,
-        "the program recognises no {sensor} in the file, but {unclear} may be one",
-        "rename it after its sensor, or go on without the {sensor} and name what is to be read",
+        "the program recognises no {sensor} in the file, but {unclear} may be one. If a topic is named, the program reads it without the {sensor}",
+        "rename it after its sensor if it is the {sensor}; if it is not, record the {sensor} too",
         || vec![Remedy::set(OptionName::Topic)],
     ),
     Entry::error(

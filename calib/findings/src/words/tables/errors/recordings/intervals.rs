@@ -8,13 +8,13 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::NoSamples,
         "the accelerometer or the gyroscope has no samples",
-        "record that sensor again",
+        "look in the file which of the two has no readings and record that sensor again",
         || vec![Remedy::set(OptionName::Sensor)],
     ),
     Entry::error(
         Kind::TooShort,
         "the recording has {length} of samples, and the search for rests looks at windows of {window}",
-        "record longer",
+        "record longer: hold the device still for 5 s in each of at least ten placements",
         Vec::new,
     ),
     Entry::error(

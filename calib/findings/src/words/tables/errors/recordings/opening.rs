@@ -107,8 +107,8 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::NotUtf8,
-        "no UTF-8 text is in this line: is this another file, or damaged?",
-        "check that it is the right file",
+        "no UTF-8 text is in this line: the file is another one, is damaged, or has another encoding",
+        "name the right file if this is another; if it is the right one, copy it again or save it as UTF-8 in a text editor",
         Vec::new,
     ),
     Entry::error(

@@ -14,7 +14,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::AxisConstant,
         "{sensor} {axis} is {value} in every row up to line {last}: {doubt}",
-        "record again, or calibrate without this sensor",
+        "correct the column if it is the wrong one; if it is right, check the sensor and record again; if you do not need this sensor, calibrate without it",
         Vec::new,
     ),
     Entry::error(
@@ -25,8 +25,8 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::ReadingsTiny,
-        "{sensor} {axis} never exceeds {peak}: wrong unit?",
-        "check the unit of the sensor",
+        "{sensor} {axis} never exceeds {peak}, too little for this sensor, as in a wrong unit",
+        "give the unit in which the file was written; if that is right, check whether the sensor works",
         Vec::new,
     ),
     Entry::error(
@@ -56,13 +56,13 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::SensorStopped,
         "the {sensor} reads {reading} on all axes from t = {t0} to the end ({count} samples) while the other sensor goes on: disconnected?",
-        "cut the recording at that time, or record again",
+        "cut the recording at that time if at least ten placements lie before it; if not, check the sensor and record again",
         Vec::new,
     ),
     Entry::error(
         Kind::RowsOfDevices,
-        "{count} rows have the stamp of the row before, and their readings of the {sensor} differ by {apart} where rows of one device differ by {usual}: are they of several devices?",
-        "export each device by itself",
+        "{count} rows have the stamp of the row before. Their readings of the {sensor} differ by {apart} where rows of one device differ by {usual}: they may be of several devices",
+        "export each device by itself if several wrote the rows; if one did, export finer time stamps",
         || vec![Remedy::such_as(OptionName::Rate, "100")],
     ),
     Entry::error(

@@ -79,8 +79,8 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::NumberAbsurd,
-        "`{cell}` in {column}: no sensor and no clock reads that; wrong column, or wrong unit?",
-        "check the columns and the row",
+        "`{cell}` in {column}: no sensor and no clock reads that, as in a wrong column or unit",
+        "delete this row if it alone is so; else name the right column or unit",
         Vec::new,
     ),
     Entry::error(

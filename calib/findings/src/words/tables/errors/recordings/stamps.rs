@@ -83,7 +83,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::TimeGoesBack,
-        "time goes back from {from} to {to}[ at record {record}][ (counted from {origin})]: the rows are out of order, or the clock began again",
+        "time goes back from {from} to {to}[ at record {record}][ (counted from {origin})]. If the stamps pass {from} again within a few rows, the rows are out of order; if not, the clock began again",
         "",
         || vec![Remedy::set(OptionName::SortTime), Remedy::Split],
     ),

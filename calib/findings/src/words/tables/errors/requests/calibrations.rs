@@ -50,25 +50,25 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::PriorFrame,
         "the prior (typical values of a type of device) is for the usual choice of axes. The calibration has the symmetric one (symmetric frame)",
-        "calibrate again without the symmetric frame",
+        "calibrate again without the symmetric frame; if you need this frame, calibrate without the prior",
         Vec::new,
     ),
     Entry::error(
         Kind::PriorForeign,
-        "the prior (typical values of a type of device) and the calibration have no parameter in common",
-        "use the prior of this type of device, or calibrate without one",
+        "the prior (typical values of a type of device) and the calibration have no parameter in common. They may be of other sensors",
+        "use the prior of this type of device if you named another; if you have none, calibrate without a prior",
         Vec::new,
     ),
     Entry::error(
         Kind::PriorUnusable,
         "the prior (typical values of a type of device) cannot be used: it should hold a mean and a covariance for each of {count:parameter}, and does not",
-        "make the prior again from the batch of these devices",
+        "make the prior again from the batch of these devices; if you do not have the batch, calibrate without the prior",
         Vec::new,
     ),
     Entry::error(
         Kind::PriorDegenerate,
         "the prior (typical values of a type of device) does not go with the recording: the fit of both together has no solution. The prior is damaged, or was made of too few devices",
-        "make the prior again from more devices, or calibrate without it",
+        "calibrate without the prior now; for later devices, make the prior again from more devices",
         Vec::new,
     ),
     Entry::error(
@@ -86,7 +86,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::OfOtherUnits,
         "corrected by this calibration, the accelerometer's readings have a median length of {median}, where gravity is {gravity}. The calibration is for another unit or another device",
-        "",
+        "use this calibration for no recording of another device",
         || {
             vec![
                 Remedy::OwnCalibration,
@@ -98,13 +98,13 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::DevicesDiffer,
         "{parameter} is {one} in {first} and {two} in {second}, {distance} standard errors apart. The recordings are of different devices, or of one device at different temperatures[ ({celsius})]",
-        "if the devices differ, calibrate each alone",
+        "calibrate each recording alone if the devices differ; if it is one device, record again at one temperature",
         || vec![Remedy::set(OptionName::ForceDevice)],
     ),
     Entry::error(
         Kind::GyroscopeOfOther,
         "{parameter} of the gyroscope differs by {change} ± {error} from the other recordings. This recording is of another device[, or at another temperature ({celsius})], or its clock ran fast or slow",
-        "if the device is another, calibrate it alone",
+        "calibrate this recording alone if the device is another; if it is the same, record again at the temperature of the others and with the time stamps of the sensor",
         || vec![Remedy::set(OptionName::ForceDevice)],
     ),
     Entry::error(
@@ -116,7 +116,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::AxesOfOtherTurned,
         "the axes of this recording are turned against those of {other}: by their biases and scale factors, {axes}. One calibration of both would be wrong for either",
-        "calibrate each recording alone",
+        "compare the order and the signs of the columns in both recordings, and correct them if they are wrong; if they are right, calibrate each recording alone",
         || vec![Remedy::set(OptionName::ForceDevice)],
     ),
 ];

@@ -91,8 +91,8 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::OwnEffectSuspected,
-        "the model holds [an effect of your own ({effect})][effects of your own ({effects})]: if a calibration without works, the reason is a formula of yours",
-        "calibrate without your own effects once",
+        "the model holds [an effect of your own ({effect})][effects of your own ({effects})]: a wrong formula may be the reason",
+        "calibrate once without your own effects; if that works, correct their formulas; if it fails too, look for the reason in the recording",
         Vec::new,
     ),
     Entry::error(

@@ -19,13 +19,13 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::FitStopped,
         "the fit of the {sensor} came to no end in {steps:step}[: its readings at rest still differ from gravity by {left}]",
-        "check that [the gravity of {gravity} is right and that ]the device was still in its static intervals",
+        "[give the right gravity if {gravity} is not that of your place; else ]record again and keep the device still in every placement",
         Vec::new,
     ),
     Entry::error(
         Kind::NothingToCalibrate,
-        "the recording has nothing to calibrate",
-        "record the device at rest in several orientations",
+        "the recording has nothing to calibrate: no placements of an accelerometer and no rests of a gyroscope",
+        "record an accelerometer and a gyroscope, with the device at rest in at least ten placements",
         Vec::new,
     ),
     Entry::error(
@@ -55,7 +55,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::AttitudesLeaveOpen,
         "the orientations of the device do not determine the magnetometer's axes and offset[ ({open})][: its fit did not end ({ending})]",
-        "hold every face up and turn the device to other headings in between",
+        "record again with each of the six faces up once, and point the device to another heading (compass direction) each time",
         Vec::new,
     ),
     Entry::error(

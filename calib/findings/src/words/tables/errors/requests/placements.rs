@@ -7,7 +7,7 @@ use crate::words::entry::Entry;
 pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::Requirement,
-        "record at least {least} placements ({advised} are better), with each face up once and down once. Hold the device still for {rest} in each, and turn it by at most {fastest} in between",
+        "record at least {least} placements in all ({advised} are better), with each face up once and down once. Hold the device still for {rest} in each, and turn no faster than {fastest}",
         "",
         Vec::new,
     ),
@@ -69,24 +69,46 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
         Kind::TurnsUnusable,
         "none of {count:turn} can be used[; {gaps} with samples missing][; {frozen} with one reading repeated][; {saturated} faster than the gyroscope can read][; {empty} without samples]",
         "",
-        || vec![Remedy::TurnEachAxis],
+        || {
+            vec![
+                Remedy::TurnSlower,
+                Remedy::LoseNoSamples,
+                Remedy::FreezeNoRows,
+                Remedy::BothSensors,
+            ]
+        },
     ),
     Entry::error(
         Kind::TurnsUsableFew,
         "{usable} of {count:turn} can be used[, and {least} or more are needed][; {gaps} with samples missing][; {frozen} with one reading repeated][; {saturated} faster than the gyroscope can read][; {empty} without samples]",
         "",
-        || vec![Remedy::TurnEachAxis],
+        || {
+            vec![
+                Remedy::TurnEachAxis,
+                Remedy::TurnSlower,
+                Remedy::LoseNoSamples,
+                Remedy::FreezeNoRows,
+                Remedy::BothSensors,
+            ]
+        },
     ),
     Entry::error(
         Kind::TurnsUsableOpen,
         "{usable} of {count:turn} can be used, and they do not determine all unknowns of the gyroscope[; {gaps} with samples missing][; {frozen} with one reading repeated][; {saturated} faster than the gyroscope can read][; {empty} without samples]",
         "",
-        || vec![Remedy::TurnEachAxis],
+        || {
+            vec![
+                Remedy::TurnSlower,
+                Remedy::LoseNoSamples,
+                Remedy::FreezeNoRows,
+                Remedy::BothSensors,
+            ]
+        },
     ),
     Entry::error(
         Kind::NeverStill,
         "no static interval was found: the device is never still for long enough[ (the quietest seconds and their spread: {quietest})]",
-        "lay the device down for {rest} between the turns",
+        "record again and lay the device down for {rest} or longer in every placement; if it lay that long already, stop what shakes it",
         || {
             vec![Remedy::any_of([
                 OptionName::MinStatic,
@@ -97,13 +119,13 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::NeverQuiet,
         "no quiet stretch is long enough to show a device at rest (in the quietest the rate wavers by {rate})",
-        "lay the device down for 5 s between the turns",
+        "record again and lay the device down for 5 s or longer in every placement; if it lay that long already, stop what shakes it",
         || vec![Remedy::set(OptionName::Multiplier)],
     ),
     Entry::error(
         Kind::QuietNotStatic,
-        "the recording has {found:static interval}; {count:quiet stretch} are none, the first: {first}",
-        "lay the device down instead of holding it",
+        "the program found {found:static interval}, too few for a calibration, and {count:quiet stretch} that it cannot use. The first: {first}",
+        "record again and lay the device on a firm support in every placement instead of holding it",
         Vec::new,
     ),
     Entry::error(
@@ -115,8 +137,8 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::NoSphere,
         "the means of the readings in {count:placement} at rest do not have one length, as gravity would give them. So the program cannot tell the accelerometer's unit",
-        "check the columns of the accelerometer",
-        || vec![Remedy::Plan],
+        "correct the columns of the accelerometer if they are the wrong ones; if they are right, record again with the device still in every placement",
+        Vec::new,
     ),
     Entry::error(
         Kind::NoGravityAtRest,
@@ -127,7 +149,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::NoRest,
         "no rest of the {sensor} was found: the device is never still for long enough",
-        "lay the device down in each placement",
+        "record this placement again and lay the device down for 5 s or longer",
         Vec::new,
     ),
     Entry::error(
@@ -150,8 +172,8 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::RestsInPlane,
-        "the rests do not tell the three axes apart (condition {condition}): they are too alike",
-        "turn the device further between the rests",
+        "the orientations of the rests are too alike to tell the biases of the three axes apart (condition number {condition})",
+        "record again with each of the six faces up once",
         Vec::new,
     ),
 ];
