@@ -80,12 +80,10 @@ impl Place {
 impl Finding {
     /// The finding in words: where, what, and what to do.
     pub fn text(&self, front: Front) -> String {
-        let what = template::filled(entry(self.kind).text, self);
-        let mut text = match self.place.in_words() {
-            Some(place) => format!("{place}: {what}"),
-            None => what,
-        };
+        let mut text = self.stated();
         let advice = self.advice(front);
+        // What goes on and has advice of its own needs none of its cause.
+        let is_advised = advice.is_some() && self.level != Level::Error;
         let nothing = || (self.level == Level::Remark).then(|| NOTHING_TO_DO.to_owned());
         if let Some(advice) = advice.or_else(nothing) {
             text.push_str("; ");
@@ -93,9 +91,21 @@ impl Finding {
         }
         for cause in &self.because {
             text.push_str("; ");
-            text.push_str(&cause.text(front));
+            text.push_str(&match is_advised {
+                true => cause.stated(),
+                false => cause.text(front),
+            });
         }
         text
+    }
+
+    /// Where and what.
+    fn stated(&self) -> String {
+        let what = template::filled(entry(self.kind).text, self);
+        match self.place.in_words() {
+            Some(place) => format!("{place}: {what}"),
+            None => what,
+        }
     }
 
     /// Returns the message without its place and without advice.

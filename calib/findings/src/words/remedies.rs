@@ -445,9 +445,7 @@ fn setting(setting: &Setting, front: Front) -> String {
     let [plain, ..] = names(setting.option);
     let changes = |value: &String| value.contains(['*', '+']);
     match (setting.option, setting.value.as_ref().is_some_and(changes)) {
-        (OptionName::Columns, true) => {
-            with_setting(&format!("{plain} with this change"), setting, front)
-        }
+        (OptionName::Columns, true) => with_setting("the columns with this change", setting, front),
         _ => with_setting(plain, setting, front),
     }
 }

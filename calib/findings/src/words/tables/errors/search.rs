@@ -33,8 +33,8 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::NoPlacements,
-        "no recording of so few placements tells these errors apart",
-        "ask for more placements in the plan",
+        "no recording of so few placements tells the errors apart that the findings leave open",
+        "plan with a larger number of placements",
         Vec::new,
     ),
     Entry::error(

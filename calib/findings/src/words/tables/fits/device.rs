@@ -115,7 +115,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Bad,
         severity: 5.0,
         reason: "{name} is {value}, and {allowed} is allowed",
-        text: "{name} is {value}, and {allowed} is allowed",
+        text: "{name} is {value}. Its limit allows {allowed}",
         advice: "do not use this calibration where this limit has to hold",
         remedies: || vec![Remedy::RecordAgain],
     },

@@ -36,7 +36,7 @@ pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::ListsInRecords,
         "the JSON holds lists within its records, as `{name}`",
-        "write a record per sample",
+        "write a record for each sample, in which each name has one number",
         Vec::new,
     ),
     Entry::error(

@@ -56,7 +56,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::NoText,
         "this file is no text, where a table of one sensor was expected",
-        "name the table of the sensor by itself",
+        "name a text table, such as CSV, for each sensor; a recording of both sensors in one file is named by itself",
         Vec::new,
     ),
     Entry::error(

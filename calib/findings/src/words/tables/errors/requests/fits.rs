@@ -12,7 +12,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::SolverRefused,
-        "no calibration fits this recording: its numbers are too large, too small or not those of a sensor[ ({reason})]",
+        "no calibration fits this recording: its numbers are too large, too small or not those of a sensor",
         "check the units and the columns of the recording",
         Vec::new,
     ),
@@ -49,7 +49,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::FieldUnitsDiffer,
         "the magnetometer of this recording is in {unit}, that of {other} in {others}",
-        "name the same unit in both files",
+        "convert one of them, so that both files have one unit and say so",
         Vec::new,
     ),
     Entry::error(
