@@ -8,8 +8,9 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+mod base;
+mod calibrated;
 mod discovery;
-mod enough;
 mod extension;
 mod family;
 mod fault;
@@ -27,7 +28,6 @@ mod request;
 mod score;
 mod search;
 mod separation;
-mod settle;
 mod state;
 mod units;
 mod visible;

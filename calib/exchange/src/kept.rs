@@ -16,7 +16,7 @@ pub struct Kept {
     pub magnetometer: Option<Base<f64>>,
     /// True if the form subtracts the g-sensitivity `G f` from the rate.
     pub g_sensitivity: bool,
-    /// True if the form holds the effects that are formulas of one instant ([`is_code`](crate::targets::code::is_code)).
+    /// True if the form holds the effects that are formulas of one instant.
     pub formulas: bool,
     /// True if the form holds every effect of the calibration.
     pub effects: bool,

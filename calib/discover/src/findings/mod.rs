@@ -1,9 +1,11 @@
 //! Findings of `discover`: the contents of findings.json.
 
+pub(super) mod assembled;
 pub(super) mod beside;
 pub(super) mod late;
 pub(super) mod latitude;
 pub(super) mod named;
+pub(super) mod proposed;
 pub(super) mod room;
 pub(super) mod typed;
 

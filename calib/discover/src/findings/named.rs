@@ -44,8 +44,26 @@ impl<'a> Final<'a> {
     }
 }
 
+/// The findings of all effects that a search named; what they make doubtful is added to the calibration's warnings.
+pub fn findings(
+    search: &Search,
+    calibration: &mut Calibration,
+    request: &Request,
+) -> Vec<EffectFinding> {
+    let is_effect = |name: &&Name| matches!(name.claim, Claim::Effect(_));
+    if !search.names.iter().any(|name| is_effect(&name)) {
+        return Vec::new();
+    }
+    let last = Final::of(search, calibration, request);
+    let names = search.names.iter().filter(is_effect);
+    let found: Vec<EffectFinding> = names.map(|name| finding(name, &last)).collect();
+    let doubts = found.iter().filter_map(|e| e.latitude_in_doubt.clone());
+    calibration.warnings.extend(doubts);
+    found
+}
+
 /// The finding of a name.
-pub fn finding(name: &Name, last: &Final<'_>) -> EffectFinding {
+fn finding(name: &Name, last: &Final<'_>) -> EffectFinding {
     let without = &name.without;
     let noise = last.noise;
     let sequence = Sequence::of(without, noise);

@@ -7,7 +7,8 @@ use recording::{Error, Recording};
 use sensor::AnyEffect;
 
 use super::findings::UnitAlone;
-use crate::discovery::{calibration, discover_in};
+use crate::calibrated::calibration;
+use crate::discovery::discover_in;
 use crate::extension::Extension;
 use crate::findings::Findings;
 use crate::findings::named::parameters_of;

@@ -73,14 +73,14 @@ pub fn apply_with(
                 stream.values.iter_mut().for_each(|v| *v = base.correct(v));
             }
             Some(_) => correct(stream, sensor, &truth, &models)?,
-            None => corrected.warnings.push(
-                Finding::of(Kind::LeftAsRead).of_sensor(sensor).detail(
-                    "why",
-                    calibration
-                        .why_not(sensor)
-                        .map_or("", |own| own.reason.in_words()),
-                ),
-            ),
+            None => {
+                let found = Finding::of(Kind::LeftAsRead).of_sensor(sensor);
+                let why = calibration.why_not(sensor);
+                corrected.warnings.push(match why {
+                    Some(own) => found.detail("why", own.reason.in_words()),
+                    None => found,
+                });
+            }
         }
     }
     Ok(corrected)

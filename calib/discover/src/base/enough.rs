@@ -3,8 +3,8 @@
 use findings::{Finding, Kind};
 use recording::Error;
 
-use super::request::Session;
-use super::state::State;
+use crate::request::Session;
+use crate::state::State;
 
 /// Refuses a session without an accelerometer or with too few rests.
 ///

@@ -1,0 +1,123 @@
+//! The calibration of a final model, with what its recordings determine.
+
+mod settle;
+
+use ::findings::{Finding, Kind};
+use estimate::calibrate::{Account, Frame, gyroscope_of_one_device, written_down};
+use estimate::calibration::Calibration;
+use recording::{Error, Recording};
+use sensor::AnyEffect;
+pub(crate) use settle::{HeldShape, settle};
+
+use self::settle::say_held;
+use super::family::Claim;
+use super::request::{Request, Session};
+use super::search::Search;
+use super::state::State;
+
+/// The calibration of the final model, `held` what its recordings do not show of the shapes of named effects; with what is to be said of the
+/// recordings.
+///
+/// # Errors
+/// A model whose parameters these recordings do not determine, however few names are left.
+pub(super) fn calibrated(
+    session: &Session<'_>,
+    request: &Request,
+    search: &mut Search,
+    held: Vec<HeldShape>,
+) -> Result<Calibration, Error> {
+    let (mut calibration, held) = determined(session, request, search, held)?;
+    say_held(&mut calibration, &held);
+    let warnings = &mut calibration.warnings;
+    warnings.extend(unknown_temperature(&search.last));
+    warnings.extend(gyroscope_of_one_device(
+        &search.last.fit,
+        &session.ready(),
+        true,
+    )?);
+    warnings.extend(search.spent.clone());
+    Ok(calibration)
+}
+
+/// The calibration of a model.
+pub(super) fn calibration(
+    session: &Session<'_>,
+    last: &State,
+    request: &Request,
+) -> Result<Calibration, Error> {
+    calibration_that(request.latitude.is_some(), session, last, request)
+}
+
+/// The same, which may keep the earth's rotation in corrected rates though no latitude is given.
+pub(super) fn calibration_that(
+    keeps_the_earth: bool,
+    session: &Session<'_>,
+    last: &State,
+    request: &Request,
+) -> Result<Calibration, Error> {
+    let recordings: Vec<&Recording> = session.ready();
+    let choices: Vec<_> = session.recordings.iter().map(|(_, c)| c).collect();
+    let mut warnings = session.remarks.clone();
+    let account = Account {
+        gravity: request.gravity,
+        gravity_source: request.gravity_source,
+        latitude: request.latitude,
+        keeps_the_earth,
+        frame: Frame::default(),
+        names_what_is_missing: true,
+    };
+    let calibration = written_down(&last.fit, &recordings, &choices, &account, &mut warnings)?;
+    let mut calibration = Calibration {
+        warnings,
+        ..calibration
+    };
+    calibration.carry_gravity(request.gravity_source);
+    Ok(calibration)
+}
+
+/// The calibration of the final model, with the names that these recordings determine: where they leave a parameter open,
+/// the one goes without which they do not, that with the most parameters first, or else the least evident one.
+fn determined(
+    session: &Session<'_>,
+    request: &Request,
+    search: &mut Search,
+    mut held: Vec<HeldShape>,
+) -> Result<(Calibration, Vec<HeldShape>), Error> {
+    loop {
+        let refused = match calibration(session, &search.last, request) {
+            Ok(calibration) => return Ok((calibration, held)),
+            Err(Error::Cancelled) => return Err(Error::Cancelled),
+            Err(refused) => refused,
+        };
+        let extension = search.last.extension.clone();
+        let less = |effect: &dyn AnyEffect| {
+            let mut less = extension.clone();
+            less.settles = false;
+            less.effects.retain(|(own, _)| own.name() != effect.name());
+            less
+        };
+        let effects = search.names.iter().filter_map(|name| match name.claim {
+            Claim::Effect(effect) => Some(effect),
+            _ => None,
+        });
+        let mut effects: Vec<&'static dyn AnyEffect> = effects.collect();
+        let Some(weakest) = effects.last().copied() else {
+            return Err(refused);
+        };
+        effects.sort_by_key(|effect| std::cmp::Reverse(effect.params().len()));
+        let helps = |effect: &&&'static dyn AnyEffect| {
+            let state = search.fit(session, less(**effect));
+            state.is_ok_and(|state| calibration(session, &state, request).is_ok())
+        };
+        let gone = effects.iter().find(helps).copied().unwrap_or(weakest);
+        search.withdraw_to(session, less(gone))?;
+        held = settle(session, &mut search.last);
+    }
+}
+
+/// Returns the finding that a temperature is missing from some of the recordings; `None` where none lacks it.
+fn unknown_temperature(state: &State) -> Option<Finding> {
+    let without = state.fit.data.without_thermometer();
+    let names = without.join(" and ");
+    (!without.is_empty()).then(|| Finding::of(Kind::TemperatureUnknown).detail("without", names))
+}
