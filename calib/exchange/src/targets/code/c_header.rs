@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use findings::{Finding, Kind};
 use nalgebra::{Matrix3, Vector3};
 use sensor::expression::Language;
-use sensor::{Axis, Base, Covariate, REFERENCE_TEMPERATURE, Sensor};
+use sensor::{Base, Sensor};
 
 use crate::error::Error;
 use crate::kept::Kept;
@@ -65,7 +65,7 @@ impl Target for CHeader {
             text.push_str(&function(source, Sensor::Magnetometer, base)?);
         }
         if let Some(effects) = effects {
-            text.push_str(&whole(source, &effects));
+            text.push_str(&whole(&effects));
         }
         text.push_str("#endif\n");
         Ok(Written::text(text))
@@ -123,62 +123,43 @@ fn function(source: &Source<'_>, sensor: Sensor, base: &Base<f64>) -> Result<Str
 }
 
 /// Both sensors with the effects.
-fn whole(source: &Source<'_>, effects: &Effects) -> String {
-    let has = |sensor| effects.errors.iter().any(|(own, _)| *own == sensor);
-    let (accelerometer, gyroscope) = (has(Sensor::Accelerometer), has(Sensor::Gyroscope));
-    let mut arguments = Vec::new();
-    arguments.extend(accelerometer.then_some("const float raw_accelerometer[3]"));
-    arguments.extend(gyroscope.then_some("const float raw_gyroscope[3]"));
-    arguments.extend(["float celsius", "float seconds"]);
-    arguments.extend(accelerometer.then_some("float force[3]"));
-    arguments.extend(gyroscope.then_some("float rate[3]"));
+fn whole(effects: &Effects) -> String {
+    let signals = || effects.signals.iter();
+    let raw = signals().map(|own| format!("const float raw_{}[3]", own.name));
+    let out = signals().map(|own| format!("float {}[3]", own.signal));
+    let surroundings = ["float celsius", "float seconds"].map(str::to_owned);
+    let arguments: Vec<String> = raw.chain(surroundings).chain(out).collect();
     let mut text = format!(
         "/* the whole calibration, with the effects of the sensors: temperature in deg C, time since the first sample in s,\n\
          \x20  force in m/s^2 and rate in rad/s of one instant; the functions above leave the effects out */\n\
          static inline void stillpoint_correct({})\n{{\n",
-        arguments.join(", ")
+        arguments.join(",\n                                      ")
     );
-    let surroundings = [
-        (Covariate::Time, "t = seconds".to_owned()),
-        (Covariate::Temperature, "T = celsius".to_owned()),
-        (
-            Covariate::TemperatureChange,
-            format!("dT = celsius - {}", single(REFERENCE_TEMPERATURE)),
-        ),
-    ];
-    for (covariate, set) in surroundings {
-        if effects.look_at(covariate) {
-            let _ = writeln!(text, "    const float {set};");
-        }
+    for set in &effects.surroundings {
+        let _ = writeln!(text, "    const float {set};");
     }
-    let mut first = String::new();
-    let mut known = String::new();
-    let mut next = String::new();
-    for (sensor, errors) in &effects.errors {
-        let (base, out, name) = match sensor {
-            Sensor::Accelerometer => ("a", "force", "accelerometer"),
-            _ => ("w", "rate", "gyroscope"),
-        };
-        let is_with_force = *sensor == Sensor::Gyroscope && source.g_sensitivity.is_some();
-        let beside = if is_with_force { ", nothing" } else { "" };
-        if is_with_force {
+    let (mut first, mut known, mut next) = (String::new(), String::new(), String::new());
+    for own in signals() {
+        let (name, base, signal) = (own.name, own.base, own.signal);
+        let mut beside = "";
+        if own.takes_force {
             text.push_str("    const float nothing[3] = {0.0f, 0.0f, 0.0f};\n");
+            beside = "nothing, ";
         }
         let _ = writeln!(text, "    float {base}[3];");
         let _ = writeln!(
             first,
-            "    stillpoint_correct_{name}(raw_{name}{beside}, {base});\n    \
-             for (i = 0; i < 3; ++i) {{\n        {out}[i] = {base}[i];\n    }}"
+            "    stillpoint_correct_{name}(raw_{name}, {beside}{base});\n    \
+             for (i = 0; i < 3; ++i) {{\n        {signal}[i] = {base}[i];\n    }}"
         );
-        for (i, axis) in Axis::ALL.into_iter().enumerate() {
-            let covariate = match sensor {
-                Sensor::Accelerometer => Covariate::SpecificForce(axis),
-                _ => Covariate::AngularRate(axis),
-            };
-            if effects.look_at(covariate) {
-                let _ = writeln!(known, "        const float {covariate} = {out}[{i}];");
-            }
-            let _ = writeln!(next, "        {out}[{i}] = {base}[{i}] - ({});", errors[i]);
+        for (component, axis) in &own.seen {
+            let _ = writeln!(known, "        const float {component} = {signal}[{axis}];");
+        }
+        for (axis, error) in own.errors.iter().enumerate() {
+            let _ = writeln!(
+                next,
+                "        {signal}[{axis}] = {base}[{axis}] - ({error});"
+            );
         }
     }
     let _ = writeln!(

@@ -1,7 +1,7 @@
 //! Effects of a calibration as code: the signals are what the base models give less the errors at the signals.
 
 use sensor::expression::Language;
-use sensor::{AnyEffect, Axis, Covariate, Sensor, error_code};
+use sensor::{AnyEffect, Axis, Covariate, REFERENCE_TEMPERATURE, Sensor, error_code};
 
 use crate::source::Source;
 
@@ -11,10 +11,27 @@ pub const ROUNDS: usize = 6;
 /// The errors of both sensors in a language, as expressions over the names of covariates.
 #[derive(Clone, Debug)]
 pub struct Effects {
-    /// The error on each axis, of the sensors that the calibration has.
-    pub errors: Vec<(Sensor, [String; 3])>,
-    /// What they look at.
-    covariates: Vec<Covariate>,
+    /// The sensors that the calibration has.
+    pub signals: Vec<Signal>,
+    /// What time and temperature that the errors look at are, by name: of the arguments `seconds` and `celsius`.
+    pub surroundings: Vec<String>,
+}
+
+/// A sensor in code.
+#[derive(Clone, Debug)]
+pub struct Signal {
+    /// The sensor's name.
+    pub name: &'static str,
+    /// The variable of what the base model gives.
+    pub base: &'static str,
+    /// The variable of the signal.
+    pub signal: &'static str,
+    /// True if the function of its base model takes a force.
+    pub takes_force: bool,
+    /// Components of the signal that errors look at, by name and place.
+    pub seen: Vec<(Covariate, usize)>,
+    /// The error on each axis.
+    pub errors: [String; 3],
 }
 
 impl Effects {
@@ -29,25 +46,55 @@ impl Effects {
         if !is_more {
             return None;
         }
-        let mut covariates = Vec::new();
+        let mut seen = Vec::new();
         let sensors = [
             (Sensor::Accelerometer, source.accelerometer.is_some()),
             (Sensor::Gyroscope, source.gyroscope.is_some()),
         ];
         let sensors = sensors.into_iter().filter(|(_, has)| *has);
         let errors = sensors.map(|(sensor, _)| {
-            let of = |axis| sum(source, (sensor, axis), language, &mut covariates);
+            let of = |axis| sum(source, (sensor, axis), language, &mut seen);
             (sensor, Axis::ALL.map(of))
         });
+        let errors: Vec<(Sensor, [String; 3])> = errors.collect();
+        let is_with_g = source.g_sensitivity.is_some();
+        let signals = errors.into_iter().map(|(sensor, errors)| {
+            let is_force = sensor == Sensor::Accelerometer;
+            let of = if is_force {
+                Covariate::SpecificForce
+            } else {
+                Covariate::AngularRate
+            };
+            let components = Axis::ALL.into_iter().map(of).enumerate();
+            Signal {
+                name: sensor.name(),
+                base: if is_force { "a" } else { "w" },
+                signal: if is_force { "force" } else { "rate" },
+                takes_force: !is_force && is_with_g,
+                seen: components
+                    .filter(|(_, component)| seen.contains(component))
+                    .map(|(axis, component)| (component, axis))
+                    .collect(),
+                errors,
+            }
+        });
+        let reference = language.number(REFERENCE_TEMPERATURE);
+        let surroundings = [
+            (Covariate::Time, "t = seconds".to_owned()),
+            (Covariate::Temperature, "T = celsius".to_owned()),
+            (
+                Covariate::TemperatureChange,
+                format!("dT = celsius - {reference}"),
+            ),
+        ];
+        let surroundings = surroundings.into_iter();
         Some(Self {
-            errors: errors.collect(),
-            covariates,
+            signals: signals.collect(),
+            surroundings: surroundings
+                .filter(|(covariate, _)| seen.contains(covariate))
+                .map(|(_, set)| set)
+                .collect(),
         })
-    }
-
-    /// Returns true if an error looks at this covariate.
-    pub fn look_at(&self, covariate: Covariate) -> bool {
-        self.covariates.contains(&covariate)
     }
 }
 

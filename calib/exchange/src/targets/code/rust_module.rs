@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use sensor::expression::Language;
-use sensor::{Axis, Base, Covariate, REFERENCE_TEMPERATURE, Sensor};
+use sensor::{Base, Sensor};
 
 use crate::error::Error;
 use crate::kept::Kept;
@@ -49,7 +49,7 @@ impl Target for RustModule {
             }
         }
         if let Some(effects) = Effects::of(source, Language::Rust) {
-            text.push_str(&whole(source, &effects));
+            text.push_str(&whole(&effects));
         }
         Ok(Written::text(text))
     }
@@ -96,55 +96,35 @@ fn module(source: &Source<'_>, sensor: Sensor, base: &Base<f64>) -> String {
 }
 
 /// Both sensors with the effects.
-fn whole(source: &Source<'_>, effects: &Effects) -> String {
-    let mut arguments = String::new();
-    let mut first = String::new();
-    let mut known = String::new();
-    let mut next = String::new();
-    let mut results = Vec::new();
-    for (sensor, errors) in &effects.errors {
-        let (base, out, name) = match sensor {
-            Sensor::Accelerometer => ("a", "force", "accelerometer"),
-            _ => ("w", "rate", "gyroscope"),
-        };
-        let is_with_force = *sensor == Sensor::Gyroscope && source.g_sensitivity.is_some();
-        let beside = if is_with_force { ", [0.0; 3]" } else { "" };
+fn whole(effects: &Effects) -> String {
+    let (mut arguments, mut first) = (String::new(), String::new());
+    let (mut known, mut next) = (String::new(), String::new());
+    for own in &effects.signals {
+        let (name, base, signal) = (own.name, own.base, own.signal);
+        let beside = if own.takes_force { ", [0.0; 3]" } else { "" };
         let _ = write!(arguments, "raw_{name}: [f64; 3], ");
         let _ = writeln!(
             first,
-            "    let {base} = correct_{name}(raw_{name}{beside});\n    let mut {out} = {base};"
+            "    let {base} = correct_{name}(raw_{name}{beside});\n    let mut {signal} = {base};"
         );
-        for (i, axis) in Axis::ALL.into_iter().enumerate() {
-            let covariate = match sensor {
-                Sensor::Accelerometer => Covariate::SpecificForce(axis),
-                _ => Covariate::AngularRate(axis),
-            };
-            if effects.look_at(covariate) {
-                let _ = writeln!(known, "        let {covariate} = {out}[{i}];");
-            }
-            let _ = writeln!(next, "        {out}[{i}] = {base}[{i}] - ({});", errors[i]);
+        for (component, axis) in &own.seen {
+            let _ = writeln!(known, "        let {component} = {signal}[{axis}];");
         }
-        results.push(out);
+        for (axis, error) in own.errors.iter().enumerate() {
+            let _ = writeln!(
+                next,
+                "        {signal}[{axis}] = {base}[{axis}] - ({error});"
+            );
+        }
     }
-    let surroundings = [
-        (Covariate::Time, "t = seconds".to_owned()),
-        (Covariate::Temperature, "T = celsius".to_owned()),
-        (
-            Covariate::TemperatureChange,
-            format!("dT = celsius - {REFERENCE_TEMPERATURE:?}"),
-        ),
-    ];
-    let surroundings = surroundings.into_iter();
+    let surroundings = effects.surroundings.iter();
     let surroundings: String = surroundings
-        .filter(|(covariate, _)| effects.look_at(*covariate))
-        .map(|(_, set)| format!("    let {set};\n"))
+        .map(|set| format!("    let {set};\n"))
         .collect();
-    let (kind, value) = match results.as_slice() {
-        [one] => ("[f64; 3]".to_owned(), (*one).to_owned()),
-        all => (
-            "([f64; 3], [f64; 3])".to_owned(),
-            format!("({})", all.join(", ")),
-        ),
+    let signals: Vec<&str> = effects.signals.iter().map(|own| own.signal).collect();
+    let (kind, value) = match signals.as_slice() {
+        [one] => ("[f64; 3]", (*one).to_owned()),
+        all => ("([f64; 3], [f64; 3])", format!("({})", all.join(", "))),
     };
     format!(
         "/// The whole calibration with the effects of the sensors: force in m/s^2 and rate in rad/s of one instant, at a temperature\n\

@@ -79,8 +79,8 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::NumberAbsurd,
-        "`{cell}` in {column}: no sensor and no clock reads that, as in a wrong column or unit",
-        "delete this row if it alone is so; else name the right column or unit",
+        "`{cell}` in {column}: nothing reads that: wrong column, wrong unit or damaged row",
+        "delete the row, or name the right column",
         Vec::new,
     ),
     Entry::error(
