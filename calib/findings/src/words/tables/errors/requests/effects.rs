@@ -49,7 +49,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::EffectNeedsHeading,
-        "the calibration has a source of error ({effect}) whose parameter {parameter} depends on the heading (compass direction) that the device had in {inputs}. In this recording the program cannot know it",
+        "the calibration has a source of error ({effect}) whose parameter {parameter} depends on the heading of the device (its compass direction) in {inputs}. In this recording the program cannot know it",
         "calibrate again with the latitude and by the joint method (the usual one), which keeps it out of the calibration",
         Vec::new,
     ),
