@@ -442,6 +442,36 @@ fn compiled_c_makes_what_apply_makes_in_floats() {
 }
 
 #[test]
+fn an_effect_of_nine_parameters_beside_a_g_sensitivity_is_no_g_sensitivity() {
+    let names: Vec<String> = (0..9).map(|k| format!("k{k}")).collect();
+    let own = Definition {
+        name: "gyro_own".into(),
+        x: names.join(" * wx + ") + " * wx",
+        parameters: names
+            .iter()
+            .map(|name| DefinedParam::new(name, "1", 1e-3))
+            .collect(),
+        ..Definition::silent(Sensor::Gyroscope)
+    };
+    let mut calibration = with_g_sensitivity();
+    let parameters = names.into_iter().map(|name| EffectParameter {
+        name,
+        value: 1e-3,
+        std: None,
+        unit: "1".into(),
+    });
+    calibration.effects.push(EffectValues {
+        name: own.name.clone(),
+        definition: Some(own),
+        parameters: parameters.collect(),
+        outside: None,
+    });
+    assert!(text(&calibration, "c").contains("stillpoint_correct("));
+    assert!(text(&calibration, "rust").contains("pub fn correct("));
+    assert!(!text(&with_g_sensitivity(), "c").contains("stillpoint_correct("));
+}
+
+#[test]
 fn compiled_c_corrects_with_effects() {
     let calibration = with_effects();
     let lost = export(

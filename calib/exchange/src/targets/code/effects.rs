@@ -1,5 +1,6 @@
 //! Effects of a calibration as code: the signals are what the base models give less the errors at the signals.
 
+use calib::effects::force_sensitivity;
 use sensor::expression::Language;
 use sensor::{AnyEffect, Axis, Covariate, REFERENCE_TEMPERATURE, Sensor, error_code};
 
@@ -38,14 +39,11 @@ impl Effects {
     /// Those of a calibration; `None` where it has none but a g-sensitivity.
     pub fn of(source: &Source<'_>, language: Language) -> Option<Self> {
         let mut effects = source.calibration.effects.iter();
-        let is_more = effects.any(|values| {
-            let effect = values.effect().ok();
-            let is_g = source.g_sensitivity.is_some() && values.parameters.len() == 9;
-            effect.is_some_and(|effect| is_code(effect) && !is_g)
+        let others = effects.find(|values| {
+            let effect = values.effect().ok().filter(|effect| is_code(*effect));
+            effect.is_some_and(|effect| effect.name() != force_sensitivity().name())
         });
-        if !is_more {
-            return None;
-        }
+        others?;
         let mut seen = Vec::new();
         let sensors = [
             (Sensor::Accelerometer, source.accelerometer.is_some()),
