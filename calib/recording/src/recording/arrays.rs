@@ -139,14 +139,13 @@ impl Rows<'_> {
     /// assert!(rows.in_part("mine", Some(0.5)).is_err());
     /// # Ok::<(), stillpoint_recording::Error>(())
     /// ```
-    pub fn in_part(&self, name: &str, last: Option<f64>) -> Result<[Stream; 2], Error> {
+    pub fn in_part(&self, name: &str, mut last: Option<f64>) -> Result<[Stream; 2], Error> {
         let arrays = [("accel", self.accel.len()), ("gyro", self.gyro.len())];
         self.of_one_length(name, arrays.into_iter())?;
-        let mut last = last;
         for (k, &t) in self.t.iter().enumerate() {
             check(name, k, "t", t, 1)?;
-            if last.is_some_and(|last| t <= last) {
-                return Err(goes_back(name, k as u64 + 1, last.unwrap_or(t), t));
+            if let Some(last) = last.filter(|last| t <= *last) {
+                return Err(goes_back(name, k as u64 + 1, last, t));
             }
             last = Some(t);
         }
@@ -159,7 +158,7 @@ impl Rows<'_> {
             }
         }
         Ok(sensors.map(|(_, values, _)| Stream {
-            t: self.t[..values.len()].to_vec(),
+            t: self.t.to_vec(),
             values: values.iter().map(|v| Vector3::from(*v)).collect(),
         }))
     }

@@ -4,6 +4,16 @@ use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
 use crate::words::entry::Entry;
 
+/// How turns come out that can be used.
+fn whole_turns() -> Vec<Remedy> {
+    vec![
+        Remedy::TurnSlower,
+        Remedy::LoseNoSamples,
+        Remedy::FreezeNoRows,
+        Remedy::BothSensors,
+    ]
+}
+
 pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::Requirement,
@@ -69,14 +79,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
         Kind::TurnsUnusable,
         "none of {count:turn} can be used[; {gaps} with samples missing][; {frozen} with one reading repeated][; {saturated} faster than the gyroscope can read][; {empty} without samples]",
         "",
-        || {
-            vec![
-                Remedy::TurnSlower,
-                Remedy::LoseNoSamples,
-                Remedy::FreezeNoRows,
-                Remedy::BothSensors,
-            ]
-        },
+        whole_turns,
     ),
     Entry::error(
         Kind::TurnsUsableFew,
@@ -96,14 +99,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
         Kind::TurnsUsableOpen,
         "{usable} of {count:turn} can be used, and they do not determine all unknowns of the gyroscope[; {gaps} with samples missing][; {frozen} with one reading repeated][; {saturated} faster than the gyroscope can read][; {empty} without samples]",
         "",
-        || {
-            vec![
-                Remedy::TurnSlower,
-                Remedy::LoseNoSamples,
-                Remedy::FreezeNoRows,
-                Remedy::BothSensors,
-            ]
-        },
+        whole_turns,
     ),
     Entry::error(
         Kind::NeverStill,
