@@ -83,6 +83,8 @@ kinds! {
     CorrectionUndone = "correction_undone",
     /// Another system had filtered the readings and taken a mean off.
     FilteredBefore = "filtered_before",
+    /// The sensor was read before it had a new reading.
+    ReadingsStale = "readings_stale",
     /// The accelerometer is the sum of gravity and the acceleration without it.
     GravityAdded = "gravity_added",
     /// A column that seemed to lack gravity has it.
@@ -231,6 +233,8 @@ kinds! {
     BiasStepped = "bias_stepped",
     /// The readings drift while the device should rest.
     Creep = "creep",
+    /// The device settles after it was laid down.
+    Settling = "settling",
     /// The device moves while it should rest.
     MountSlip = "mount_slip",
     /// Something touched or pushed the device.
@@ -284,6 +288,8 @@ kinds! {
     NotCalibrated = "not_calibrated",
     /// A time constant was supposed and not fitted.
     TimeConstantSupposed = "time_constant_supposed",
+    /// The temperature changes, and the model has no effect of it.
+    TemperatureChanged = "temperature_changed",
     /// Some recordings have no temperature.
     TemperatureUnknown = "temperature_unknown",
     /// A sensor that is not calibrated is left as it was read.

@@ -31,6 +31,14 @@ const ALONE: f64 = 3.0;
 const HUGE: f64 = 5.0;
 const USUAL_SHARE: f64 = 0.98;
 
+/// Where so many spikes were seen while the device was quiet, the usual one larger than this share of what nearly all readings reach, the
+/// transfer fails, and does so in turns as well ...
+const SEEN_AT_REST: usize = 2;
+const OF_USUAL: f64 = 0.5;
+/// ... by at least this share of the usual one. Smaller ones are shocks, as when a phone is laid down: at rest up to 10 °/s, in motion up
+/// to 80 °/s.
+const IN_MOTION: f64 = 0.25;
+
 /// Steps longer than this may hold a motion between two rests, s.
 const SLOW: f64 = 0.04;
 
@@ -74,21 +82,20 @@ fn found(sensor: Sensor, stream: &Stream) -> Option<Symptom> {
     }
     let values = &stream.values;
     let most = (MOST * values.len() as f64) as usize;
-    let (mut rows, mut axes, mut largest) = (Vec::new(), Vec::new(), 0.0f64);
-    for axis in 0..3 {
-        let spikes = of_axis(values, axis, resolution(sensor, values, axis), most);
-        if spikes.is_empty() {
-            continue;
-        }
-        axes.push(axis);
-        let size = spikes.iter().map(|s| s.1).fold(0.0, f64::max);
-        largest = largest.max(size);
-        rows.extend(spikes.iter().map(|s| s.0 + FIRST_ROW));
+    let mut spikes = of_axes(sensor, values, most, None);
+    let usual = median(spikes.iter().map(|s| s.size)).unwrap_or(0.0);
+    let transfer_fails = spikes.len() >= SEEN_AT_REST && usual > OF_USUAL * usual_reach(values);
+    if sensor == Sensor::Gyroscope && transfer_fails {
+        spikes = of_axes(sensor, values, most, Some(IN_MOTION * usual));
     }
+    let largest = spikes.iter().map(|s| s.size).fold(0.0, f64::max);
+    let has = |axis: &usize| spikes.iter().any(|s| s.axis == *axis);
+    let axes = (0..3).filter(has).collect();
+    let mut rows: Vec<usize> = spikes.iter().map(|s| s.at + FIRST_ROW).collect();
     rows.sort_unstable();
     rows.dedup();
     let certain = || largest > ALONE * extent_without(values, &rows);
-    let enough = rows.len() >= FEWEST || certain();
+    let enough = rows.len() >= FEWEST || transfer_fails || certain();
     (enough && !rows.is_empty() && rows.len() <= most.max(1)).then_some(Symptom::Spikes {
         sensor,
         rows,
@@ -97,13 +104,39 @@ fn found(sensor: Sensor, stream: &Stream) -> Option<Symptom> {
     })
 }
 
+/// A reading far from its neighbours.
+struct Spike {
+    axis: usize,
+    /// Its place among the samples.
+    at: usize,
+    /// Distance from the nearer neighbour.
+    size: f64,
+}
+
+/// The spikes of all axes; `in_motion` is the least size of those that are looked for where the device moves.
+fn of_axes(
+    sensor: Sensor,
+    values: &[Vector3<f64>],
+    most: usize,
+    in_motion: Option<f64>,
+) -> Vec<Spike> {
+    let of = |axis: usize| {
+        let found = of_axis(sensor, values, (axis, most), in_motion);
+        found
+            .into_iter()
+            .map(move |(at, size)| Spike { axis, at, size })
+    };
+    (0..3).flat_map(of).collect()
+}
+
 /// Places and sizes of an axis's spikes.
 fn of_axis(
+    sensor: Sensor,
     values: &[Vector3<f64>],
-    axis: usize,
-    resolution: Resolution,
-    most: usize,
+    (axis, most): (usize, usize),
+    in_motion: Option<f64>,
 ) -> Vec<(usize, f64)> {
+    let resolution = resolution(sensor, values, axis);
     let size = |k: usize| {
         let (before, at, after) = (values[k - 1][axis], values[k][axis], values[k + 1][axis]);
         let (left, right) = (at - before, at - after);
@@ -124,13 +157,16 @@ fn of_axis(
         sizes.select_nth_unstable_by(place, |a, b| b.1.total_cmp(&a.1));
         sizes.truncate(place);
     }
-    let rank = (USUAL_SHARE * values.len() as f64) as usize;
-    let usual = nth_smallest(values.iter().map(Vector3::amax), rank).unwrap_or(0.0);
+    let usual = usual_reach(values);
     sizes.sort_by(|a, b| b.1.total_cmp(&a.1));
     let mut spikes = Vec::new();
     let mut misses = 0;
     for (k, size) in sizes {
-        if size > HUGE * usual || stands_out(values, axis, k, size, &resolution) {
+        let moves = |least| size > least && leaves_a_motion(values, axis, k, &resolution);
+        if size > HUGE * usual
+            || stands_out(values, axis, k, size, &resolution)
+            || in_motion.is_some_and(moves)
+        {
             spikes.push((k, size));
         } else {
             misses += 1;
@@ -140,6 +176,12 @@ fn of_axis(
         }
     }
     spikes
+}
+
+/// What nearly all readings reach.
+fn usual_reach(values: &[Vector3<f64>]) -> f64 {
+    let rank = (USUAL_SHARE * values.len() as f64) as usize;
+    nth_smallest(values.iter().map(Vector3::amax), rank).unwrap_or(0.0)
 }
 
 /// Places looked at in vain before the smaller ones are left.
@@ -196,6 +238,32 @@ fn stands_out(
     // Other spikes nearby do not make a place restless.
     let restless = off().filter(|v| *v > QUIET * spread).count();
     size > BEYOND * spread && 50 * restless <= around.len() * 3
+}
+
+/// Returns true if a reading is far from the mean of its neighbours, and those around it are not from that of theirs: a rate that
+/// changes smoothly does not leave the line between its neighbours for one sample.
+fn leaves_a_motion(
+    values: &[Vector3<f64>],
+    axis: usize,
+    k: usize,
+    resolution: &Resolution,
+) -> bool {
+    let off = |k: usize| {
+        let of = |k: usize| values[k][axis];
+        (of(k) - 0.5 * (of(k - 1) + of(k + 1))).abs()
+    };
+    let before = k.saturating_sub(AROUND).max(1)..k.saturating_sub(1);
+    let after = k + 2..(k + AROUND + 1).min(values.len() - 1);
+    let around: Vec<f64> = before.chain(after).map(off).collect();
+    if around.len() < FEWEST_AROUND {
+        return false;
+    }
+    let Some(usual) = median(around.clone()) else {
+        return false;
+    };
+    let spread = (usual / 0.6745).max(resolution.step);
+    let restless = around.iter().filter(|v| **v > QUIET * spread).count();
+    off(k) > BEYOND * spread && 50 * restless <= around.len() * 3
 }
 
 /// The largest size of a reading on any axis, but for those of the rows.
@@ -264,6 +332,24 @@ mod tests {
             panic!("{findings:?}");
         };
         assert_eq!(rows.len(), 10);
+    }
+
+    #[test]
+    fn a_transfer_that_fails_at_rest_fails_in_turns_too_and_a_shock_there_alone_is_none() {
+        let mut turning = recording();
+        std::mem::swap(&mut turning.accelerometer, &mut turning.gyroscope);
+        let values = &mut turning.gyroscope.as_mut().unwrap().values;
+        values.iter_mut().for_each(|v| v.z -= 9.8);
+        values[1203].x += 2.0;
+        assert!(without_spikes(&turning).is_none());
+        let values = &mut turning.gyroscope.as_mut().unwrap().values;
+        values[2500].y += 2.5;
+        values[3100].z -= 2.2;
+        let (_, findings) = without_spikes(&turning).unwrap();
+        let Symptom::Spikes { rows, .. } = &findings[0] else {
+            panic!("{findings:?}");
+        };
+        assert_eq!(rows, &[1205, 2502, 3102]);
     }
 
     #[test]

@@ -14,7 +14,7 @@ use crate::clock::{held, time};
 use crate::devices::mixed;
 use crate::formats::robots::ardupilot_text;
 use crate::header::unclear;
-use crate::readings::{Symptom, frozen, without_frozen};
+use crate::readings::{Symptom, frozen, without_frozen, without_stale};
 use crate::recording::{checks, packets, sessions, thermometer};
 use crate::rows::table::Table;
 use crate::shown::figure;
@@ -333,6 +333,7 @@ fn finish<U>(
     };
     let frozen = frozen(sensor, &stream);
     let stream = held::without_held(name, sensor, stream, &mut warnings);
+    let stream = without_stale(name, sensor, stream, &frozen, &mut warnings);
     let mut gaps = stream.gaps();
     gaps.retain(|gap| !frozen.iter().any(|f| f.is_between(gap.t0, gap.t1)));
     checks::bursts(name, sensor, &stream, &gaps, &mut warnings);

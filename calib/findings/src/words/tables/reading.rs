@@ -123,6 +123,16 @@ pub(super) const ENTRIES: &[Entry] = &[
         remedies: Vec::new,
     },
     Entry {
+        kind: Kind::ReadingsStale,
+        level: Level::Remark,
+        severity: 0.001,
+        reason: "rows repeat readings of the {sensor}",
+        text: "{count:row} ({share} of all) repeated the reading of the {sensor} from the row before, as when a sensor is read \
+               before it has a new one. The program puts values on a smooth curve through the neighbours in their place",
+        advice: "",
+        remedies: Vec::new,
+    },
+    Entry {
         kind: Kind::OneSensorOnly,
         level: Level::Remark,
         severity: 0.001,

@@ -3,5 +3,6 @@
 
 pub(crate) mod erased_tail;
 pub(crate) mod frozen;
+pub(crate) mod stale;
 pub(crate) mod stopped;
 pub(crate) mod stuck;
