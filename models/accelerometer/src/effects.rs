@@ -12,6 +12,7 @@ pub mod accel_periodic;
 pub mod accel_quadratic;
 pub mod accel_relaxation;
 pub mod accel_room_field;
+pub mod accel_scale_drift;
 pub mod accel_scale_temperature;
 pub mod accel_step;
 pub mod accel_temperature;
@@ -42,5 +43,6 @@ pub static EFFECTS: &[&dyn AnyEffect] = &[
     &accel_room_field::AccelRoomField,
     &accel_temperature_rate::AccelTemperatureRate,
     &accel_thermal_hysteresis::AccelThermalHysteresis,
+    &accel_scale_drift::AccelScaleDrift,
     &time_offset::TimeOffset,
 ];

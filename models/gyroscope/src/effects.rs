@@ -13,6 +13,7 @@ pub mod gyro_misalignment_temperature;
 pub mod gyro_quadratic;
 pub mod gyro_relaxation;
 pub mod gyro_room_field;
+pub mod gyro_scale_drift;
 pub mod gyro_scale_temperature;
 pub mod gyro_step;
 pub mod gyro_temperature;
@@ -48,5 +49,6 @@ pub static EFFECTS: &[&dyn AnyEffect] = &[
     &gyro_temperature_rate::GyroTemperatureRate,
     &gyro_thermal_hysteresis::GyroThermalHysteresis,
     &gyro_vibration_rectification::GyroVibrationRectification,
+    &gyro_scale_drift::GyroScaleDrift,
     &earth_rate::EarthRate,
 ];

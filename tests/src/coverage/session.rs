@@ -267,7 +267,7 @@ fn named(fit: &JointFit, session: &Session) -> Vec<String> {
         .iter()
         .map(|a| {
             let kind = match a.fault.kind() {
-                Kind::Creep | Kind::MountSlip => "slip",
+                Kind::Creep | Kind::Settling | Kind::MountSlip => "slip",
                 Kind::RateExcursion => "excursion",
                 Kind::TurnMissed => "turn",
                 _ => "touch",

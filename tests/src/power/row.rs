@@ -54,7 +54,9 @@ const TIME: [&str; 9] = [
 ];
 
 /// Effects that joined the catalogue later.
-const NEWER: [&str; 8] = [
+const NEWER: [&str; 10] = [
+    "accel_scale_drift",
+    "gyro_scale_drift",
     "accel_misalignment_temperature",
     "accel_temperature_rate",
     "accel_thermal_hysteresis",

@@ -11,7 +11,7 @@ const APART: f64 = 0.1;
 const INFLUENTIAL: f64 = 4.0;
 
 /// An effect is said to be missing where chance makes the rows speak so for one in fewer recordings than this.
-const SPEAKS: f64 = 5e-4;
+const SPEAKS: f64 = 2e-3;
 
 /// The placements whose force no touch explains: nothing shook, and they are off by more than [`APART`].
 pub fn placements_apart(fit: &JointFit) -> Option<Finding> {

@@ -42,16 +42,21 @@ impl LatitudeDoubt {
         self.seen.abs() < EARTH_RATE + REFUTED * self.std
     }
 
+    /// The latitude that the recordings show, degrees north.
+    pub fn shown(&self) -> f64 {
+        let sine = (self.seen / EARTH_RATE).clamp(-1.0, 1.0);
+        sine.asin().to_degrees()
+    }
+
     /// The finding.
     pub fn finding(&self) -> Finding {
-        let sine = (self.seen / EARTH_RATE).clamp(-1.0, 1.0);
         let other_sign = self.given * self.seen < 0.0;
         Finding::of(Kind::LatitudeDoubtful)
             .number("given", self.latitude, "°")
             .number("expected", self.given, "rad/s")
             .number("shown", self.seen, "rad/s")
             .number("error", self.std, "rad/s")
-            .number("seen", sine.asin().to_degrees(), "°")
+            .number("seen", self.shown(), "°")
             .detail("what", if other_sign { "Its sign" } else { "It" })
     }
 }

@@ -3,6 +3,7 @@
 mod determined;
 mod doubts;
 mod latitude;
+mod temperature;
 mod triads;
 mod written_down;
 

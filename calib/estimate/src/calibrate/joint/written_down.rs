@@ -8,6 +8,7 @@ use sensor::Sensor;
 use super::determined::{check_force, check_rate};
 use super::doubts::{disturbances, influences, of_missing, placements_apart};
 use super::latitude::LatitudeDoubt;
+use super::temperature;
 use super::triads::{force_fit, force_triad, rate_fit, rate_triad};
 use crate::calibrate::assemble::effect_values;
 use crate::calibrate::checks;
@@ -108,8 +109,10 @@ pub fn written_down(
     let remainders: Vec<Remainder> = fit.misfits().iter().map(Remainder::of).collect();
     let misfits = remainders.iter().filter_map(|r| r.finding(WITH_WALKS));
     let mut misfits: Vec<Finding> = misfits.collect();
-    if misfits.is_empty() && !account.names_what_is_missing {
-        misfits.extend(fit.missing().and_then(|missing| of_missing(&missing)));
+    if !account.names_what_is_missing {
+        let missing = fit.missing(recordings);
+        misfits.extend(missing.and_then(|missing| of_missing(&missing)));
+        misfits.extend(temperature::changed(fit, recordings));
     }
     if account.names_what_is_missing {
         misfits.iter_mut().for_each(|found| found.remedies.clear());

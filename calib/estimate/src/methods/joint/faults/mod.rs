@@ -8,6 +8,7 @@ mod disturbed_interval;
 mod fault;
 mod outlying_turn;
 mod rate_excursion;
+mod settling;
 mod sudden_slip;
 
 pub use creep::Creep;
@@ -16,6 +17,7 @@ pub(crate) use disturbed_interval::shaken;
 pub use fault::{Fault, FaultRef, Flagged, Reason, Scope, Seen, Site, Suspect};
 pub use outlying_turn::OutlyingTurn;
 pub use rate_excursion::RateExcursion;
+pub use settling::Settling;
 pub use sudden_slip::SuddenSlip;
 
 /// All faults, in the order of their parameters.
@@ -24,6 +26,7 @@ pub static FAULTS: &[FaultRef] = &[
     &DisturbedInterval,
     &OutlyingTurn,
     &RateExcursion,
+    &Settling,
     &SuddenSlip,
 ];
 

@@ -1,13 +1,15 @@
-//! An effect of the accelerometer that the rows speak for, by a score test.
+//! An effect that the rows speak for, by a score test.
 
 use faer::ColRef;
-use sensor::{AnyEffect, Quantity, Role};
+use recording::Recording;
+use sensor::{AnyEffect, Kinematics, Quantity, Role};
 
 use crate::methods::joint::blocks::basis::Basis;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::fit::JointFit;
 use crate::methods::joint::result::marginal::orthonormal;
 use crate::methods::joint::rows::error_columns::effect_columns;
+use crate::methods::joint::rows::sensitivity::Sensitivities;
 use crate::methods::small_sample::by_chance;
 
 /// An effect that the model lacks.
@@ -24,23 +26,29 @@ pub struct Missing {
 }
 
 impl JointFit {
-    /// The effect of the accelerometer for which all rows together speak most: of those that go by the specific force alone
-    /// and that the model lacks. Against the noise that was measured, walks of the biases among it.
+    /// The effect for which all rows together speak most: of those that the model lacks and that go by the sensor's own signal, alone or
+    /// with time or temperature. What goes by time alone is a bias that walks. Against the noise that was measured, walks of the biases
+    /// among it; `recordings` are those of the fit.
     ///
     /// A score test (Rao 1948) needs no fit with the effect: `r` whitened residual, `J` its Jacobian, `E = ∂r/∂c` at `c = 0`;
     /// under the model `|P r|²`, `P` onto what `J` leaves of `E`, is `χ²` of the rank of that. It looks at the turns too, which
     /// see most of what changes a direction and not a norm.
-    pub fn missing(&self) -> Option<Missing> {
-        let own = self.models[0].effects();
-        let is_new =
-            |effect: &&'static dyn AnyEffect| own.iter().all(|other| other.name() != effect.name());
-        let all = accelerometer::EFFECTS.iter().copied();
-        let tried: Vec<_> = all.filter(by_force_alone).filter(is_new).collect();
+    pub fn missing(&self, recordings: &[&Recording]) -> Option<Missing> {
+        let own = |effect: &&'static dyn AnyEffect| {
+            let mut own = self.models.iter().flat_map(|model| model.effects());
+            own.any(|other| other.name() == effect.name())
+        };
+        let is_told = recordings.iter().all(|r| r.temperature.is_some());
+        let all = accelerometer::EFFECTS.iter().chain(gyroscope::EFFECTS);
+        let tried = all
+            .copied()
+            .filter(|effect| goes_by_signal(*effect, is_told));
+        let tried: Vec<_> = tried.filter(|effect| !own(effect)).collect();
         let whitening = self.noise_whitening();
         let model = Basis::of(&whitening.finish_columns(self.white_jacobian.clone()));
         let residuals = whitening.finish_column(&self.white_residuals);
         let residuals = ColRef::from_slice(&residuals);
-        let sensitivities = self.rows().force_sensitivities(self.parameters.values());
+        let sensitivities = self.sensitivities_with_covariates(recordings);
         let found = tried.iter().filter_map(|&effect| {
             let p: Vec<f64> = effect.params().iter().map(|p| p.nominal).collect();
             let wanted: Vec<usize> = (0..p.len()).collect();
@@ -61,12 +69,44 @@ impl JointFit {
         });
         found.min_by(|a, b| a.p_value.total_cmp(&b.p_value))
     }
+
+    /// The sensitivities with the time and the temperature of every mean and sample.
+    fn sensitivities_with_covariates(&self, recordings: &[&Recording]) -> Sensitivities {
+        let mut all = self.sensitivities();
+        let set = |truth: &mut Kinematics<f64>, recording: usize, t: f64| {
+            let Some(own) = recordings.get(recording) else {
+                return;
+            };
+            truth.time = t - own.start();
+            let celsius = own.temperature.as_ref().and_then(|own| own.at(t));
+            truth.temperature = celsius.unwrap_or(truth.temperature);
+        };
+        for mean in &mut all.means {
+            let chunk = &self.data.chunks[mean.chunk];
+            let rest = &self.data.rests[chunk.rest];
+            let span = chunk.mean(mean.sensor).map_or(rest.span, |own| own.span);
+            set(&mut mean.truth, rest.recording, 0.5 * (span.from + span.to));
+        }
+        for turn in &mut all.turns {
+            let recording = self.data.turns[turn.turn].recording;
+            let samples = turn.truth.iter_mut().zip(&turn.t);
+            samples.for_each(|(truth, t)| set(truth, recording, *t));
+        }
+        all
+    }
 }
 
-/// Returns true if an effect depends on the specific force alone and is linear in its parameters.
-fn by_force_alone(effect: &&'static dyn AnyEffect) -> bool {
-    let needs = effect.needs();
-    needs.iter().all(|need| *need == Quantity::SpecificForce)
+/// Returns true if an effect goes by the signal of its sensor, alone or with time or, where that `is_told`, temperature, and is linear in
+/// its parameters.
+fn goes_by_signal(effect: &dyn AnyEffect, is_told: bool) -> bool {
+    let (needs, signal) = (effect.needs(), Quantity::signal_of(effect.sensor()));
+    let may = |need: &Quantity| match need {
+        Quantity::Time => true,
+        Quantity::Temperature => is_told,
+        other => *other == signal,
+    };
+    needs.contains(&signal)
+        && needs.iter().all(may)
         && effect.params().iter().all(|p| p.role == Role::Coefficient)
 }
 
@@ -82,7 +122,8 @@ mod tests {
         let recording = spec.run().unwrap().recording;
         let segmentation = segment(&recording, &Detector::default()).unwrap();
         let request = JointRequest::new(vec![(&recording, &segmentation)], spec.gravity);
-        fit_joint(&request).unwrap().missing().unwrap()
+        let fit = fit_joint(&request).unwrap();
+        fit.missing(&[&recording]).unwrap()
     }
 
     #[test]
@@ -93,6 +134,16 @@ mod tests {
         let missing = found(&spec);
         assert!(missing.p_value < 1e-6, "{missing:?}");
         assert_eq!(missing.dof, 3);
+    }
+
+    #[test]
+    fn a_scale_that_drifts_speaks_for_itself() {
+        let mut spec = Spec::hand_held(3);
+        let off = spec.effects.entry("gyro_scale_drift".into()).or_default();
+        off.extend([("x", 2e-5), ("y", -2e-5), ("z", 2e-5)].map(|(a, v)| (a.to_owned(), v)));
+        let missing = found(&spec);
+        assert!(missing.p_value < 1e-6, "{missing:?}");
+        assert_eq!(missing.effect.name(), "gyro_scale_drift");
     }
 
     #[test]

@@ -64,14 +64,6 @@ impl Rows<'_> {
         Sensitivities { means, turns }
     }
 
-    /// Those of the accelerometer's means alone.
-    pub fn force_sensitivities(&self, x: &[f64]) -> Sensitivities {
-        Sensitivities {
-            means: self.of_means(x, &[Sensor::Accelerometer]),
-            turns: Vec::new(),
-        }
-    }
-
     fn of_means(&self, x: &[f64], sensors: &[Sensor]) -> Vec<MeanSensitivity> {
         let mut means = Vec::new();
         for &sensor in sensors {

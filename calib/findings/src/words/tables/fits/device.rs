@@ -12,7 +12,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.04,
         reason: "the recording speaks against the latitude",
-        text: "the earth's rotation has a vertical part of {expected} at a latitude of {given}°. The recording shows {shown} ± {error}, as at a latitude of {seen}°, and speaks against the given latitude. {what} may be wrong",
+        text: "the earth's rotation has a vertical part of {expected} at a latitude of {given}°. The recording shows {shown} ± {error}, as at a latitude of {seen}°, and speaks against the given latitude. {what} may be wrong[. The model was fitted at the latitude that the recording shows, because it explains as much as {instead}]",
         advice: "check the sign and the value of the latitude",
         remedies: || {
             vec![Remedy::Omit {
@@ -141,6 +141,15 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         text: "the {parameter} of the error {effect} is supposed to be {value}, because these recordings do not show it. The other parameters of that error depend on it, so the program gives no standard errors",
         advice: "",
         remedies: Vec::new,
+    },
+    Entry {
+        kind: Kind::TemperatureChanged,
+        level: Level::Care,
+        severity: 0.07,
+        reason: "the temperature changed from {low} to {high}, and the model has no effect of it",
+        text: "the temperature changed from {low} to {high} while the device was at rest, and the model has no effect of the temperature. Scale factors and biases are means over that range, and the standard errors do not cover how they change within it",
+        advice: "",
+        remedies: || vec![Remedy::Discover],
     },
     Entry {
         kind: Kind::TemperatureUnknown,

@@ -19,7 +19,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
     Entry {
         kind: Kind::EffectMissing,
         level: Level::Care,
-        severity: 0.02,
+        severity: 0.06,
         reason: "the model of the {sensor} lacks a source of error, most like {effect}",
         text: "the model of the {sensor} lacks a source of error, most like {effect}. The standard errors do not cover it",
         advice: "",

@@ -72,6 +72,15 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         remedies: || vec![Remedy::RecordAgain],
     },
     Entry {
+        kind: Kind::Settling,
+        level: Level::Care,
+        severity: 0.02,
+        reason: "the device settled in {at}",
+        text: "[{at}: ]the device still moved[ by {size}] for some seconds after it was laid down, as on a cushion that gives way. The program corrects for this move[ ({slip} in all)]",
+        advice: IF_EXACT,
+        remedies: || vec![Remedy::RecordAgain],
+    },
+    Entry {
         kind: Kind::MountSlip,
         level: Level::Care,
         severity: 0.05,

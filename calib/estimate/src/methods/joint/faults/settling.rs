@@ -1,0 +1,160 @@
+//! A device that still settles after it was laid down.
+
+use findings::Kind;
+use recording::intervals::Span;
+use sensor::Sensor;
+
+use super::fault::{Fault, Scope, Seen, Site, Suspect, axis_vector};
+use crate::methods::joint::blocks::column::Column;
+use crate::methods::joint::rows::Rows;
+
+/// Time constants whose sum describes a surface that gives way within seconds, s.
+const TIME_CONSTANTS: [f64; 2] = [2.5, 10.0];
+
+/// Chunks of a static interval within which an attitude that settles shows.
+const FEWEST_CHUNKS: usize = 2;
+
+/// A device that settles after it was laid down, as on a cushion: at the begin of a long static interval its attitude is off by `δ`
+/// (rad, body frame), and that fades, `u(t) = u + u × Σ δ_τ e^(−t/τ)`. Both sensors see it, and the turn before ends there.
+#[derive(Clone, Copy, Debug)]
+pub struct Settling;
+
+impl Fault for Settling {
+    fn kind(&self) -> Kind {
+        Kind::Settling
+    }
+
+    fn name(&self) -> &'static str {
+        "mount_slip"
+    }
+
+    fn scope(&self) -> Scope {
+        Scope::StaticInterval
+    }
+
+    fn sensor(&self) -> Sensor {
+        Sensor::Accelerometer
+    }
+
+    fn unit(&self) -> &'static str {
+        "rad"
+    }
+
+    fn typical(&self) -> f64 {
+        1e-3
+    }
+
+    fn suspects(&self, site: &Site<'_>) -> Vec<Suspect> {
+        let data = site.rows.data;
+        let may = |k: &usize| {
+            let rest = &data.rests[*k];
+            rest.chunks.len() >= FEWEST_CHUNKS && !data.sources[rest.recording].moves_at_rest()
+        };
+        let rests = (0..data.rests.len()).filter(may);
+        rests
+            .map(|k| Suspect::new(&Self, k, columns(site, k)))
+            .collect()
+    }
+
+    fn seen(&self, norm: f64, _span: Span, _gravity: f64, _seen: Seen) -> Seen {
+        Seen::Slipped(norm)
+    }
+}
+
+/// The columns of three axes for every time constant.
+fn columns(site: &Site<'_>, k: usize) -> Vec<Column> {
+    let each = TIME_CONSTANTS.iter().map(|tau| fading(site, k, *tau));
+    each.flatten().collect()
+}
+
+/// The columns of a rotation about each axis that fades in static interval `k`. Rows are model less measurement: what the measurement
+/// gains, they lose.
+fn fading(site: &Site<'_>, k: usize, tau: f64) -> Vec<Column> {
+    let rows = site.rows;
+    let (rest, u) = (&rows.data.rests[k], rows.direction(site.x, k));
+    let left = |t: f64| (-(t - rest.span.from) / tau).exp();
+    // Means of e^(−t/τ), and of its change, over a chunk.
+    let mean = |span: &Span| tau * (left(span.from) - left(span.to)) / span.length();
+    let change = |span: &Span| (left(span.to) - left(span.from)) / span.length();
+    let mut columns = vec![Column::default(); 3];
+    for (axis, column) in columns.iter_mut().enumerate() {
+        let moved = u.cross(&axis_vector(axis));
+        for (row, of) in own_means(rows, Sensor::Accelerometer, k) {
+            let shift = moved * -rows.gravity * mean(&of);
+            (0..3).for_each(|i| column.set(row + i, shift[i]));
+        }
+        for (row, of) in own_means(rows, Sensor::Gyroscope, k) {
+            column.set(row + axis, -change(&of));
+        }
+        for place in 0..rows.data.turns.len() {
+            if let Some(shift) = site.carried(place, k, false, moved) {
+                let row = rows.first_turn_row() + 2 * place;
+                column.set(row, shift[0]);
+                column.set(row + 1, shift[1]);
+            }
+        }
+    }
+    columns
+}
+
+/// The first row and the time of every mean of a sensor in static interval `k`.
+fn own_means<'a>(
+    rows: &'a Rows<'_>,
+    sensor: Sensor,
+    k: usize,
+) -> impl Iterator<Item = (usize, Span)> + 'a {
+    let first = match sensor {
+        Sensor::Gyroscope => rows.first_rate_row(),
+        _ => 0,
+    };
+    let means = rows.means(sensor).enumerate();
+    let own = means.filter(move |(_, (chunk, _))| rows.data.rests[k].chunks.contains(chunk));
+    own.filter_map(move |(place, (_, chunk))| {
+        let mean = match sensor {
+            Sensor::Gyroscope => chunk.gyroscope,
+            _ => chunk.accelerometer,
+        };
+        Some((first + 3 * place, mean?.span))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use recording::intervals::{Detector, segment};
+    use simulate::Spec;
+
+    use super::*;
+    use crate::methods::joint::{JointRequest, fit_joint};
+
+    #[test]
+    fn a_device_that_settles_for_five_seconds_is_found_in_the_interval_where_it_does() {
+        let spec = Spec::hand_held(5);
+        let mut recording = spec.run().unwrap().recording;
+        let segmentation = segment(&recording, &Detector::default()).unwrap();
+        let span = segmentation.statics[0].span;
+        // 0.2° about an axis across the first reading, that fade with 5 s; its rate is what fades.
+        let force = recording.accelerometer.as_mut().unwrap();
+        let first = force.values[force.between(span.from, span.from + 1.0)][0];
+        let across = first.cross(&axis_vector(0)).normalize();
+        let left = |t: f64| 3.5e-3 * (-(t - span.from) / 5.0).exp();
+        for (t, value) in force.t.iter().zip(&mut force.values) {
+            if *t < span.to {
+                *value += first.cross(&across) * left(*t);
+            }
+        }
+        let rate = recording.gyroscope.as_mut().unwrap();
+        for (t, value) in rate.t.iter().zip(&mut rate.values) {
+            if *t < span.to {
+                *value -= across * (left(*t) / 5.0);
+            }
+        }
+        let request = JointRequest::new(vec![(&recording, &segmentation)], spec.gravity);
+        let fit = fit_joint(&request).unwrap();
+        let flagged: Vec<_> = fit
+            .flagged
+            .iter()
+            .map(|a| (a.fault.kind(), a.interval))
+            .collect();
+        assert_eq!(flagged, [(Kind::Settling, 0)]);
+    }
+}
