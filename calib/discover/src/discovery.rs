@@ -8,6 +8,7 @@
 
 use std::borrow::Borrow;
 
+use ::findings::Finding;
 use estimate::calibrate::own_effects;
 use recording::{Error, Recording};
 use sensor::AnyEffect;
@@ -20,6 +21,7 @@ use super::fault::undersampled::undersampled;
 use super::findings::Findings;
 use super::findings::assembled::Found;
 use super::findings::late::{late, late_apart, late_finding};
+use super::findings::latitude::instead_of_a_name;
 use super::findings::named;
 use super::findings::proposed::proposed;
 use super::findings::room::described;
@@ -77,6 +79,12 @@ pub(super) fn discover_in(
             calibration(session, state, request).is_ok()
         })?,
     };
+    if let Some(latitude) = request.latitude
+        && let Some((doubt, name)) = instead_of_a_name(&search.names, latitude)
+    {
+        let instead = doubt.finding().detail("instead", name);
+        return at_latitude(doubt.shown(), instead, session, request);
+    }
     let stamps = match is_spoilt {
         true => LateStamps::default(),
         false => LateStamps::of(session, request, &mut search)?,
@@ -116,6 +124,25 @@ pub(super) fn discover_in(
         search,
         with_formula,
     })
+}
+
+/// The same at the latitude that the recordings show, with the doubt about the one that was given.
+fn at_latitude(
+    shown: f64,
+    doubt: Finding,
+    session: &mut Session<'_>,
+    request: &Request,
+) -> Result<Discovery, Error> {
+    let latitude = Some(shown);
+    session.latitude = latitude;
+    session.base = None;
+    let request = Request {
+        latitude,
+        ..request.clone()
+    };
+    let mut discovery = discover_in(session, &request)?;
+    discovery.findings.calibration.warnings.push(doubt);
+    Ok(discovery)
 }
 
 /// Stamps that are late, as the moving accelerometer shows.

@@ -38,12 +38,14 @@ pub use family::{Claim, Family, Hypothesis, families};
 pub use fault::delay::{Delay, delay};
 pub use fault::integrity::{Integrity, Size, disturbed, integrity};
 pub use findings::beside::Beside;
-pub use findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Validation, Verdict};
+pub use findings::{
+    Confirmation, EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Says, Validation, Verdict,
+};
 pub use gap::channel::Channel;
 pub use gap::held_out::{gap_of, held_out};
 pub use gap::localise::{Disagreement, disagreements};
 pub use gap::sequence::{Misfit, Sequence, channel_of};
-pub use gap::validation::validate;
+pub use gap::validation::{confirm, validate};
 pub use noise::noise_file::{GivenNoise, noise_in};
 pub use noise::projected::{Projected, Whitened};
 pub use noise::seen::Seen;

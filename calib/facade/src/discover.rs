@@ -3,7 +3,7 @@
 use findings::{Finding, Front, Kind};
 use std::sync::Arc;
 
-use calib::discover::{Discovery, EffectFinding, Verdict, discover as look, validate};
+use calib::discover::{Discovery, EffectFinding, Verdict, confirm, discover as look, validate};
 use calib::document::to_json;
 use calib::limits::built_in;
 
@@ -132,6 +132,7 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Findings,
         let mut discovery = look(&all, &how)?;
         if let Some(validation) = validation {
             discovery.findings.validation = validate(validation, &how, &discovery)?;
+            discovery.findings.confirmations = confirm(validation, &how, &discovery)?;
         }
         let calibration = &mut discovery.findings.calibration;
         calibration.state_limits(built_in(calibration));

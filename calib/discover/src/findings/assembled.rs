@@ -69,6 +69,7 @@ impl Found {
             not_observable: search.not_observable.clone(),
             never_visible: never_visible(),
             validation: Vec::new(),
+            confirmations: Vec::new(),
             walks: search.last.noise.walk,
             bias_instability: search.last.noise.flicker,
             white: white(&search.last),

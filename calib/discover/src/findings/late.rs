@@ -127,10 +127,10 @@ pub fn late_finding(
         adjusted_p_value: (-late_evidence(found, request.candidates().len()))
             .exp()
             .min(1.0),
+        forms: Vec::new(),
         indistinguishable_from: Vec::new(),
         shared: Vec::new(),
         rivals: Vec::new(),
-        latitude_in_doubt: None,
         may_be_beside: Vec::new(),
         told_apart_by: None,
         parameters: parameters_of(name, calibration),

@@ -9,10 +9,16 @@ use crate::score::{Score, log_tail, score};
 use crate::search::{Name, VERTICAL};
 
 /// Significance level for the part of an effect that another latitude does not explain.
-const BY_CHANCE: f64 = 0.01;
+const BY_CHANCE: f64 = 1e-3;
 
-/// The doubt about `latitude` that explains a name as well, up to what chance adds to its more parameters.
-pub fn instead_of(name: &Name, latitude: f64) -> Option<LatitudeDoubt> {
+/// The doubt about `latitude` that explains one of the names as well, and that name.
+pub fn instead_of_a_name(names: &[Name], latitude: f64) -> Option<(LatitudeDoubt, &str)> {
+    let doubt = |name| Some((instead_of(name, latitude)?, name.claim.name()));
+    names.iter().find_map(doubt)
+}
+
+/// The same of one name, up to what chance adds to its more parameters.
+fn instead_of(name: &Name, latitude: f64) -> Option<LatitudeDoubt> {
     if name.claim.effect()?.sensor() != Sensor::Gyroscope {
         return None;
     }
@@ -49,17 +55,18 @@ fn vertical(name: &Name) -> Option<Score> {
 
 #[cfg(test)]
 mod tests {
+    use ::findings::Kind;
     use simulate::Spec;
 
-    use crate::{EffectFinding, Request, discover};
+    use crate::{Findings, Request, discover};
 
-    fn found(spec: &Spec, latitude: f64) -> Vec<EffectFinding> {
+    fn found(spec: &Spec, latitude: f64) -> Findings {
         let recordings = [spec.run().unwrap().recording];
         let request = Request {
             latitude: Some(latitude),
             ..Request::new(spec.gravity)
         };
-        discover(&recordings, &request).unwrap().findings.effects
+        discover(&recordings, &request).unwrap().findings
     }
 
     #[test]
@@ -67,12 +74,11 @@ mod tests {
         let mut spec = Spec::hand_held(12);
         spec.latitude = Some(50.0);
         let found = found(&spec, -50.0);
-        assert!(!found.is_empty());
-        for effect in &found {
-            let said = effect.latitude_in_doubt.as_ref();
-            let said = said.and_then(|doubt| doubt.value("given"));
-            assert_eq!(said, Some(-50.0), "{effect:?}");
-        }
+        assert_eq!(found.effects, []);
+        let mut said = found.calibration.warnings.iter();
+        let said = said.find(|w| w.kind == Kind::LatitudeDoubtful).unwrap();
+        assert_eq!(said.value("given"), Some(-50.0));
+        assert!((said.value("seen").unwrap() - 50.0).abs() < 10.0);
     }
 
     #[test]
@@ -80,9 +86,7 @@ mod tests {
         let mut spec = Spec::hand_held(12).with_effect("gyro_g_sensitivity", 1.0);
         spec.latitude = Some(50.0);
         let found = found(&spec, 50.0);
-        assert!(found.iter().any(|e| e.name == "gyro_g_sensitivity"));
-        for effect in &found {
-            assert_eq!(effect.latitude_in_doubt, None);
-        }
+        assert!(found.effects.iter().any(|e| e.name == "gyro_g_sensitivity"));
+        assert!(!found.calibration.warnings.has(Kind::LatitudeDoubtful));
     }
 }

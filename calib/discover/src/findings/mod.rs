@@ -9,7 +9,7 @@ pub(super) mod proposed;
 pub(super) mod room;
 pub(super) mod typed;
 
-use ::findings::{Finding, Front, Remedy};
+use ::findings::{Front, Remedy};
 use estimate::calibration::{Calibration, EffectParameter};
 use serde::{Serialize, Serializer};
 
@@ -56,10 +56,6 @@ fn remedy_in_words<S: Serializer>(remedy: &Option<Remedy>, to: S) -> Result<S::O
     remedy.as_ref().map(|r| r.text(Front::Plain)).serialize(to)
 }
 
-fn finding_in_words<S: Serializer>(found: &Option<Finding>, to: S) -> Result<S::Ok, S::Error> {
-    found.as_ref().map(|f| f.text(Front::Plain)).serialize(to)
-}
-
 /// An effect that was missing.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct EffectFinding {
@@ -79,15 +75,12 @@ pub struct EffectFinding {
     pub shared: Vec<f64>,
     /// Separation from each of those that is an effect, too.
     pub rivals: Vec<Rivalry>,
+    /// Forms that are in no catalogue and explain about as much.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub forms: Vec<String>,
     /// Recording that would tell them apart.
     #[serde(serialize_with = "remedy_in_words")]
     pub told_apart_by: Option<Remedy>,
-    /// Doubt about the given latitude, where a wrong latitude explains this as well.
-    #[serde(
-        skip_serializing_if = "Option::is_none",
-        serialize_with = "finding_in_words"
-    )]
-    pub latitude_in_doubt: Option<Finding>,
     /// Effects that may exist too and would change its parameters by several standard errors.
     pub may_be_beside: Vec<Beside>,
     /// Its parameters after the refit.
@@ -141,6 +134,49 @@ pub struct Validation {
     pub dof: f64,
 }
 
+/// What a recording that the fit did not see says of a named effect.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Confirmation {
+    /// The recording.
+    pub recording: String,
+    /// The effect.
+    pub effect: String,
+    /// Share of what the effect was found to do that the recording shows: 1 where it is as it was named, 0 where there is none.
+    pub share: f64,
+    /// Its standard error, the calibration's own errors in it.
+    pub std: f64,
+    /// What follows.
+    pub says: Says,
+}
+
+/// What a recording says of an effect.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Says {
+    /// The share differs from 0, and has the sign of the effect.
+    Confirms,
+    /// It differs from 1, and not from 0.
+    SpeaksAgainst,
+    /// It differs from neither.
+    CannotTell,
+}
+
+impl Says {
+    /// Standard errors by which a share differs from 0 or from 1: by chance one in a hundred does, as of names.
+    const DIFFERS: f64 = 2.326;
+
+    /// By a share and its standard error.
+    pub fn of(share: f64, std: f64) -> Self {
+        if share > Self::DIFFERS * std {
+            Self::Confirms
+        } else if 1.0 - share > Self::DIFFERS * std {
+            Self::SpeaksAgainst
+        } else {
+            Self::CannotTell
+        }
+    }
+}
+
 /// Findings of one search: the document findings.json.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Findings {
@@ -167,6 +203,9 @@ pub struct Findings {
     pub never_visible: ::findings::Findings,
     /// Gaps on recordings that the fit did not see.
     pub validation: Vec<Validation>,
+    /// What recordings that the fit did not see say of each named effect.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub confirmations: Vec<Confirmation>,
     /// Random walk densities of the biases in the final model, m/s²/√s and rad/s/√s.
     pub walks: [f64; 2],
     /// Bias instability `B` of every axis in the final model, m/s² and rad/s: the Allan deviation is flat at `0.664 B`.

@@ -2,13 +2,14 @@
 
 use estimate::calibration::{Calibration, EffectParameter, EffectValues};
 use estimate::methods::joint::BiasNoise;
+use sensor::AnyEffect;
 
 use super::beside::{Rival, rivals};
-use super::latitude::instead_of;
 use super::{EffectFinding, RankedClaim};
 use crate::family::Claim;
 use crate::gap::held_out::{gap_of, held_out, held_out_as_after};
 use crate::gap::sequence::{Misfit, Sequence, channel_of};
+use crate::propose::forms;
 use crate::rank::Ranked;
 use crate::request::Request;
 use crate::search::{Name, Search};
@@ -23,8 +24,7 @@ pub struct Final<'a> {
     held_out: Option<[Misfit; 3]>,
     calibration: &'a Calibration,
     rivals: Vec<Rival>,
-    /// Latitude in the request, degrees north.
-    latitude: Option<f64>,
+    catalogue: Vec<&'static dyn AnyEffect>,
 }
 
 impl<'a> Final<'a> {
@@ -39,15 +39,15 @@ impl<'a> Final<'a> {
             held_out: held_out(last, noise),
             calibration,
             rivals: rivals(search, request.threshold()),
-            latitude: request.latitude,
+            catalogue: request.candidates(),
         }
     }
 }
 
-/// The findings of all effects that a search named; what they make doubtful is added to the calibration's warnings.
+/// The findings of all effects that a search named.
 pub fn findings(
     search: &Search,
-    calibration: &mut Calibration,
+    calibration: &Calibration,
     request: &Request,
 ) -> Vec<EffectFinding> {
     let is_effect = |name: &&Name| matches!(name.claim, Claim::Effect(_));
@@ -56,10 +56,7 @@ pub fn findings(
     }
     let last = Final::of(search, calibration, request);
     let names = search.names.iter().filter(is_effect);
-    let found: Vec<EffectFinding> = names.map(|name| finding(name, &last)).collect();
-    let doubts = found.iter().filter_map(|e| e.latitude_in_doubt.clone());
-    calibration.warnings.extend(doubts);
-    found
+    names.map(|name| finding(name, &last)).collect()
 }
 
 /// The finding of a name.
@@ -69,7 +66,6 @@ fn finding(name: &Name, last: &Final<'_>) -> EffectFinding {
     let sequence = Sequence::of(without, noise);
     let channel = channel_of(&sequence.of_column(name.predicted.col_as_slice(0)));
     let held = |misfits: &Option<[Misfit; 3]>| misfits.map_or(1.0, |m| gap_of(&m, channel));
-    let doubt = last.latitude.and_then(|l| instead_of(name, l));
     let parameters = parameters_of(name.claim.name(), last.calibration);
     let rivals = last.rivals.iter();
     let beside =
@@ -84,8 +80,8 @@ fn finding(name: &Name, last: &Final<'_>) -> EffectFinding {
         told_apart_by: told_apart_by(&name.claim, name.ties.iter().map(|t| &t.claim)),
         indistinguishable_from: ties,
         shared: name.ties.iter().map(|t| t.shared).collect(),
+        forms: forms(name, &last.catalogue),
         rivals: name.ties.iter().filter_map(|t| t.rivalry.clone()).collect(),
-        latitude_in_doubt: doubt.map(|doubt| doubt.finding()),
         may_be_beside: beside.collect(),
         parameters,
         channel,

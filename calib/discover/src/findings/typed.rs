@@ -69,6 +69,7 @@ fn is_of_the_fit(kind: Kind) -> bool {
     matches!(
         kind,
         K::Creep
+            | K::Settling
             | K::MountSlip
             | K::DisturbedInterval
             | K::RateExcursion

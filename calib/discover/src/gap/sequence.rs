@@ -80,6 +80,12 @@ impl Sequence {
         self.of_column(r)
     }
 
+    /// What the parameters leave of a white-whitened column (`m`), whitened.
+    pub fn left_of(&self, column: &[f64]) -> Vec<f64> {
+        let [.., whole] = &self.bases;
+        whole.without_column(&self.whitening.finish_column(column))
+    }
+
     /// Computes the part of any white-whitened column (`m`) that shows in each channel.
     pub fn of_column(&self, column: &[f64]) -> [Misfit; 3] {
         let column = self.whitening.finish_column(column);

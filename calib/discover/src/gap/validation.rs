@@ -13,10 +13,12 @@ use sensor::{AnyEffect, Model};
 
 use crate::discovery::Discovery;
 use crate::extension::Extension;
-use crate::findings::Validation;
+use crate::family::Claim;
+use crate::findings::{Confirmation, Says, Validation};
 use crate::gap::channel::Channel;
 use crate::gap::sequence::{Misfit, Sequence, whitening_at};
 use crate::request::{Request, Session};
+use crate::search::Name;
 use crate::state::State;
 
 /// Gauss–Newton steps of directions and biases: the problem is all but linear in them, and the first is
@@ -40,12 +42,12 @@ pub fn validate(
     let session = Session::new(std::slice::from_ref(recording), request)?;
     let search = &discovery.search;
     let noise = search.last.noise;
-    let before = missed(&session, &search.base, noise)?;
-    let after = missed(&session, &search.last, noise)?;
+    let before = Missed::of(&session, &search.base, noise)?.misfits;
+    let after = Missed::of(&session, &search.last, noise)?.misfits;
     let named = &discovery.findings.effects;
     let proposed = discovery.findings.proposed.as_ref();
     let with_formula = match &discovery.with_formula {
-        Some(model) => Some(missed(&session, model, model.noise)?),
+        Some(model) => Some(Missed::of(&session, model, model.noise)?.misfits),
         None => None,
     };
     let is_proposed = |c: Channel| proposed.is_some_and(|p| p.channel == c);
@@ -70,42 +72,113 @@ pub fn validate(
         .collect())
 }
 
-/// Computes the misfit of each channel of the session under the calibration of `model`.
-fn missed(session: &Session<'_>, model: &State, noise: BiasNoise) -> Result<[Misfit; 3], Error> {
-    // What was disturbed in the other recording was disturbed there.
-    // An instant belongs to the recording that it was found in: nothing is judged by it here.
-    let lasting = |(effect, _): &&(&'static dyn AnyEffect, _)| effect.instant().is_none();
-    let effects = model.extension.effects.iter().filter(lasting);
-    let fit = fit_joint(&session.joint(&Extension {
-        effects: effects.copied().collect(),
-        ..Extension::default()
-    }))?;
-    let held = HeldCalibration::of(&under(model, noise), &fit);
-    let rows = fit.plain_rows();
-    let mut x = fit.parameters.values()[..rows.layout.count()].to_vec();
-    for (place, value) in &held.values {
-        x[*place] = *value;
-    }
-    let nuisance: Vec<usize> = fit
-        .free
-        .iter()
-        .copied()
-        .filter(|k| *k < x.len() && held.values.iter().all(|(place, _)| place != k))
-        .collect();
-    for _ in 0..STEPS {
-        let (r, jacobian) = whitened(&rows, &fit, &x);
-        let Some(step) = jacobian.select(&nuisance).least_squares(&r) else {
-            break;
+/// What the validation recording says of every named effect.
+///
+/// Of two calibrations, without and with the effect, the second predicts `d` less of the residuals `r` of the first. The share of `d`
+/// that is in `r`, `dᵀ r/dᵀd`, is 1 where the effect is as it was named and 0 where the other device has none; its variance is `1/dᵀd`
+/// under the covariance of [`validate`]. Nothing else that the recording has, and no channel in which the effect does not show, hides it.
+///
+/// # Errors
+/// As [`validate`].
+pub fn confirm(
+    recording: &Recording,
+    request: &Request,
+    discovery: &Discovery,
+) -> Result<Vec<Confirmation>, Error> {
+    let session = Session::new(std::slice::from_ref(recording), request)?;
+    let search = &discovery.search;
+    let noise = search.last.noise;
+    let with = Missed::of(&session, &search.last, noise)?;
+    let excess = |channel: Channel| with.misfits[channel as usize].gap().max(1.0);
+    // An instant is of one recording.
+    let lasts = |name: &&Name| matches!(name.claim, Claim::Effect(e) if e.instant().is_none());
+    let mut found = Vec::new();
+    for name in search.names.iter().filter(lasts) {
+        let without = Missed::of(&session, &name.without, noise)?;
+        let own = discovery.findings.effects.iter();
+        let own = own.clone().find(|effect| effect.name == name.claim.name());
+        let Some((effect, [share, std])) = own.zip(with.share_in(&without)) else {
+            continue;
         };
-        for (step, place) in step.iter().zip(&nuisance) {
-            x[*place] -= step;
-        }
+        let std = std * excess(effect.channel);
+        found.push(Confirmation {
+            recording: recording.name.clone(),
+            effect: effect.name.clone(),
+            share,
+            std,
+            says: Says::of(share, std),
+        });
     }
-    let (r, jacobian) = whitened(&rows, &fit, &x);
-    let covariance = expected(&fit, &held, &jacobian, noise);
-    let whitening = Whitening::with_covariance(fit.whitening.white.clone(), &covariance);
-    let ends = [fit.first_rows[0], fit.first_rows[1], r.len()];
-    Ok(Sequence::under(whitening, jacobian.select(&nuisance), ends).of_column(&r))
+    Ok(found)
+}
+
+/// What a calibration leaves of another recording, whose directions and biases are free.
+struct Missed {
+    /// Residuals, white-whitened (`m`).
+    residuals: Vec<f64>,
+    sequence: Sequence,
+    /// Misfit of each channel.
+    misfits: [Misfit; 3],
+}
+
+impl Missed {
+    /// Under the calibration of `model`.
+    fn of(session: &Session<'_>, model: &State, noise: BiasNoise) -> Result<Self, Error> {
+        // What was disturbed in the other recording was disturbed there.
+        // An instant belongs to the recording that it was found in: nothing is judged by it here.
+        let lasting = |(effect, _): &&(&'static dyn AnyEffect, _)| effect.instant().is_none();
+        let effects = model.extension.effects.iter().filter(lasting);
+        let fit = fit_joint(&session.joint(&Extension {
+            effects: effects.copied().collect(),
+            ..Extension::default()
+        }))?;
+        let held = HeldCalibration::of(&under(model, noise), &fit);
+        let rows = fit.plain_rows();
+        let mut x = fit.parameters.values()[..rows.layout.count()].to_vec();
+        for (place, value) in &held.values {
+            x[*place] = *value;
+        }
+        let nuisance: Vec<usize> = fit
+            .free
+            .iter()
+            .copied()
+            .filter(|k| *k < x.len() && held.values.iter().all(|(place, _)| place != k))
+            .collect();
+        for _ in 0..STEPS {
+            let (r, jacobian) = whitened(&rows, &fit, &x);
+            let Some(step) = jacobian.select(&nuisance).least_squares(&r) else {
+                break;
+            };
+            for (step, place) in step.iter().zip(&nuisance) {
+                x[*place] -= step;
+            }
+        }
+        let (r, jacobian) = whitened(&rows, &fit, &x);
+        let covariance = expected(&fit, &held, &jacobian, noise);
+        let whitening = Whitening::with_covariance(fit.whitening.white.clone(), &covariance);
+        let ends = [fit.first_rows[0], fit.first_rows[1], r.len()];
+        let sequence = Sequence::under(whitening, jacobian.select(&nuisance), ends);
+        Ok(Self {
+            misfits: sequence.of_column(&r),
+            residuals: r,
+            sequence,
+        })
+    }
+
+    /// The share of what this calibration explains beyond another one that the residuals of that one have, and its standard error; `None`
+    /// where it explains nothing else.
+    fn share_in(&self, other: &Self) -> Option<[f64; 2]> {
+        if self.residuals.len() != other.residuals.len() {
+            return None;
+        }
+        let pairs = other.residuals.iter().zip(&self.residuals);
+        let explained: Vec<f64> = pairs.map(|(without, with)| without - with).collect();
+        let d = self.sequence.left_of(&explained);
+        let r = self.sequence.left_of(&other.residuals);
+        let square: f64 = d.iter().map(|v| v * v).sum();
+        let along: f64 = d.iter().zip(&r).map(|(d, r)| d * r).sum();
+        (square > 0.0).then(|| [along / square, 1.0 / square.sqrt()])
+    }
 }
 
 /// A model's fit, its parameters moved to where walks of these densities put them.
@@ -250,7 +323,12 @@ mod tests {
         // χ²/dof of a complete model scatters by √(2/dof); three of these.
         let spread = 3.0 * (2.0 / rate.dof).sqrt();
         assert!((rate.gap_after.powi(2) - 1.0).abs() < spread, "{rate:?}");
+        let says = confirm(&second, &request, &discovery).unwrap();
+        assert_eq!((says.len(), says[0].says), (1, Says::Confirms));
+        assert!((says[0].share - 1.0).abs() < 4.0 * says[0].std, "{says:?}");
         let stranger = Spec::hand_held(13).run().unwrap().recording;
+        let says = confirm(&stranger, &request, &discovery).unwrap();
+        assert_eq!(says[0].says, Says::SpeaksAgainst, "{says:?}");
         let found = validate(&stranger, &request, &discovery).unwrap();
         assert!(found[0].gap_after > 3.0, "{found:?}");
     }

@@ -5,7 +5,7 @@ use std::f64::consts::LN_2;
 
 use faer::{Mat, MatRef};
 use nalgebra::{DMatrix, Matrix2x3};
-use sensor::{Axis, Covariate, Kinematics, Sensor, Term};
+use sensor::{Axis, Covariate, Kinematics, Quantity, Sensor, Term};
 use statrs::function::factorial::ln_binomial;
 
 use crate::noise::projected::Whitened;
@@ -119,6 +119,48 @@ pub fn dictionary(state: &State) -> Vec<Product> {
         };
         all.extend(products(state, Sensor::Gyroscope, &offered));
     }
+    all
+}
+
+/// The products that go with the axis, of the signal of the sensor and of what else an effect with these `needs` looks at: force, rate,
+/// time, temperature.
+pub fn forms_of(state: &State, sensor: Sensor, needs: &[Quantity]) -> Vec<Product> {
+    let mut offered = Offered {
+        powers: Vec::new(),
+        first: 0,
+        sizes: Vec::new(),
+        history: Vec::new(),
+    };
+    for (need, signal, size) in [
+        (
+            Quantity::SpecificForce,
+            Covariate::SpecificForce as fn(Axis) -> Covariate,
+            Covariate::ForceSize as fn(Axis) -> Covariate,
+        ),
+        (
+            Quantity::AngularRate,
+            Covariate::AngularRate,
+            Covariate::RateSize,
+        ),
+    ] {
+        if needs.contains(&need) || need == Quantity::signal_of(sensor) {
+            offered.powers.extend(Axis::ALL.map(signal));
+            offered.sizes.extend(Axis::ALL.map(size));
+            offered.first += 3;
+        }
+    }
+    let slow = [
+        (Quantity::Time, Covariate::Time),
+        (Quantity::Temperature, Covariate::TemperatureChange),
+    ];
+    let slow = slow.into_iter().filter(|(need, _)| needs.contains(need));
+    offered.powers.extend(slow.map(|(_, covariate)| covariate));
+    let mut all = products(state, sensor, &offered);
+    let goes_with_axis = |product: &Product| {
+        let mut parts = product.parts.windows(2);
+        product.parts.len() == Axis::ALL.len() && parts.all(|pair| pair[0].1 != pair[1].1)
+    };
+    all.retain(goes_with_axis);
     all
 }
 

@@ -2,6 +2,7 @@
 
 use estimate::methods::joint::orthonormal;
 use faer::Mat;
+use sensor::AnyEffect;
 
 use super::dictionary::{Product, dictionary};
 use super::most::most_evidence;
@@ -36,7 +37,7 @@ pub fn instead_of_names(
         return None;
     }
     let base = &search.base;
-    let products = not_of_the_catalogue(base, request);
+    let products = outside(base, &request.candidates(), dictionary(base), OWN);
     let screened = screen(base, &products)?;
     let needed = search.evidence + APART;
     if most_evidence(&screened, &products, base.levels()) <= needed {
@@ -48,27 +49,30 @@ pub fn instead_of_names(
     (found.ranked.by_ratio() > needed).then_some((found, whole))
 }
 
-/// The dictionary without what effects of the catalogue hold.
-fn not_of_the_catalogue(base: &State, request: &Request) -> Vec<Product> {
-    let candidates = request.candidates();
-    let spans = candidates
+/// The `products` of which every effect of the catalogue that may be missing leaves more than this share.
+pub(super) fn outside(
+    base: &State,
+    catalogue: &[&'static dyn AnyEffect],
+    mut products: Vec<Product>,
+    share: f64,
+) -> Vec<Product> {
+    let spans = catalogue
         .iter()
         .filter(|effect| may_be_missing(base, **effect) && coefficients(**effect).1.is_none())
         .map(|effect| {
-            let family = effect_family(base, *effect, &candidates);
+            let family = effect_family(base, *effect, catalogue);
             orthonormal(&base.projected.columns(family.columns_of(0).as_ref()))
         });
     let spans: Vec<Mat<f64>> = spans.collect();
     let is_within = |column: &Mat<f64>| {
         let held = |span: &Mat<f64>| (span.transpose() * column).squared_norm_l2();
-        spans.iter().any(|span| held(span) > 1.0 - OWN)
+        spans.iter().any(|span| held(span) > 1.0 - share)
     };
     let is_own = |product: &Product| {
         let mut columns =
             (0..product.columns.ncols()).map(|k| product.columns.as_ref().subcols(k, 1).to_owned());
         columns.all(|column| is_within(&column))
     };
-    let mut products = dictionary(base);
     products.retain(|product| !is_own(product));
     products
 }

@@ -8,6 +8,7 @@
 mod alternatives;
 mod chosen;
 mod dictionary;
+mod forms;
 mod group_lasso;
 mod instead;
 mod most;
@@ -19,6 +20,7 @@ use alternatives::alternatives;
 use chosen::{Chosen, Stable};
 use dictionary::{Product, dictionary, log_formulas};
 use estimate::calibration::EffectParameter;
+pub use forms::forms;
 pub use instead::instead_of_names;
 use screen::{Screened, screen};
 use sensor::{AnyEffect, Formula, Sensor};

@@ -1,7 +1,7 @@
 //! One unit among several: its session, what it says alone, and its model.
 
-use ::findings::Front;
-use estimate::calibration::EffectParameter;
+use ::findings::{Finding, Front, Kind};
+use estimate::calibration::{Calibration, EffectParameter};
 use estimate::methods::joint::BiasNoise;
 use recording::{Error, Recording};
 use sensor::AnyEffect;
@@ -144,9 +144,14 @@ fn alone(recording: &Recording, findings: &Findings) -> UnitAlone {
 /// Why what a unit shows says nothing of its type: a wrong axis, unit or latitude does to the readings what an error of the
 /// sensor may do.
 fn left_out(findings: &Findings) -> Option<String> {
-    let doubts = findings.effects.iter();
-    let mut doubts = doubts.filter_map(|effect| effect.latitude_in_doubt.as_ref());
-    let gates = &findings.calibration.failed_gates;
-    let first = gates.first().or_else(|| doubts.next());
+    let Calibration {
+        failed_gates,
+        warnings,
+        ..
+    } = &findings.calibration;
+    let is_of_the_place = |found: &&Finding| found.kind == Kind::LatitudeDoubtful;
+    let first = failed_gates
+        .first()
+        .or_else(|| warnings.iter().find(is_of_the_place));
     first.map(|found| found.text(Front::CommandLine))
 }

@@ -15,10 +15,11 @@ pub fn ties(findings: &Findings) -> Vec<String> {
                 effect.name
             ));
         }
-        if let Some(doubt) = &effect.latitude_in_doubt {
+        if !effect.forms.is_empty() {
             all.push(format!(
-                "Another latitude would explain what {} explains. {doubt}",
-                effect.name
+                "Forms that are not in the list of known errors explain about as much as {}: {}.",
+                effect.name,
+                effect.forms.join("; ")
             ));
         }
     }

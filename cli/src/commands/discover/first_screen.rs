@@ -8,6 +8,7 @@ use calib::gravity::GravitySource;
 use super::advice::remedy_of;
 use super::args::Args;
 use super::size;
+use super::tables;
 use super::words::{gaps, unit_of};
 use crate::call;
 use crate::commands::calibrate::limits;
@@ -194,13 +195,16 @@ fn open(findings: &Findings) -> String {
                 effect.name
             ));
         }
-        if effect.latitude_in_doubt.is_some() {
+    }
+    for effect in &findings.effects {
+        if let Some(form) = effect.forms.first() {
             lines.push(format!(
-                "{} or another latitude: not told apart",
+                "{} or {form}: not told apart by these recordings",
                 effect.name
             ));
         }
     }
+    lines.extend(findings.confirmations.iter().map(tables::confirmed));
     if let Some(rest) = &findings.unexplained {
         let size = rest.rms.map_or_else(String::new, |rms| {
             let (factor, unit) = unit_of(rest.channel);

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use calib::calibration::{EffectParameter, effect_named};
-use calib::discover::{EffectFinding, Findings, Proposal, Validation};
+use calib::discover::{Confirmation, EffectFinding, Findings, Proposal, Says, Validation};
 use sensor::Nature;
 
 use super::advice::to_show;
@@ -260,26 +260,37 @@ pub fn validated(findings: &Findings) -> Vec<String> {
                 "On {name} the gap of the {channel} is {without} without and {with_it} with the proposed formula: {says}."
             );
         }
-        if !findings.effects.is_empty() && explained(v.gap_before) && explained(v.gap_after) {
-            format!(
-                "On {name} the {channel} is explained to the noise without what was named for it too: that \
-                 recording cannot confirm it."
-            )
-        } else if explained(v.gap_after) {
+        if explained(v.gap_after) {
             format!("On {name} the {channel} is explained to the noise.")
         } else if findings.effects.is_empty() {
             format!(
                 "On {name} the {channel} is not explained: something is missing that did not show here."
             )
-        } else if v.gap_after > SHRUNK * v.gap_before {
-            format!(
-                "On {name} the gap of the {channel} hardly shrinks: what was named for it is not confirmed there."
-            )
         } else {
-            format!("On {name} the gap of the {channel} shrinks, but something is left.")
+            let [before, after] = words::gaps(v.gap_before, v.gap_after);
+            format!(
+                "On {name} the gap of the {channel} is {before} without and {after} with what was named."
+            )
         }
     };
-    findings.validation.iter().map(of).collect()
+    let own = findings.confirmations.iter();
+    let own = own.map(|own| format!("{}.", confirmed(own)));
+    own.chain(findings.validation.iter().map(of)).collect()
+}
+
+/// What the validation recording says of an effect.
+pub fn confirmed(own: &Confirmation) -> String {
+    let name = last_part(&own.recording);
+    let effect = &own.effect;
+    let says = match own.says {
+        Says::Confirms => format!("confirms {effect}"),
+        Says::SpeaksAgainst => format!("speaks against {effect}"),
+        Says::CannotTell => format!("cannot tell whether {effect} is there"),
+    };
+    format!(
+        "{name} {says}: it shows {:.2} ± {:.2} of its size",
+        own.share, own.std
+    )
 }
 
 /// Returns the effects that these recordings cannot show, in sentences.

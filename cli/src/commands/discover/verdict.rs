@@ -134,14 +134,7 @@ fn in_units(effect: &EffectFinding) -> String {
 }
 
 fn with_ties(effect: &EffectFinding) -> String {
-    let mut others = effect.indistinguishable_from.clone();
-    others.extend(
-        effect
-            .latitude_in_doubt
-            .is_some()
-            .then(|| "another latitude".into()),
-    );
-    or(&effect.name, &others)
+    or(&effect.name, &effect.indistinguishable_from)
 }
 
 fn faults(findings: &Findings) -> String {
