@@ -96,7 +96,7 @@ pub(super) fn discover_in(
     };
     let (proposed, with_formula) = formula.unzip();
     let mut calibration = calibrated(session, request, &mut search, held)?;
-    let mut effects = named::findings(&search, &mut calibration, request);
+    let mut effects = named::findings(&search, &calibration, request);
     let (rest, is_of_a_room) = described(&mut effects, &mut search, rest);
     if is_of_a_room {
         let warnings = std::mem::take(&mut calibration.warnings);

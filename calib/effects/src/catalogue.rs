@@ -146,6 +146,6 @@ mod tests {
             }
             compared += 1;
         }
-        assert_eq!(compared, 24);
+        assert_eq!(compared, 26);
     }
 }

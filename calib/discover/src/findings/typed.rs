@@ -1,6 +1,7 @@
 //! Results of a search as typed findings of its calibration; the verdict is a function of these findings.
 
 use ::findings::{Finding, Kind};
+use estimate::methods::joint::FAULTS;
 
 use super::EffectFinding;
 use crate::fault::integrity::Integrity;
@@ -65,17 +66,6 @@ fn affecting(found: Finding, channel: Channel, rms: Option<f64>) -> Finding {
 
 /// Returns true if the fit itself reports a finding of this kind.
 fn is_of_the_fit(kind: Kind) -> bool {
-    use Kind as K;
-    matches!(
-        kind,
-        K::Creep
-            | K::Settling
-            | K::MountSlip
-            | K::DisturbedInterval
-            | K::RateExcursion
-            | K::TurnMissed
-            | K::Quantised
-            | K::DeadZone
-            | K::Rezeroed
-    )
+    let is_of_a_place = FAULTS.iter().any(|fault| fault.kind() == kind);
+    is_of_a_place || matches!(kind, Kind::Quantised | Kind::DeadZone | Kind::Rezeroed)
 }

@@ -14,22 +14,38 @@ use crate::show;
 /// A change of temperature that people know, K.
 const WARMER: f64 = 10.0;
 
-/// The largest error over all orientations at one g, else in a turn at 90 °/s about any axis, else ten degrees warmer, else what the
-/// recording shows of it.
+/// A size is stated where it is known to this share of it.
+const KNOWN: f64 = 0.5;
+
+/// The largest error over all orientations at one g, else in a turn at 90 °/s about any axis, else ten degrees warmer; where the recording
+/// does not determine that, what it shows of the effect.
 pub fn of(effect: &EffectFinding, gravity: f64) -> String {
-    let values: Vec<f64> = effect.parameters.iter().map(|p| p.value).collect();
-    let known = effect_named(&effect.name).filter(|known| known.params().len() == values.len());
-    let state = known.and_then(|known| at_a_state(known, &values, gravity));
+    let p: Vec<f64> = effect.parameters.iter().map(|p| p.value).collect();
+    let std = effect.parameters.iter().map(|p| p.std.unwrap_or(0.0));
+    let known = effect_named(&effect.name).filter(|known| known.params().len() == p.len());
+    let state = known.and_then(|known| at_a_state(known, &p, &std.collect::<Vec<_>>(), gravity));
     state.or_else(|| shown(effect)).unwrap_or_default()
 }
 
-fn at_a_state(effect: &dyn AnyEffect, p: &[f64], gravity: f64) -> Option<String> {
+fn at_a_state(effect: &dyn AnyEffect, p: &[f64], std: &[f64], gravity: f64) -> Option<String> {
     let directions = plan::faces_edges_corners();
+    // Of parameters that only their sum is known of, each has a large error.
+    let uncertainty = |truth: &Kinematics<f64>| {
+        let own = effect.error_f64(truth, p);
+        let by = |k: usize| {
+            let mut moved = p.to_vec();
+            moved[k] += std[k];
+            (effect.error_f64(truth, &moved) - own).norm_squared()
+        };
+        (0..p.len()).map(by).sum::<f64>().sqrt()
+    };
     let largest = |truth: &dyn Fn(Vector3<f64>) -> Kinematics<f64>| {
-        let errors = directions
-            .iter()
-            .map(|up| effect.error_f64(&truth(*up), p).norm());
-        Some(errors.fold(0.0, f64::max)).filter(|error| error.is_finite() && *error > 0.0)
+        let errors = directions.iter().map(|up| {
+            let truth = truth(*up);
+            (effect.error_f64(&truth, p).norm(), truth)
+        });
+        let largest = errors.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some(largest).filter(|(error, _)| error.is_finite() && *error > 0.0)
     };
     let at_rest = |up: Vector3<f64>| supposed(up * gravity, Vector3::zeros());
     let turning = |axis: Vector3<f64>| supposed(Vector3::zeros(), axis * FRAC_PI_2);
@@ -39,7 +55,10 @@ fn at_a_state(effect: &dyn AnyEffect, p: &[f64], gravity: f64) -> Option<String>
     };
     let found = largest(&at_rest).map(|error| (error, "at one g"));
     let found = found.or_else(|| Some((largest(&turning)?, "at 90 °/s")));
-    let (error, at) = found.or_else(|| Some((largest(&warmer)?, "10 °C warmer")))?;
+    let ((error, truth), at) = found.or_else(|| Some((largest(&warmer)?, "10 °C warmer")))?;
+    if uncertainty(&truth) > KNOWN * error {
+        return None;
+    }
     let (factor, unit) = match effect.sensor() {
         Sensor::Accelerometer => (1e3, "mm/s²"),
         Sensor::Gyroscope => (3600.0 * 1f64.to_degrees(), "°/h"),

@@ -17,7 +17,6 @@ pub(crate) use disturbed_interval::shaken;
 pub use fault::{Fault, FaultRef, Flagged, Reason, Scope, Seen, Site, Suspect};
 pub use outlying_turn::OutlyingTurn;
 pub use rate_excursion::RateExcursion;
-pub use settling::Settling;
 pub use sudden_slip::SuddenSlip;
 
 /// All faults, in the order of their parameters.
@@ -26,7 +25,7 @@ pub static FAULTS: &[FaultRef] = &[
     &DisturbedInterval,
     &OutlyingTurn,
     &RateExcursion,
-    &Settling,
+    &settling::Settling,
     &SuddenSlip,
 ];
 
