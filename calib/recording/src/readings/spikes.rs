@@ -31,12 +31,11 @@ const ALONE: f64 = 3.0;
 const HUGE: f64 = 5.0;
 const USUAL_SHARE: f64 = 0.98;
 
-/// Where so many spikes were seen while the device was quiet, the usual one larger than this share of what nearly all readings reach, the
+/// Where as many were seen while the device was quiet, the usual one larger than this share of what nearly all readings reach, the
 /// transfer fails, and does so in turns as well ...
-const SEEN_AT_REST: usize = 2;
 const OF_USUAL: f64 = 0.5;
-/// ... by at least this share of the usual one. Smaller ones are shocks, as when a phone is laid down: at rest up to 10 °/s, in motion up
-/// to 80 °/s.
+/// ... by at least this share of that reach. Fewer, or smaller ones, are shocks, as when a phone is laid down, and a single reading in a
+/// turn is one: up to 80 °/s, at rest up to 10 °/s.
 const IN_MOTION: f64 = 0.25;
 
 /// Steps longer than this may hold a motion between two rests, s.
@@ -84,9 +83,10 @@ fn found(sensor: Sensor, stream: &Stream) -> Option<Symptom> {
     let most = (MOST * values.len() as f64) as usize;
     let mut spikes = of_axes(sensor, values, most, None);
     let usual = median(spikes.iter().map(|s| s.size)).unwrap_or(0.0);
-    let transfer_fails = spikes.len() >= SEEN_AT_REST && usual > OF_USUAL * usual_reach(values);
+    let reach = usual_reach(values);
+    let transfer_fails = spikes.len() >= FEWEST && usual > OF_USUAL * reach;
     if sensor == Sensor::Gyroscope && transfer_fails {
-        spikes = of_axes(sensor, values, most, Some(IN_MOTION * usual));
+        spikes = of_axes(sensor, values, most, Some(IN_MOTION * reach));
     }
     let largest = spikes.iter().map(|s| s.size).fold(0.0, f64::max);
     let has = |axis: &usize| spikes.iter().any(|s| s.axis == *axis);
@@ -95,7 +95,7 @@ fn found(sensor: Sensor, stream: &Stream) -> Option<Symptom> {
     rows.sort_unstable();
     rows.dedup();
     let certain = || largest > ALONE * extent_without(values, &rows);
-    let enough = rows.len() >= FEWEST || transfer_fails || certain();
+    let enough = rows.len() >= FEWEST || certain();
     (enough && !rows.is_empty() && rows.len() <= most.max(1)).then_some(Symptom::Spikes {
         sensor,
         rows,
@@ -343,13 +343,12 @@ mod tests {
         values[1203].x += 2.0;
         assert!(without_spikes(&turning).is_none());
         let values = &mut turning.gyroscope.as_mut().unwrap().values;
-        values[2500].y += 2.5;
-        values[3100].z -= 2.2;
+        (0..5).for_each(|k| values[2500 + 150 * k].y += 2.5);
         let (_, findings) = without_spikes(&turning).unwrap();
         let Symptom::Spikes { rows, .. } = &findings[0] else {
             panic!("{findings:?}");
         };
-        assert_eq!(rows, &[1205, 2502, 3102]);
+        assert_eq!(rows, &[1205, 2502, 2652, 2802, 2952, 3102]);
     }
 
     #[test]
