@@ -26,7 +26,8 @@ class Browser:
     """One browser with one page."""
 
     def __init__(self, path):
-        self.profile = tempfile.TemporaryDirectory()
+        # Processes of the browser that end a moment later still write there.
+        self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         self.downloads = Path(self.profile.name) / "downloads"
         self.downloads.mkdir()
         (to_read, self._to), (self._from, to_write) = os.pipe(), os.pipe()

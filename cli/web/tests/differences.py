@@ -7,8 +7,13 @@ FLOOR = 1e-9
 def furthest(one, other, path=""):
     """The largest relative difference of the numbers of two documents, and its place; 1 where something else differs.
 
-    Seals are left out: they are hashes of the numbers.
+    Seals are left out: they are hashes of the numbers. A covariance is compared with the standard errors of its two parameters, for
+    those of parameters that hardly depend on each other are differences of large numbers.
     """
+    if path.endswith(".covariance") and isinstance(one, list) and isinstance(other, list) and len(one) == len(other):
+        stds = [max(abs(row[k]), FLOOR) ** 0.5 for k, row in enumerate(one)]
+        pairs = [(i, k) for i in range(len(one)) for k in range(len(one))]
+        return max((abs(one[i][k] - other[i][k]) / (stds[i] * stds[k]), f"{path}[{i}][{k}]") for i, k in pairs)
     if isinstance(one, dict) and isinstance(other, dict):
         names = [name for name in one.keys() | other.keys() if "sha256" not in name]
         missing = [name for name in names if name not in one or name not in other]

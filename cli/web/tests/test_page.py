@@ -17,7 +17,7 @@ from differences import furthest
 PAGE = os.environ.get("STILLPOINT_PAGE", "")
 PROGRAM = os.environ.get("STILLPOINT_BIN", "")
 # Rounding differs: the processor of the command line multiplies and adds in one step, WebAssembly in two.
-CLOSE = 1e-9
+CLOSE = 1e-8
 
 pytestmark = pytest.mark.skipif(not (PAGE and PROGRAM and chromium()), reason="no page, no program or no Chromium")
 

@@ -84,6 +84,10 @@ fn through(stream: &Stream, rows: &[usize], t: f64) -> Vector3<f64> {
 /// The first row of every run, and the first with another reading.
 fn stale_runs(stream: &Stream, frozen: &[Frozen]) -> Vec<(usize, usize)> {
     let values = &stream.values;
+    let repeated = values.windows(2).filter(|pair| pair[0] == pair[1]).count();
+    if repeated as f64 <= FEWEST {
+        return Vec::new();
+    }
     let Some(step) = steps(values) else {
         return Vec::new();
     };
