@@ -88,7 +88,7 @@ def test_a_recording_gives_the_calibration_of_the_command_line(browser, folder):
     distance, place = furthest(json.loads(mine), json.loads((folder / "cal.json").read_text()))
     assert distance < CLOSE, place
     shown = browser.run("document.querySelector('.shown').shadowRoot.textContent")
-    assert "What to do next" in shown
+    assert "Directions covered" in shown
     assert browser.run("document.querySelector('#pictures .shown').shadowRoot.querySelectorAll('svg').length") > 5
 
 

@@ -145,7 +145,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
     Entry {
         kind: Kind::TemperatureChanged,
         level: Level::Care,
-        severity: 0.07,
+        severity: 0.5,
         reason: "the temperature changed from {low} to {high}, which the model leaves out",
         text: "the temperature changed from {low} to {high} while the device was at rest, and the model has no effect of the temperature. Scale factors and biases are means over that range, and the standard errors do not cover how they change within it",
         advice: "",
