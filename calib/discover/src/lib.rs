@@ -45,7 +45,7 @@ pub use gap::channel::Channel;
 pub use gap::held_out::{gap_of, held_out};
 pub use gap::localise::{Disagreement, disagreements};
 pub use gap::sequence::{Misfit, Sequence, channel_of};
-pub use gap::validation::{confirm, validate};
+pub use gap::validation::{Validated, validate};
 pub use noise::noise_file::{GivenNoise, noise_in};
 pub use noise::projected::{Projected, Whitened};
 pub use noise::seen::Seen;

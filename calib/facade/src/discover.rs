@@ -3,7 +3,7 @@
 use findings::{Finding, Front, Kind};
 use std::sync::Arc;
 
-use calib::discover::{Discovery, EffectFinding, Verdict, confirm, discover as look, validate};
+use calib::discover::{Discovery, EffectFinding, Verdict, discover as look, validate};
 use calib::document::to_json;
 use calib::limits::built_in;
 
@@ -131,8 +131,9 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Findings,
     let discovery = under(request.watch.as_ref(), || {
         let mut discovery = look(&all, &how)?;
         if let Some(validation) = validation {
-            discovery.findings.validation = validate(validation, &how, &discovery)?;
-            discovery.findings.confirmations = confirm(validation, &how, &discovery)?;
+            let validated = validate(validation, &how, &discovery)?;
+            discovery.findings.validation = validated.gaps;
+            discovery.findings.confirmations = validated.confirmations;
         }
         let calibration = &mut discovery.findings.calibration;
         calibration.state_limits(built_in(calibration));

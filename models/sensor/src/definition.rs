@@ -118,11 +118,7 @@ impl Definition {
         if !self.equation.is_empty() {
             return self.equation.clone();
         }
-        let letter = match self.sensor {
-            Sensor::Accelerometer => "A",
-            Sensor::Gyroscope => "W",
-            Sensor::Magnetometer => "M",
-        };
+        let letter = self.sensor.letter();
         let written = Axis::ALL
             .iter()
             .filter(|axis| !self.axis(**axis).trim().is_empty());

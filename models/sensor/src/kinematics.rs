@@ -31,6 +31,15 @@ impl Sensor {
         }
     }
 
+    /// `A`, `W` or `M`: its readings in equations.
+    pub fn letter(self) -> &'static str {
+        match self {
+            Self::Accelerometer => "A",
+            Self::Gyroscope => "W",
+            Self::Magnetometer => "M",
+        }
+    }
+
     /// `accel`, `gyro` or `mag`: the prefix of parameter names.
     pub fn prefix(self) -> &'static str {
         match self {

@@ -25,6 +25,15 @@ use crate::state::State;
 /// taken at the recording's own fit.
 const STEPS: usize = 3;
 
+/// What a recording that the fit did not see shows.
+#[derive(Clone, Debug)]
+pub struct Validated {
+    /// The gap in each channel.
+    pub gaps: Vec<Validation>,
+    /// What it says of each named effect.
+    pub confirmations: Vec<Confirmation>,
+}
+
 /// The gap of the calibrations that `discovery` has made, without and with everything named, on another
 /// recording of the device: in every channel that something named or proposed lives in, in all channels where
 /// nothing is.
@@ -38,12 +47,13 @@ pub fn validate(
     recording: &Recording,
     request: &Request,
     discovery: &Discovery,
-) -> Result<Vec<Validation>, Error> {
+) -> Result<Validated, Error> {
     let session = Session::new(std::slice::from_ref(recording), request)?;
     let search = &discovery.search;
     let noise = search.last.noise;
-    let before = Missed::of(&session, &search.base, noise)?.misfits;
-    let after = Missed::of(&session, &search.last, noise)?.misfits;
+    let before = Missed::of(&session, &search.base, noise)?;
+    let after = Missed::of(&session, &search.last, noise)?;
+    let confirmations = confirmations(&recording.name, &session, discovery, (&before, &after))?;
     let named = &discovery.findings.effects;
     let proposed = discovery.findings.proposed.as_ref();
     let with_formula = match &discovery.with_formula {
@@ -54,10 +64,13 @@ pub fn validate(
     let shows = |c: Channel| is_proposed(c) || named.iter().any(|effect| effect.channel == c);
     // Late stamps show in none of these channels.
     let none = !Channel::ALL.into_iter().any(shows);
-    Ok(Channel::ALL
+    let gaps = Channel::ALL
         .into_iter()
         .filter(|c| none || shows(*c))
-        .map(|channel| (channel, before[channel as usize], after[channel as usize]))
+        .map(|channel| {
+            let [before, after] = [&before, &after].map(|m| m.misfits[channel as usize]);
+            (channel, before, after)
+        })
         .filter(|(_, _, after)| after.dof > 0.0)
         .map(|(channel, before, after)| Validation {
             recording: recording.name.clone(),
@@ -69,40 +82,46 @@ pub fn validate(
                 .map(|with| with[channel as usize].gap()),
             dof: after.dof,
         })
-        .collect())
+        .collect();
+    Ok(Validated {
+        gaps,
+        confirmations,
+    })
 }
 
-/// What the validation recording says of every named effect.
+/// What the validation recording says of every named effect, `before` and `with` being what the base models and everything named leave
+/// of it.
 ///
 /// Of two calibrations, without and with the effect, the second predicts `d` less of the residuals `r` of the first. The share of `d`
 /// that is in `r`, `dᵀ r/dᵀd`, is 1 where the effect is as it was named and 0 where the other device has none; its variance is `1/dᵀd`
 /// under the covariance of [`validate`]. Nothing else that the recording has, and no channel in which the effect does not show, hides it.
-///
-/// # Errors
-/// As [`validate`].
-pub fn confirm(
-    recording: &Recording,
-    request: &Request,
+fn confirmations(
+    recording: &str,
+    session: &Session<'_>,
     discovery: &Discovery,
+    (before, with): (&Missed, &Missed),
 ) -> Result<Vec<Confirmation>, Error> {
-    let session = Session::new(std::slice::from_ref(recording), request)?;
     let search = &discovery.search;
-    let noise = search.last.noise;
-    let with = Missed::of(&session, &search.last, noise)?;
-    let excess = |channel: Channel| with.misfits[channel as usize].gap().max(1.0);
     // An instant is of one recording.
     let lasts = |name: &&Name| matches!(name.claim, Claim::Effect(e) if e.instant().is_none());
     let mut found = Vec::new();
     for name in search.names.iter().filter(lasts) {
-        let without = Missed::of(&session, &name.without, noise)?;
-        let own = discovery.findings.effects.iter();
-        let own = own.clone().find(|effect| effect.name == name.claim.name());
-        let Some((effect, [share, std])) = own.zip(with.share_in(&without)) else {
+        let other;
+        let without = match name.without.extension.is_same(&search.base.extension) {
+            true => before,
+            false => {
+                other = Missed::of(session, &name.without, search.last.noise)?;
+                &other
+            }
+        };
+        let mut effects = discovery.findings.effects.iter();
+        let effect = effects.find(|effect| effect.name == name.claim.name());
+        let Some((effect, [share, std])) = effect.zip(with.share_in(without)) else {
             continue;
         };
-        let std = std * excess(effect.channel);
+        let std = std * with.misfits[effect.channel as usize].gap().max(1.0);
         found.push(Confirmation {
-            recording: recording.name.clone(),
+            recording: recording.into(),
             effect: effect.name.clone(),
             share,
             std,
@@ -315,7 +334,8 @@ mod tests {
         let request = Request::new(first.truth.spec.gravity);
         let discovery = discover(&[first.recording], &request).unwrap();
         assert_eq!(discovery.findings.effects[0].name, HIDDEN);
-        let found = validate(&second, &request, &discovery).unwrap();
+        let validated = validate(&second, &request, &discovery).unwrap();
+        let (found, says) = (validated.gaps, validated.confirmations);
         assert_eq!(found.len(), 1);
         let rate = &found[0];
         assert_eq!(rate.channel, Channel::StaticRate);
@@ -323,13 +343,12 @@ mod tests {
         // χ²/dof of a complete model scatters by √(2/dof); three of these.
         let spread = 3.0 * (2.0 / rate.dof).sqrt();
         assert!((rate.gap_after.powi(2) - 1.0).abs() < spread, "{rate:?}");
-        let says = confirm(&second, &request, &discovery).unwrap();
         assert_eq!((says.len(), says[0].says), (1, Says::Confirms));
         assert!((says[0].share - 1.0).abs() < 4.0 * says[0].std, "{says:?}");
         let stranger = Spec::hand_held(13).run().unwrap().recording;
-        let says = confirm(&stranger, &request, &discovery).unwrap();
+        let validated = validate(&stranger, &request, &discovery).unwrap();
+        let (found, says) = (validated.gaps, validated.confirmations);
         assert_eq!(says[0].says, Says::SpeaksAgainst, "{says:?}");
-        let found = validate(&stranger, &request, &discovery).unwrap();
         assert!(found[0].gap_after > 3.0, "{found:?}");
     }
 
@@ -339,7 +358,7 @@ mod tests {
         let request = Request::new(first.truth.spec.gravity);
         let of = |first: &Recording, second: &Recording| {
             let discovery = discover(std::slice::from_ref(first), &request).unwrap();
-            validate(second, &request, &discovery).unwrap()
+            validate(second, &request, &discovery).unwrap().gaps
         };
         let counted = |recording: &Recording| {
             let mut counted = recording.clone();

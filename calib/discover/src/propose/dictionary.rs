@@ -125,36 +125,28 @@ pub fn dictionary(state: &State) -> Vec<Product> {
 /// The products that go with the axis, of the signal of the sensor and of what else an effect with these `needs` looks at: force, rate,
 /// time, temperature.
 pub fn forms_of(state: &State, sensor: Sensor, needs: &[Quantity]) -> Vec<Product> {
-    let mut offered = Offered {
-        powers: Vec::new(),
-        first: 0,
-        sizes: Vec::new(),
+    let looks_at = |quantity| needs.contains(&quantity) || quantity == Quantity::signal_of(sensor);
+    let (mut signals, mut sizes, mut slow) = (Vec::new(), Vec::new(), Vec::new());
+    if looks_at(Quantity::SpecificForce) {
+        signals.extend(Axis::ALL.map(Covariate::SpecificForce));
+        sizes.extend(Axis::ALL.map(Covariate::ForceSize));
+    }
+    if looks_at(Quantity::AngularRate) {
+        signals.extend(Axis::ALL.map(Covariate::AngularRate));
+        sizes.extend(Axis::ALL.map(Covariate::RateSize));
+    }
+    if looks_at(Quantity::Time) {
+        slow.push(Covariate::Time);
+    }
+    if looks_at(Quantity::Temperature) {
+        slow.push(Covariate::TemperatureChange);
+    }
+    let offered = Offered {
+        first: signals.len(),
+        powers: [signals, slow].concat(),
+        sizes,
         history: Vec::new(),
     };
-    for (need, signal, size) in [
-        (
-            Quantity::SpecificForce,
-            Covariate::SpecificForce as fn(Axis) -> Covariate,
-            Covariate::ForceSize as fn(Axis) -> Covariate,
-        ),
-        (
-            Quantity::AngularRate,
-            Covariate::AngularRate,
-            Covariate::RateSize,
-        ),
-    ] {
-        if needs.contains(&need) || need == Quantity::signal_of(sensor) {
-            offered.powers.extend(Axis::ALL.map(signal));
-            offered.sizes.extend(Axis::ALL.map(size));
-            offered.first += 3;
-        }
-    }
-    let slow = [
-        (Quantity::Time, Covariate::Time),
-        (Quantity::Temperature, Covariate::TemperatureChange),
-    ];
-    let slow = slow.into_iter().filter(|(need, _)| needs.contains(need));
-    offered.powers.extend(slow.map(|(_, covariate)| covariate));
     let mut all = products(state, sensor, &offered);
     let goes_with_axis = |product: &Product| {
         let mut parts = product.parts.windows(2);

@@ -1,6 +1,6 @@
 //! Forms of an error that explain as much as a named effect does.
 
-use sensor::{AnyEffect, Axis, Covariate, Quantity, Sensor};
+use sensor::{AnyEffect, Axis, Covariate, Quantity};
 
 use super::dictionary::{Factors, Product, forms_of};
 use super::instead::outside;
@@ -57,14 +57,10 @@ fn as_likely(
 
 /// `A_i += c_i f_i^4`.
 fn written(product: &Product) -> String {
-    let reads = match product.sensor {
-        Sensor::Accelerometer => "A",
-        Sensor::Gyroscope => "W",
-        Sensor::Magnetometer => "B",
-    };
+    let letter = product.sensor.letter();
     let factors = product.parts.first();
     let factors = factors.map_or_else(String::new, |(axis, factors)| of_axis(*axis, factors));
-    format!("{reads}_i += c_i {factors}")
+    format!("{letter}_i += c_i {factors}")
 }
 
 /// The factors on an axis, those of other axes by how many axes later they are.

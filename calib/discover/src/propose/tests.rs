@@ -104,7 +104,10 @@ fn a_product_of_two_forces_in_a_rate_is_proposed_and_named_once_it_is_in_the_cat
 fn a_formula_is_tried_on_the_validation_recording() {
     let (recording, request) = session_with(1, SWIRL);
     let found = discover(&[recording], &request).unwrap();
-    let with_it = |seed: u64| validate(&session_with(seed, SWIRL).0, &request, &found).unwrap();
+    let with_it = |seed: u64| {
+        let validated = validate(&session_with(seed, SWIRL).0, &request, &found);
+        validated.unwrap().gaps
+    };
     // Of a device that has it, and of one that does not.
     let has = &with_it(1)[0];
     assert!(
@@ -112,7 +115,7 @@ fn a_formula_is_tried_on_the_validation_recording() {
         "{has:?}"
     );
     let without = Spec::hand_held(1).run().unwrap().recording;
-    let lacks = &validate(&without, &request, &found).unwrap()[0];
+    let lacks = &validate(&without, &request, &found).unwrap().gaps[0];
     assert!(
         lacks.gap_with_formula.unwrap() > lacks.gap_after + 0.05,
         "{lacks:?}"

@@ -81,12 +81,12 @@ fn found(sensor: Sensor, stream: &Stream) -> Option<Symptom> {
     }
     let values = &stream.values;
     let most = (MOST * values.len() as f64) as usize;
-    let mut spikes = of_axes(sensor, values, most, None);
-    let usual = median(spikes.iter().map(|s| s.size)).unwrap_or(0.0);
     let reach = usual_reach(values);
+    let mut spikes = of_axes(sensor, values, (most, reach), false);
+    let usual = median(spikes.iter().map(|s| s.size)).unwrap_or(0.0);
     let transfer_fails = spikes.len() >= FEWEST && usual > OF_USUAL * reach;
     if sensor == Sensor::Gyroscope && transfer_fails {
-        spikes = of_axes(sensor, values, most, Some(IN_MOTION * reach));
+        spikes = of_axes(sensor, values, (most, reach), true);
     }
     let largest = spikes.iter().map(|s| s.size).fold(0.0, f64::max);
     let has = |axis: &usize| spikes.iter().any(|s| s.axis == *axis);
@@ -113,30 +113,34 @@ struct Spike {
     size: f64,
 }
 
-/// The spikes of all axes; `in_motion` is the least size of those that are looked for where the device moves.
+/// The spikes of all axes, so many on each at `most`, of readings that nearly all lie within `reach`; `in_motion` too, where the device
+/// moves.
 fn of_axes(
     sensor: Sensor,
     values: &[Vector3<f64>],
-    most: usize,
-    in_motion: Option<f64>,
+    (most, reach): (usize, f64),
+    in_motion: bool,
 ) -> Vec<Spike> {
     let of = |axis: usize| {
-        let found = of_axis(sensor, values, (axis, most), in_motion);
-        found
-            .into_iter()
-            .map(move |(at, size)| Spike { axis, at, size })
+        of_axis(
+            values,
+            axis,
+            &resolution(sensor, values, axis),
+            (most, reach),
+            in_motion,
+        )
     };
     (0..3).flat_map(of).collect()
 }
 
-/// Places and sizes of an axis's spikes.
+/// The same of one axis.
 fn of_axis(
-    sensor: Sensor,
     values: &[Vector3<f64>],
-    (axis, most): (usize, usize),
-    in_motion: Option<f64>,
-) -> Vec<(usize, f64)> {
-    let resolution = resolution(sensor, values, axis);
+    axis: usize,
+    resolution: &Resolution,
+    (most, reach): (usize, f64),
+    in_motion: bool,
+) -> Vec<Spike> {
     let size = |k: usize| {
         let (before, at, after) = (values[k - 1][axis], values[k][axis], values[k + 1][axis]);
         let (left, right) = (at - before, at - after);
@@ -157,17 +161,16 @@ fn of_axis(
         sizes.select_nth_unstable_by(place, |a, b| b.1.total_cmp(&a.1));
         sizes.truncate(place);
     }
-    let usual = usual_reach(values);
     sizes.sort_by(|a, b| b.1.total_cmp(&a.1));
     let mut spikes = Vec::new();
     let mut misses = 0;
     for (k, size) in sizes {
-        let moves = |least| size > least && leaves_a_motion(values, axis, k, &resolution);
-        if size > HUGE * usual
-            || stands_out(values, axis, k, size, &resolution)
-            || in_motion.is_some_and(moves)
+        let moves = || size > IN_MOTION * reach && leaves_a_motion(values, axis, k, resolution);
+        if size > HUGE * reach
+            || stands_out(values, axis, k, size, resolution)
+            || in_motion && moves()
         {
-            spikes.push((k, size));
+            spikes.push(Spike { axis, at: k, size });
         } else {
             misses += 1;
         }
@@ -217,16 +220,10 @@ fn stands_out(
     let before = &values[k.saturating_sub(AROUND)..k.saturating_sub(1)];
     let after = &values[(k + 2).min(values.len())..(k + AROUND + 1).min(values.len())];
     let around: Vec<f64> = before.iter().chain(after).map(|v| v[axis]).collect();
-    if around.len() < FEWEST_AROUND {
-        return false;
-    }
-    let Some(middle) = median(around.clone()) else {
+    let Some(middle) = median(around.iter().copied()) else {
         return false;
     };
-    let off = || around.iter().map(|v| (v - middle).abs());
-    let Some(usual) = median(off()) else {
-        return false;
-    };
+    let off: Vec<f64> = around.iter().map(|v| (v - middle).abs()).collect();
     // Readings of zero may be noise within a dead zone: from there to its edge and back is no spike.
     let zeros = values[k][axis] == 0.0 || around.contains(&0.0);
     let least = if zeros {
@@ -234,10 +231,7 @@ fn stands_out(
     } else {
         resolution.step
     };
-    let spread = (usual / 0.6745).max(least);
-    // Other spikes nearby do not make a place restless.
-    let restless = off().filter(|v| *v > QUIET * spread).count();
-    size > BEYOND * spread && 50 * restless <= around.len() * 3
+    is_far(size, &off, least)
 }
 
 /// Returns true if a reading is far from the mean of its neighbours, and those around it are not from that of theirs: a rate that
@@ -255,15 +249,21 @@ fn leaves_a_motion(
     let before = k.saturating_sub(AROUND).max(1)..k.saturating_sub(1);
     let after = k + 2..(k + AROUND + 1).min(values.len() - 1);
     let around: Vec<f64> = before.chain(after).map(off).collect();
+    is_far(off(k), &around, resolution.step)
+}
+
+/// Returns true if a distance is far beyond those around it, which are quiet; none of them is told from less than `least`.
+fn is_far(distance: f64, around: &[f64], least: f64) -> bool {
     if around.len() < FEWEST_AROUND {
         return false;
     }
-    let Some(usual) = median(around.clone()) else {
+    let Some(usual) = median(around.iter().copied()) else {
         return false;
     };
-    let spread = (usual / 0.6745).max(resolution.step);
+    let spread = (usual / 0.6745).max(least);
+    // Other spikes nearby do not make a place restless.
     let restless = around.iter().filter(|v| **v > QUIET * spread).count();
-    off(k) > BEYOND * spread && 50 * restless <= around.len() * 3
+    distance > BEYOND * spread && 50 * restless <= around.len() * 3
 }
 
 /// The largest size of a reading on any axis, but for those of the rows.

@@ -187,23 +187,15 @@ fn open(findings: &Findings) -> String {
     if let Some(proposal) = &findings.proposed {
         lines.push(format!("proposed, not named: {}", proposal.equation));
     }
-    for effect in &findings.effects {
-        if !effect.indistinguishable_from.is_empty() {
-            let ties = effect.indistinguishable_from.join(" or ");
-            lines.push(format!(
-                "{} or {ties}: not told apart by these recordings",
-                effect.name
-            ));
-        }
-    }
-    for effect in &findings.effects {
-        if let Some(form) = effect.forms.first() {
-            lines.push(format!(
-                "{} or {form}: not told apart by these recordings",
-                effect.name
-            ));
-        }
-    }
+    let alike = |effect: &EffectFinding, others: String| {
+        let name = &effect.name;
+        format!("{name} or {others}: not told apart by these recordings")
+    };
+    let tied = |effect: &&EffectFinding| !effect.indistinguishable_from.is_empty();
+    let tied = findings.effects.iter().filter(tied);
+    lines.extend(tied.map(|effect| alike(effect, effect.indistinguishable_from.join(" or "))));
+    let of_a_form = |effect| Some(alike(effect, effect.forms.first()?.clone()));
+    lines.extend(findings.effects.iter().filter_map(of_a_form));
     lines.extend(findings.confirmations.iter().map(tables::confirmed));
     if let Some(rest) = &findings.unexplained {
         let size = rest.rms.map_or_else(String::new, |rms| {

@@ -19,7 +19,7 @@ use ::findings::Front;
 
 pub use args::Args;
 use calib::Recording;
-use calib::discover::{Discovery, Findings, Request, confirm, discover, noise_in, validate};
+use calib::discover::{Discovery, Findings, Request, discover, noise_in, validate};
 use calib::recording::figure;
 use emit::Emit;
 pub use page::{page, page_after};
@@ -176,8 +176,9 @@ pub fn look(
     let mut discovery = discover(recordings, request)?;
     if let Some(recording) = validation {
         spinner.set_message("comparing with the validation recording");
-        discovery.findings.validation = validate(recording, request, &discovery)?;
-        discovery.findings.confirmations = confirm(recording, request, &discovery)?;
+        let validated = validate(recording, request, &discovery)?;
+        discovery.findings.validation = validated.gaps;
+        discovery.findings.confirmations = validated.confirmations;
     }
     spinner.finish_and_clear();
     Ok(discovery)

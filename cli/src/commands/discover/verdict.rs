@@ -59,7 +59,10 @@ fn between_samples(findings: &Findings) -> String {
 }
 
 fn named(effects: &[EffectFinding]) -> String {
-    let names: Vec<String> = effects.iter().map(with_ties).collect();
+    let names: Vec<String> = effects
+        .iter()
+        .map(|effect| or(&effect.name, &effect.indistinguishable_from))
+        .collect();
     let mut channels: Vec<(Channel, Vec<&EffectFinding>)> = Vec::new();
     for effect in effects {
         match channels.iter_mut().find(|(own, _)| *own == effect.channel) {
@@ -131,10 +134,6 @@ fn in_units(effect: &EffectFinding) -> String {
         let [before, after] = [before, after].map(|rms| show::figures(factor * rms, 3));
         format!("{before} to {after} {unit} rms, ")
     })
-}
-
-fn with_ties(effect: &EffectFinding) -> String {
-    or(&effect.name, &effect.indistinguishable_from)
 }
 
 fn faults(findings: &Findings) -> String {

@@ -13,15 +13,8 @@ const LARGE: f64 = 10.0;
 /// Temperatures at which the device was at rest, from the lowest to the highest, where they differ by more than [`LARGE`] and the model
 /// looks at no temperature.
 pub fn changed(fit: &JointFit, recordings: &[&Recording]) -> Option<Finding> {
-    let is_thermal = |quantity: &Quantity| {
-        use Quantity as Q;
-        matches!(quantity, Q::Temperature | Q::TemperatureRate | Q::Warming)
-    };
-    let effects = fit.models.iter().flat_map(|model| model.effects());
-    if effects
-        .into_iter()
-        .any(|effect| effect.needs().iter().any(is_thermal))
-    {
+    let mut effects = fit.models.iter().flat_map(|model| model.effects());
+    if effects.any(|effect| effect.needs().into_iter().any(Quantity::is_thermal)) {
         return None;
     }
     let means = fit.data.rests.iter().filter_map(|rest| {

@@ -109,13 +109,12 @@ pub fn written_down(
     let remainders: Vec<Remainder> = fit.misfits().iter().map(Remainder::of).collect();
     let misfits = remainders.iter().filter_map(|r| r.finding(WITH_WALKS));
     let mut misfits: Vec<Finding> = misfits.collect();
-    if !account.names_what_is_missing {
+    if account.names_what_is_missing {
+        misfits.iter_mut().for_each(|found| found.remedies.clear());
+    } else {
         let missing = fit.missing(recordings);
         misfits.extend(missing.and_then(|missing| of_missing(&missing)));
         misfits.extend(temperature::changed(fit, recordings));
-    }
-    if account.names_what_is_missing {
-        misfits.iter_mut().for_each(|found| found.remedies.clear());
     }
     warnings.extend(misfits);
     let doubt = account.latitude.and_then(|l| LatitudeDoubt::of(fit, l));

@@ -7,8 +7,7 @@ use sensor::Sensor;
 
 use super::fault::{Fault, Scope, Seen, Site, Suspect, axis_vector};
 use crate::methods::joint::blocks::column::Column;
-use crate::methods::joint::data::{Chunk, Mean};
-use crate::methods::joint::rows::Rows;
+use crate::methods::joint::data::Mean;
 
 /// Chunks of a static interval in which a drifting bias shows.
 const LONG: usize = 3;
@@ -75,38 +74,30 @@ impl Creep {
             0.5 * rest.span.length(),
         );
         let mut columns = vec![Column::default(); 3];
-        let mut row = 0;
-        for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
-            for (place, chunk) in rows.means(sensor) {
-                if rest.chunks.contains(&place) {
-                    of_mean(rows, sensor, chunk, (u, middle), row, &mut columns);
-                }
-                row += 3;
+        // Rows are model less measurement: what the measurement gains, they lose.
+        for (axis, column) in columns.iter_mut().enumerate() {
+            let slope = u.cross(&axis_vector(axis));
+            for (row, _, mean) in site.means(Sensor::Accelerometer, k) {
+                let since = 0.5 * (mean.span.from + mean.span.to) - middle;
+                let change = slope * (rows.gravity * since);
+                (0..3).for_each(|i| column.set(row + i, -change[i]));
             }
-        }
-        for place in 0..rows.data.turns.len() {
-            let row = rows.first_turn_row() + 2 * place;
-            for (axis, column) in columns.iter_mut().enumerate() {
-                let moved = u.cross(&axis_vector(axis)) * half;
-                // The device is at u − half·u̇ when the turn before ends, and at u + half·u̇ when the next begins; the model carries u.
-                let ends = site.carried(place, k, false, -moved);
-                let Some(shift) = ends.or_else(|| site.carried(place, k, true, moved)) else {
-                    continue;
-                };
-                column.set(row, shift[0]);
-                column.set(row + 1, shift[1]);
+            for (row, ..) in site.means(Sensor::Gyroscope, k) {
+                column.set(row + axis, -1.0);
             }
+            // The device is at u − half·u̇ when the turn before ends, and at u + half·u̇ when the next begins; the model carries u.
+            site.set_carried(column, k, false, slope * -half);
+            site.set_carried(column, k, true, slope * half);
         }
-        let means = rows.means(Sensor::Accelerometer);
-        let own = means.filter(|(place, _)| rest.chunks.contains(place));
+        let means = site.means(Sensor::Accelerometer, k);
         let noise = rows.data.sources[rest.recording].accelerometer;
-        let measured = own.filter_map(|(_, chunk)| Some((chunk.accelerometer?, noise?)));
+        let measured = means.filter_map(|(.., mean)| Some((mean, noise?)));
         let slopes = measured.flat_map(|(mean, noise)| {
             let variance = noise.variance_in_sum() + noise.restless(&mean);
             slopes(&mean, &variance, &u, rows.gravity)
         });
         Suspect {
-            nuisance: drift(rows, k),
+            nuisance: drift(site, k),
             slopes: slopes.collect(),
             ..Suspect::new(&Self, k, columns)
         }
@@ -115,48 +106,20 @@ impl Creep {
 
 /// A bias of the accelerometer that drifts evenly through static interval `k`: a long one at the begin shows the warm-up of the device, which
 /// is no creep. None where the interval has fewer than [`LONG`] chunks.
-fn drift(rows: &Rows<'_>, k: usize) -> Vec<Column> {
-    let rest = &rows.data.rests[k];
+fn drift(site: &Site<'_>, k: usize) -> Vec<Column> {
+    let rest = &site.rows.data.rests[k];
     if rest.chunks.len() < LONG {
         return Vec::new();
     }
     let middle = 0.5 * (rest.span.from + rest.span.to);
     let mut columns = vec![Column::default(); 3];
-    for (place, (chunk, of)) in rows.means(Sensor::Accelerometer).enumerate() {
-        let Some(mean) = of.accelerometer.filter(|_| rest.chunks.contains(&chunk)) else {
-            continue;
-        };
+    for (row, _, mean) in site.means(Sensor::Accelerometer, k) {
         let since = 0.5 * (mean.span.from + mean.span.to) - middle;
         for (axis, column) in columns.iter_mut().enumerate() {
-            column.set(3 * place + axis, since);
+            column.set(row + axis, since);
         }
     }
     columns
-}
-
-/// Rows are model less measurement: what the measurement gains, they lose.
-fn of_mean(
-    rows: &Rows<'_>,
-    sensor: Sensor,
-    chunk: &Chunk,
-    (u, middle): (Vector3<f64>, f64),
-    row: usize,
-    columns: &mut [Column],
-) {
-    for (axis, column) in columns.iter_mut().enumerate() {
-        let unit = axis_vector(axis);
-        let change = match (sensor, chunk.accelerometer, chunk.gyroscope) {
-            (Sensor::Accelerometer, Some(mean), _) => {
-                let since = 0.5 * (mean.span.from + mean.span.to) - middle;
-                u.cross(&unit) * (rows.gravity * since)
-            }
-            (Sensor::Gyroscope, _, Some(_)) => unit,
-            _ => continue,
-        };
-        for i in 0..3 {
-            column.set(row + i, -change[i]);
-        }
-    }
 }
 
 /// The slope of specific force within a chunk, `g u × ω`, over its standard deviation.

@@ -8,7 +8,7 @@ use recording::intervals::Span;
 use sensor::Sensor;
 
 use crate::methods::joint::blocks::column::Column;
-use crate::methods::joint::data::Data;
+use crate::methods::joint::data::{Data, Mean};
 use crate::methods::joint::rows::Rows;
 
 /// A fault of the registry.
@@ -143,6 +143,38 @@ impl Site<'_> {
             return None;
         };
         Some([shift[0], shift[1]])
+    }
+
+    /// Sets what that changes in the direction rows of the turns beside static interval `k`.
+    pub(super) fn set_carried(
+        &self,
+        column: &mut Column,
+        k: usize,
+        at_begin: bool,
+        moved: Vector3<f64>,
+    ) {
+        for place in 0..self.rows.data.turns.len() {
+            if let Some(shift) = self.carried(place, k, at_begin, moved) {
+                let row = self.rows.first_turn_row() + 2 * place;
+                column.set(row, shift[0]);
+                column.set(row + 1, shift[1]);
+            }
+        }
+    }
+
+    /// The first row, the chunk and the mean of every chunk of static interval `k` with samples of a sensor.
+    pub(super) fn means(
+        &self,
+        sensor: Sensor,
+        k: usize,
+    ) -> impl Iterator<Item = (usize, usize, Mean)> {
+        let first = self.rows.first_row(sensor);
+        let chunks = self.rows.data.rests[k].chunks.clone();
+        let all = self.rows.means(sensor).enumerate();
+        all.filter(move |(_, (chunk, _))| chunks.contains(chunk))
+            .filter_map(move |(place, (chunk, of))| {
+                Some((first + 3 * place, chunk, of.mean(sensor)?))
+            })
     }
 }
 

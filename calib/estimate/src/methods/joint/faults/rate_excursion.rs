@@ -5,7 +5,6 @@ use sensor::Sensor;
 
 use super::fault::{Fault, Scope, Site, Suspect};
 use crate::methods::joint::blocks::column::Column;
-use crate::methods::joint::data::Rest;
 
 /// A static interval whose mean rate is off and that of its neighbours is not: the rate is open, rad/s.
 #[derive(Clone, Copy, Debug)]
@@ -37,20 +36,16 @@ impl Fault for RateExcursion {
     }
 
     fn suspects(&self, site: &Site<'_>) -> Vec<Suspect> {
-        let rows = site.rows;
-        let one = |(place, rest): (usize, &Rest)| {
+        let one = |k: usize| {
             let mut columns = vec![Column::default(); 3];
-            for (k, (chunk, _)) in rows.means(Sensor::Gyroscope).enumerate() {
-                if rest.chunks.contains(&chunk) {
-                    let row = rows.first_rate_row() + 3 * k;
-                    for (axis, column) in columns.iter_mut().enumerate() {
-                        column.set(row + axis, -1.0);
-                    }
+            for (row, ..) in site.means(Sensor::Gyroscope, k) {
+                for (axis, column) in columns.iter_mut().enumerate() {
+                    column.set(row + axis, -1.0);
                 }
             }
-            Suspect::new(&Self, place, columns)
+            Suspect::new(&Self, k, columns)
         };
-        rows.data.rests.iter().enumerate().map(one).collect()
+        (0..site.rows.data.rests.len()).map(one).collect()
     }
 
     fn is_imitated_by_bias(&self) -> bool {

@@ -6,7 +6,6 @@ use sensor::Sensor;
 
 use super::fault::{Fault, Scope, Seen, Site, Suspect, axis_vector};
 use crate::methods::joint::blocks::column::Column;
-use crate::methods::joint::rows::Rows;
 
 /// Time constants whose sum describes a surface that gives way within seconds, s.
 const TIME_CONSTANTS: [f64; 2] = [2.5, 10.0];
@@ -79,43 +78,16 @@ fn fading(site: &Site<'_>, k: usize, tau: f64) -> Vec<Column> {
     let mut columns = vec![Column::default(); 3];
     for (axis, column) in columns.iter_mut().enumerate() {
         let moved = u.cross(&axis_vector(axis));
-        for (row, of) in own_means(rows, Sensor::Accelerometer, k) {
-            let shift = moved * -rows.gravity * mean(&of);
+        for (row, _, of) in site.means(Sensor::Accelerometer, k) {
+            let shift = moved * -rows.gravity * mean(&of.span);
             (0..3).for_each(|i| column.set(row + i, shift[i]));
         }
-        for (row, of) in own_means(rows, Sensor::Gyroscope, k) {
-            column.set(row + axis, -change(&of));
+        for (row, _, of) in site.means(Sensor::Gyroscope, k) {
+            column.set(row + axis, -change(&of.span));
         }
-        for place in 0..rows.data.turns.len() {
-            if let Some(shift) = site.carried(place, k, false, moved) {
-                let row = rows.first_turn_row() + 2 * place;
-                column.set(row, shift[0]);
-                column.set(row + 1, shift[1]);
-            }
-        }
+        site.set_carried(column, k, false, moved);
     }
     columns
-}
-
-/// The first row and the time of every mean of a sensor in static interval `k`.
-fn own_means<'a>(
-    rows: &'a Rows<'_>,
-    sensor: Sensor,
-    k: usize,
-) -> impl Iterator<Item = (usize, Span)> + 'a {
-    let first = match sensor {
-        Sensor::Gyroscope => rows.first_rate_row(),
-        _ => 0,
-    };
-    let means = rows.means(sensor).enumerate();
-    let own = means.filter(move |(_, (chunk, _))| rows.data.rests[k].chunks.contains(chunk));
-    own.filter_map(move |(place, (_, chunk))| {
-        let mean = match sensor {
-            Sensor::Gyroscope => chunk.gyroscope,
-            _ => chunk.accelerometer,
-        };
-        Some((first + 3 * place, mean?.span))
-    })
 }
 
 #[cfg(test)]

@@ -61,24 +61,15 @@ impl Fault for SuddenSlip {
 fn columns(site: &Site<'_>, k: usize, chunk: usize) -> Vec<Column> {
     let rows = site.rows;
     let u = rows.direction(site.x, k);
-    let rest = &rows.data.rests[k];
     let mut columns = vec![Column::default(); 3];
     for (axis, column) in columns.iter_mut().enumerate() {
         let moved = u.cross(&axis_vector(axis));
-        for (place, (own, _)) in rows.means(Sensor::Accelerometer).enumerate() {
-            if own >= chunk && rest.chunks.contains(&own) {
-                for i in 0..3 {
-                    column.set(3 * place + i, -rows.gravity * moved[i]);
-                }
+        for (row, own, _) in site.means(Sensor::Accelerometer, k) {
+            if own >= chunk {
+                (0..3).for_each(|i| column.set(row + i, -rows.gravity * moved[i]));
             }
         }
-        for place in 0..rows.data.turns.len() {
-            if let Some(shift) = site.carried(place, k, true, moved) {
-                let row = rows.first_turn_row() + 2 * place;
-                column.set(row, shift[0]);
-                column.set(row + 1, shift[1]);
-            }
-        }
+        site.set_carried(column, k, true, moved);
     }
     columns
 }

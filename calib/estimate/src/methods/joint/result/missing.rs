@@ -40,10 +40,9 @@ impl JointFit {
         };
         let is_told = recordings.iter().all(|r| r.temperature.is_some());
         let all = accelerometer::EFFECTS.iter().chain(gyroscope::EFFECTS);
-        let tried = all
-            .copied()
-            .filter(|effect| goes_by_signal(*effect, is_told));
-        let tried: Vec<_> = tried.filter(|effect| !own(effect)).collect();
+        let is_tried =
+            |effect: &&'static dyn AnyEffect| goes_by_signal(*effect, is_told) && !own(effect);
+        let tried: Vec<_> = all.copied().filter(is_tried).collect();
         let whitening = self.noise_whitening();
         let model = Basis::of(&whitening.finish_columns(self.white_jacobian.clone()));
         let residuals = whitening.finish_column(&self.white_residuals);
