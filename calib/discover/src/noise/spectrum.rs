@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use estimate::methods::joint::Columns;
-use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
+use faer::linalg::triangular_solve::{
+    solve_lower_triangular_in_place, solve_upper_triangular_in_place,
+};
 use faer::{Mat, Par, Side};
 
 /// `V(θ) = V₀ + θ C` (`q × q`) of a recording, as `V(θ)⁻¹ = Wᵀ (I + θ Λ)⁻¹ W` with `W = Uᵀ L₀⁻¹`, `L₀ L₀ᵀ = V₀` and
@@ -36,12 +38,16 @@ impl Spectrum {
         let eigen = solved(once.transpose().to_owned());
         let eigen = eigen.self_adjoint_eigen(Side::Lower).ok()?;
         let rates = eigen.S().column_vector().iter();
+        let mut turn = eigen.U().to_owned();
+        if let Some(l) = &factor {
+            solve_upper_triangular_in_place(l.transpose(), turn.as_mut(), Par::Seq);
+        }
         let pivots = factor.iter();
         let pivots = pivots.flat_map(|l| (0..q).map(|k| 2.0 * l[(k, k)].ln()));
         Some(Self {
             rates: rates.map(|rate| rate.max(0.0)).collect(),
             log_determinant: pivots.sum(),
-            turn: Arc::new(eigen.U().transpose() * solved(Mat::identity(q, q))),
+            turn: Arc::new(turn.transpose().to_owned()),
         })
     }
 

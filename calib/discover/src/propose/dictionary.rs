@@ -206,11 +206,16 @@ fn products(state: &State, sensor: Sensor, offered: &Offered) -> Vec<Product> {
     let (covariates, choices) = (&offered.covariates(), offered.choices());
     let columns = state.whitened(columns(state, sensor, covariates, &choices));
     let projected = state.projected.columns(columns.as_ref());
-    let length = |column: usize| projected.col(column).norm_l2();
-    let is_seen = |column: usize| length(column) > LEFT * columns.col(column).norm_l2();
+    let length = projected.as_ref().col_iter().map(|column| column.norm_l2());
+    let length: Vec<f64> = length.collect();
+    let whole = columns.as_ref().col_iter().map(|column| column.norm_l2());
+    let is_seen: Vec<bool> = whole
+        .zip(&length)
+        .map(|(whole, left)| *left > LEFT * whole)
+        .collect();
     let product = |group: [usize; 3]| {
         let axes = (0..3).map(|axis| (axis, group[axis], 3 * group[axis] + axis));
-        let axes: Vec<_> = axes.filter(|(_, _, column)| is_seen(*column)).collect();
+        let axes: Vec<_> = axes.filter(|(_, _, column)| is_seen[*column]).collect();
         let part = |&(axis, g, _): &(usize, usize, usize)| {
             (Axis::ALL[axis], factors(covariates, &choices[g]))
         };
@@ -219,9 +224,9 @@ fn products(state: &State, sensor: Sensor, offered: &Offered) -> Vec<Product> {
             parts: axes.iter().map(part).collect(),
             columns: Mat::from_fn(projected.nrows(), axes.len(), |i, k| {
                 let column = axes[k].2;
-                projected[(i, column)] / length(column)
+                projected[(i, column)] / length[column]
             }),
-            lengths: axes.iter().map(|(_, _, column)| length(*column)).collect(),
+            lengths: axes.iter().map(|(_, _, column)| length[*column]).collect(),
         })
     };
     let same_on_all = (0..choices.len()).map(|g| [g; 3]);

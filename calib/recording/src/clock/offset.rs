@@ -1,5 +1,7 @@
 //! Time offset between the clocks of two sensors of one device, from the correlation of their motion.
 
+use std::ops::Range;
+
 use nalgebra::Vector3;
 
 use crate::recording::stream::Stream;
@@ -37,7 +39,8 @@ pub fn clock_offset(early: &Stream, late: &Stream) -> Option<(f64, Option<f64>)>
         return None;
     }
     let count = count.min(MOST);
-    let (a, b) = (activity(early, from, count), activity(late, from, count));
+    let of = |stream| Correlated::of(&activity(stream, from, count));
+    let (a, b) = (of(early), of(late));
     // Offsets that leave too little to compare are not tried.
     let farthest = FARTHEST.min(count - ENOUGH / 2) as i64;
     let all: Vec<(i64, f64)> = (-farthest..=farthest)
@@ -65,7 +68,8 @@ pub(super) fn offsets_of_halves(early: &Stream, late: &Stream) -> Option<[(f64, 
     }
     let length = half as f64 * STRETCH;
     let offset = |begin: f64| {
-        let (a, b) = (activity(early, begin, half), activity(late, begin, half));
+        let of = |stream| Correlated::of(&activity(stream, begin, half));
+        let (a, b) = (of(early), of(late));
         let farthest = FARTHEST_OF_HALVES as i64;
         let all = (1 - farthest..farthest).map(|lag| (lag, correlation(&a, &b, lag)));
         let (best, peak) = all.max_by(|x, y| x.1.total_cmp(&y.1))?;
@@ -103,26 +107,73 @@ fn activity(stream: &Stream, from: f64, count: usize) -> Vec<f64> {
     all
 }
 
-/// Correlation of `a(k)` with `b(k + lag)`.
-fn correlation(a: &[f64], b: &[f64], lag: i64) -> f64 {
-    let pairs: Vec<(f64, f64)> = (0..a.len())
-        .filter_map(|k| {
-            let place = usize::try_from(k as i64 + lag).ok()?;
-            Some((a[k], *b.get(place)?))
-        })
-        .collect();
-    let n = pairs.len() as f64;
-    let (sum_a, sum_b) = pairs
-        .iter()
-        .fold((0.0, 0.0), |(x, y), p| (x + p.0, y + p.1));
-    let (mut aa, mut bb, mut ab) = (0.0, 0.0, 0.0);
-    for (a, b) in &pairs {
-        let (a, b) = (a - sum_a / n, b - sum_b / n);
-        (aa, bb, ab) = (aa + a * a, bb + b * b, ab + a * b);
+/// Activity with a smaller variance than this is the same throughout, up to rounding.
+const STILL: f64 = 1e-9;
+
+/// Activity of a sensor, ready to be correlated at many lags.
+struct Correlated {
+    /// Less its mean.
+    values: Vec<f64>,
+    /// Sums of the values before each place, and of their squares.
+    sums: Vec<(f64, f64)>,
+}
+
+impl Correlated {
+    fn of(activity: &[f64]) -> Self {
+        let mean = activity.iter().sum::<f64>() / activity.len().max(1) as f64;
+        let values: Vec<f64> = activity.iter().map(|v| v - mean).collect();
+        let after = values.iter().scan((0.0, 0.0), |(sum, square), v| {
+            *sum += v;
+            *square += v * v;
+            Some((*sum, *square))
+        });
+        let sums = std::iter::once((0.0, 0.0)).chain(after).collect();
+        Self { values, sums }
     }
-    if aa * bb > 0.0 {
+
+    /// The values at `places`, their sum and the sum of their squares.
+    fn part(&self, places: Range<usize>) -> (&[f64], f64, f64) {
+        let (before, after) = (self.sums[places.start], self.sums[places.end]);
+        (&self.values[places], after.0 - before.0, after.1 - before.1)
+    }
+}
+
+/// Correlation of `a(k)` with `b(k + lag)`.
+fn correlation(a: &Correlated, b: &Correlated, lag: i64) -> f64 {
+    let (skipped, later) = match usize::try_from(lag) {
+        Ok(later) => (0, later),
+        Err(_) => (lag.unsigned_abs() as usize, 0),
+    };
+    let count = usize::min(
+        a.values.len().saturating_sub(skipped),
+        b.values.len().saturating_sub(later),
+    );
+    if count == 0 {
+        return 0.0;
+    }
+    let n = count as f64;
+    let (a, sum_a, aa) = a.part(skipped..skipped + count);
+    let (b, sum_b, bb) = b.part(later..later + count);
+    let aa = aa - sum_a * sum_a / n;
+    let bb = bb - sum_b * sum_b / n;
+    let ab = dot(a, b) - sum_a * sum_b / n;
+    if aa.min(bb) > STILL * n {
         ab / (aa * bb).sqrt()
     } else {
         0.0
     }
+}
+
+/// `Σ a b`, in eight sums side by side.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let (a, b) = (a.chunks_exact(8), b.chunks_exact(8));
+    let rest = a.remainder().iter().zip(b.remainder());
+    let rest: f64 = rest.map(|(a, b)| a * b).sum();
+    let mut sums = [0.0; 8];
+    for (a, b) in a.zip(b) {
+        for (sum, (a, b)) in sums.iter_mut().zip(a.iter().zip(b)) {
+            *sum += a * b;
+        }
+    }
+    sums.iter().sum::<f64>() + rest
 }

@@ -1,5 +1,7 @@
 //! The ends of a sensor's range, where a recording shows them.
 
+use std::cell::LazyCell;
+
 use nalgebra::Vector3;
 
 use crate::readings::Excursion;
@@ -29,7 +31,8 @@ pub struct Rails {
 impl Rails {
     /// Looks for a flat top or bottom of each axis, which readings in steps do not round off.
     pub fn of(values: &[Vector3<f64>]) -> Self {
-        let far = Excursion::of(values);
+        // Most recordings show no rail, and are not asked how far it would be.
+        let far = LazyCell::new(|| Excursion::of(values));
         let sides = [0, 1, 2].map(|axis| {
             let upwards: Vec<f64> = values.iter().map(|v| v[axis]).collect();
             let downwards: Vec<f64> = upwards.iter().map(|v| -v).collect();

@@ -45,10 +45,9 @@ pub(crate) fn limits(values: &[Vector3<f64>], axis: usize) -> Limits {
         equal += usize::from(pair[0][axis] == pair[1][axis]);
     }
     let coarse = equal as f64 > REPEATS * all as f64;
-    let far = Excursion::of(values);
-    let cut_off = |limit: f64| {
-        !coarse && low < high && in_runs(column(), limit) >= FEWEST && far.reached(axis, limit)
-    };
+    let is_far = |limit: f64| Excursion::of(values).reached(axis, limit);
+    let cut_off =
+        |limit: f64| !coarse && low < high && in_runs(column(), limit) >= FEWEST && is_far(limit);
     Limits {
         low: if cut_off(low) { low } else { f64::NEG_INFINITY },
         high: if cut_off(high) { high } else { f64::INFINITY },
