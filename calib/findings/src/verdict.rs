@@ -129,14 +129,14 @@ fn next(level: Grade, sorted: &[&Finding], recordings: &[&str]) -> Vec<Step> {
         }
     };
     for finding in sorted {
+        if level == Grade::Bad && finding.level == Level::Remark {
+            break;
+        }
         // With several remedies the first is the best.
         let first = finding.remedies.first();
         if let Some(remedy) = first.filter(|remedy| !remedy.is_if_wrong()) {
             let text = finding.step(remedy);
             add(text, command::of(remedy, finding, recordings));
-        }
-        if level == Grade::Bad && finding.level == Level::Remark {
-            break;
         }
     }
     if level != Grade::Bad {

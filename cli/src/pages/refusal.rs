@@ -58,10 +58,10 @@ pub fn page(
             REQUIREMENT.rest, REQUIREMENT.fastest
         ));
     }
-    next.push(
-        "Then calibrate both recordings together: stillpoint calibrate FIRST SECOND -o cal.json"
-            .into(),
-    );
+    next.push(format!(
+        "Then calibrate both recordings together: {}",
+        verdict::TOGETHER
+    ));
     let turns = session.turns.iter().filter(|t| t.fault.is_none()).count();
     let mut figures = vec![Figure::new(
         "Found",

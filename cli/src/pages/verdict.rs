@@ -10,6 +10,9 @@ use crate::exit::Failure;
 use crate::report::{Figure, Level};
 use crate::show::capital;
 
+/// The call for two recordings of one device.
+pub const TOGETHER: &str = "stillpoint calibrate FIRST SECOND -o cal.json";
+
 /// The level, the sentence under it, and what to do.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judged {
@@ -33,15 +36,26 @@ pub fn judged(calibration: &Calibration, coverage: Option<&Coverage>) -> Judged 
         Grade::Care => (Level::Care, format!("Usable with care: {why}.")),
         Grade::Bad => (Level::Bad, format!("Do not use this calibration: {why}.")),
     };
-    let mut next: Vec<String> = verdict.next.iter().map(in_words).collect();
-    if let Some(advice) = coverage.and_then(Coverage::advice) {
-        next.push(advice);
-    }
+    let placements = coverage.and_then(Coverage::advice);
+    let next = verdict.next.iter().map(|step| match &placements {
+        Some(advice) if adds_placements(step) => with_another_recording(advice),
+        _ => in_words(step),
+    });
     Judged {
         level,
         sentence,
-        next,
+        next: next.collect(),
     }
+}
+
+fn adds_placements(step: &Step) -> bool {
+    step.text.starts_with("add ") && step.text.contains(" placement")
+}
+
+/// Placements to add, and what to do with them.
+fn with_another_recording(advice: &str) -> String {
+    let advice = advice.trim_end_matches('.');
+    format!("{advice}. Record them, and calibrate both recordings together: {TOGETHER}")
 }
 
 /// A step with its command.

@@ -92,6 +92,11 @@ export class Further {
         });
     }
 
+    /** What to record next. */
+    async plan() {
+        await this.finish("Planning", ["plan", this.calibration[0]], []);
+    }
+
     async export() {
         const [target, , file] = TARGETS.find(([value]) => value === $("target").value);
         const [name] = this.calibration;

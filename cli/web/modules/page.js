@@ -174,10 +174,10 @@ class Page {
         const links = [...this.results].map(([name, bytes]) => saved(name, bytes));
         const [head, rest] = report ? reportViews(text) : [null, null];
         show($("pictures"), rest);
+        const next = verdictView(document, head, this);
         return [
             failure ? failureView(failure, (line, isOpen) => this.choose(line, isOpen), report && !calibration) : null,
-            verdictView(document, head),
-            head,
+            ...(document ? [next, head] : [head, next]),
             links.length > 0 ? element("p", { className: "choices" }, links) : null,
         ];
     }

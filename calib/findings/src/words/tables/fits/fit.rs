@@ -38,7 +38,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         kind: Kind::PlacementsMissing,
         level: Level::Care,
         severity: 0.1,
-        reason: "more placements are needed: {found}",
+        reason: "more placements are needed[ to know {parameter}]",
         text: "more placements are needed: {found}[; {parameter} is known to {error} only]",
         advice: "",
         remedies: || vec![Remedy::Plan],
