@@ -35,6 +35,37 @@ impl Judged {
     }
 }
 
+/// A look at the names beside what they leave: true where some were taken back, and the rest is another.
+type Review = fn(&Session<'_>, &Request, &mut Search, Option<&Unexplained>) -> Result<bool, Error>;
+
+/// The reviews, each of what those before it have left.
+const REVIEWS: [Review; 6] = [
+    // An interval that is off beside a step is none of the step's.
+    |session, _, search, _| leave_out_mixed(session, search),
+    // Beside a rest of several times the noise every likelihood ratio is too large.
+    |session, request, search, rest| Ok(rest.is_some() && without_weak(session, search, request)?),
+    // A step that a wandering explains as well.
+    |session, _, search, _| without_doubtful_steps(session, search),
+    |session, _, search, rest| match rest.and_then(|found| found.wandering) {
+        Some((sensor, _)) => without_steps_of(session, search, sensor),
+        None => Ok(false),
+    },
+    // Coefficients that are zero within their errors, unless nothing else explains what they do.
+    |session, request, search, rest| {
+        let mut fewer = search.clone();
+        let is_needed = |fewer: &Search| {
+            rest.is_none() && rest_of(&fewer.last, request.alpha_of_rest()).is_some()
+        };
+        let goes = without_undetermined(session, &mut fewer)? && !is_needed(&fewer);
+        if goes {
+            *search = fewer;
+        }
+        Ok(goes)
+    },
+    // Rows that were left out for a step that has gone.
+    |session, _, search, _| take_back(session, search),
+];
+
 /// Looks for names, and takes those back that do not stand beside all that was found; a formula may take their place where
 /// `may_replace` says so of it.
 ///
@@ -56,30 +87,10 @@ pub fn judged(
         rest = Some(whole);
         formula
     });
-    if leave_out_mixed(session, &mut search)? {
-        rest = rest_of(&search.last, alpha);
-    }
-    if rest.is_some() && without_weak(session, &mut search, request)? {
-        rest = rest_of(&search.last, alpha);
-    }
-    if without_doubtful_steps(session, &mut search)? {
-        rest = rest_of(&search.last, alpha);
-    }
-    if let Some((sensor, _)) = rest.as_ref().and_then(|found| found.wandering)
-        && without_steps_of(session, &mut search, sensor)?
-    {
-        rest = rest_of(&search.last, alpha);
-    }
-    let mut fewer = search.clone();
-    if without_undetermined(session, &mut fewer)? {
-        let left = rest_of(&fewer.last, alpha);
-        // What nothing would explain without it is not by chance.
-        if rest.is_some() || left.is_none() {
-            (search, rest) = (fewer, left);
+    for review in REVIEWS {
+        if review(session, request, &mut search, rest.as_ref())? {
+            rest = rest_of(&search.last, alpha);
         }
-    }
-    if take_back(session, &mut search)? {
-        rest = rest_of(&search.last, alpha);
     }
     explain_disturbed(session, &mut search)?;
     if let Some(found) = rest.as_mut() {
