@@ -8,6 +8,10 @@ use super::groups::RowGroups;
 /// Diagonal of a pivoted triangle below this share of the length of a column is rank lost.
 pub const RANK_TOLERANCE: f64 = 1e-10;
 
+/// Columns of which those before them leave more than this share of their length are independent in any order, and a decomposition
+/// without pivots, which works in blocks and takes a fraction of the time, does.
+const CLEARLY_LEFT: f64 = 1e-5;
+
 /// An orthonormal basis of the space of columns: of every group of rows first what is its own, then what the
 /// groups share and their own columns leave.
 #[derive(Clone, Debug)]
@@ -234,6 +238,14 @@ pub fn orthonormal_with_pivots(
 ) -> Mat<f64> {
     if scaled.ncols() == 0 || scaled.nrows() == 0 {
         return Mat::zeros(scaled.nrows(), 0);
+    }
+    let plain = scaled.qr();
+    let triangle = plain.thin_R();
+    let left = triangle.diagonal().column_vector().iter();
+    let left: Vec<f64> = left.map(|pivot| pivot.abs()).collect();
+    if left.len() == scaled.ncols() && left.iter().all(|pivot| *pivot > CLEARLY_LEFT) {
+        pivots.extend(left);
+        return plain.compute_thin_Q();
     }
     let qr = scaled.col_piv_qr();
     let triangle = qr.thin_R();
