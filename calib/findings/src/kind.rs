@@ -229,6 +229,8 @@ kinds! {
     ShakyIntervals = "shaky_intervals",
     /// The device sways while it should rest.
     DeviceSways = "device_sways",
+    /// The readings swing with one period in the static intervals.
+    RestsSwing = "rests_swing",
     /// A bias steps within a static interval.
     BiasStepped = "bias_stepped",
     /// The readings drift while the device should rest.

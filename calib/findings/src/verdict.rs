@@ -141,7 +141,10 @@ fn next(level: Grade, sorted: &[&Finding], recordings: &[&str]) -> Vec<Step> {
     }
     if level != Grade::Bad {
         let apply = "stillpoint apply cal.json OTHER -o corrected.csv".to_owned();
-        add("correct recordings with it".into(), Some(apply));
+        add(
+            "correct recordings with this calibration".into(),
+            Some(apply),
+        );
         let check = "stillpoint evaluate SECOND --calibration cal=cal.json".to_owned();
         add("check it by a second recording".into(), Some(check));
     }

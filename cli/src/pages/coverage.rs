@@ -42,6 +42,27 @@ impl Coverage {
         let words = words.strip_prefix("add").map(|rest| format!("Add{rest}."));
         words.filter(|_| !self.0.is_complete())
     }
+
+    /// The same as a recording of its own; `None` if nothing is missing.
+    pub fn second_recording(&self) -> Option<String> {
+        let wanted = self.0.wanted.iter().map(plan::Wanted::named);
+        let wanted: Vec<String> = wanted.collect();
+        let placements = match wanted.as_slice() {
+            [] => return None,
+            [one] => format!("1 more placement: {one}"),
+            all => {
+                let each = all.iter().enumerate();
+                let each = each.map(|(k, placement)| format!("{}) {placement}", k + 1));
+                let each: Vec<String> = each.collect();
+                format!("{} more placements: {}", all.len(), each.join(", "))
+            }
+        };
+        Some(format!(
+            "Make a second recording with {placements}. Leave the device still for {:.0} s in each, and calibrate both \
+             recordings together",
+            plan::REQUIREMENT.rest
+        ))
+    }
 }
 
 /// The picture of a session's placements.

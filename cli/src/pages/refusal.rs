@@ -165,7 +165,7 @@ fn placements_to_add(found: &plan::Coverage) -> Vec<String> {
     all.extend(each);
     let more = found.wanted.len().saturating_sub(NAMED);
     if more > 0 {
-        all.push(format!("Add {more} more: the warning below names them."));
+        all.push(format!("Add {more} more: the warning names them."));
     }
     all
 }

@@ -36,9 +36,9 @@ pub fn judged(calibration: &Calibration, coverage: Option<&Coverage>) -> Judged 
         Grade::Care => (Level::Care, format!("Usable with care: {why}.")),
         Grade::Bad => (Level::Bad, format!("Do not use this calibration: {why}.")),
     };
-    let placements = coverage.and_then(Coverage::advice);
+    let placements = coverage.and_then(Coverage::second_recording);
     let next = verdict.next.iter().map(|step| match &placements {
-        Some(advice) if adds_placements(step) => with_another_recording(advice),
+        Some(record) if adds_placements(step) => format!("{record}: {TOGETHER}"),
         _ => in_words(step),
     });
     Judged {
@@ -50,12 +50,6 @@ pub fn judged(calibration: &Calibration, coverage: Option<&Coverage>) -> Judged 
 
 fn adds_placements(step: &Step) -> bool {
     step.text.starts_with("add ") && step.text.contains(" placement")
-}
-
-/// Placements to add, and what to do with them.
-fn with_another_recording(advice: &str) -> String {
-    let advice = advice.trim_end_matches('.');
-    format!("{advice}. Record them, and calibrate both recordings together: {TOGETHER}")
 }
 
 /// A step with its command.

@@ -3,14 +3,14 @@ import { element } from "./elements.js";
 import { quoted, split } from "./shell_words.js";
 
 const PLACE = [
-    ["--latitude", "Latitude, degrees", "47.4"],
-    ["--altitude", "Height above the sea, m", "400"],
-    ["--gravity", "Or gravity itself, m/s²", "9.8066"],
+    ["--latitude", "Latitude, degrees", "such as 47.4"],
+    ["--altitude", "Height above the sea, m", "such as 400"],
+    ["--gravity", "Or gravity itself, m/s²", "such as 9.8066"],
 ];
 const READ = [
     ["--accel-unit", "Unit of the accelerometer", ["m/s^2", "g", "mg", "cm/s^2", "counts"]],
     ["--gyro-unit", "Unit of the gyroscope", ["rad/s", "deg/s", "mdeg/s", "counts"]],
-    ["--rate", "Sampling rate, Hz", "100"],
+    ["--rate", "Sampling rate, Hz", "such as 100"],
 ];
 /** Options that say how a calibration is made, not how a recording is read. */
 const NOT_READING = new Set(["--latitude", "--altitude", "--gravity", "--sensor", "--method", "--effects", "--clock"]);

@@ -1,7 +1,7 @@
 // What can be done with a calibration: look for what it lacks, export it, correct or judge another recording with it, keep it.
 import { chosen, recordings } from "./dropped.js";
 import { copied, element, focus, saved, show } from "./elements.js";
-import { failureOf, failureView } from "./failure_view.js";
+import { failureOf, failureView, parsed } from "./failure_view.js";
 import { Kept } from "./kept.js";
 import { reportViews } from "./report_view.js";
 import { commandLine } from "./shell_words.js";
@@ -55,6 +55,9 @@ export class Further {
     offer(name, bytes) {
         this.calibration = [name, bytes];
         $("further").hidden = false;
+        // What must not be used is neither exported nor corrected with.
+        const isBad = parsed(new TextDecoder().decode(bytes))?.verdict?.level === "bad";
+        $("further").classList.toggle("refused", isBad);
         $("discovery").hidden = !this.page.results;
         $("of").textContent = name;
     }

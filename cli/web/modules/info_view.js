@@ -7,7 +7,9 @@ const STREAMS = ["sensor", "source", "rows", "rate Hz", "option"];
 
 /** What `info` found in a file. */
 export function infoView(document) {
-    const parts = [element("h3", {}, document.file, element("span", { className: "soft" }, ` ${document.format ?? document.schema ?? ""}`))];
+    // A zip archive is read as the folder that it holds, which is none of a person's concern.
+    const format = document.format === "folder" ? "" : (document.format ?? document.schema ?? "");
+    const parts = [element("h3", {}, document.file, element("span", { className: "soft" }, ` ${format}`))];
     if (document.sensors) {
         parts.push(table(SENSORS, document.sensors.map(sensorRow)));
     }

@@ -11,10 +11,11 @@ export function stepList(steps, page) {
             {},
             `${text} `,
             label ? button(label, act) : null,
-            command ? element("code", { className: "soft" }, command) : null,
+            command ? element("div", { className: "soft" }, "In a terminal: ", element("code", {}, command)) : null,
         );
     };
-    return steps.length > 0 ? element("ol", { className: "steps" }, steps.map(item)) : null;
+    const list = element("ol", { className: "steps" }, steps.map(item));
+    return steps.length > 0 ? element("div", {}, element("p", {}, "What to do next, the most useful first:"), list) : null;
 }
 
 /** The words of a step's button and what it does; null where the page does not do what the command does. */

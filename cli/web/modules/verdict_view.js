@@ -30,7 +30,7 @@ export function verdictView(calibration, report, page) {
 function nextView(report, page) {
     const next = steps(report) ?? [];
     report?.shadowRoot.querySelectorAll(".next").forEach((node) => node.remove());
-    return next.length > 0 ? element("section", {}, element("h3", {}, "What to do next"), stepList(next, page)) : null;
+    return stepList(next, page);
 }
 
 /** The steps of a report, which says more of each than the calibration does; undefined where there is none. */

@@ -15,6 +15,7 @@ mod quietest;
 mod repeated;
 mod rezeroing;
 mod spikes;
+mod swing;
 mod symptom;
 mod vibration;
 
@@ -60,6 +61,7 @@ pub fn symptoms(recording: &Recording, segmentation: &Segmentation) -> Vec<Sympt
         // Where steps are wide, how much readings scatter says how near a step they are.
         if dead.is_none() && coarse.is_none() {
             all.extend(vibration::found(&of));
+            all.extend(swing::found(&of));
         }
         all.extend(dead);
         all.extend(coarse);

@@ -116,6 +116,16 @@ pub enum Symptom {
         /// True if these are all intervals from one on to the end, or from the first to one, and equally noisy.
         from_here_on: bool,
     },
+    /// The readings swing with one period in most static intervals.
+    Swing {
+        /// The sensor.
+        #[serde(serialize_with = "name")]
+        sensor: Sensor,
+        /// The period, s.
+        period: f64,
+        /// Amplitude of the swing, over the axes.
+        size: f64,
+    },
     /// The rate wavers in the quietest stretches as in a hand.
     HandHeld {
         /// Root mean square of the wavering rate, rad/s.
@@ -297,6 +307,13 @@ impl Symptom {
                     .number("ratio", *ratio, "1")
                     .detail("intervals", called)
             }
+            Self::Swing {
+                sensor,
+                period,
+                size,
+            } => of(Kind::RestsSwing, *sensor)
+                .number("period", *period, "s")
+                .number("size", *size, unit(*sensor)),
             Self::HandHeld { rate } => Finding::of(Kind::HandHeld).number("rate", *rate, "rad/s"),
         }
     }

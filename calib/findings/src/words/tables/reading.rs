@@ -11,7 +11,7 @@ pub(super) const IF_EXACT: &str =
     "use the calibration from this recording if its standard errors are small enough for you";
 
 /// What missing or repeated samples ask for.
-pub(super) const LEFT_OUT: &str = "nothing has to be done, for the program leaves out the turns that this spoils and says so if too few are left";
+pub(super) const LEFT_OUT: &str = "nothing has to be done if enough turns are left, for the program leaves out those that this spoils";
 
 pub(super) const ENTRIES: &[Entry] = &[
     Entry {

@@ -54,6 +54,15 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         remedies: Vec::new,
     },
     Entry {
+        kind: Kind::RestsSwing,
+        level: Level::Remark,
+        severity: 0.02,
+        reason: "readings of the {sensor} swing with a period of {period} at rest",
+        text: "readings of the {sensor} swing at rest with a period of {period}, by {size} to either side. A fan, a machine, waves or wind may move the device",
+        advice: "stop what moves the device, or lay it elsewhere, if the calibration is not good enough",
+        remedies: Vec::new,
+    },
+    Entry {
         kind: Kind::BiasStepped,
         level: Level::Remark,
         severity: 0.02,
