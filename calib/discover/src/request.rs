@@ -12,6 +12,7 @@ use estimate::methods::joint::{
 };
 use estimate::methods::{Choice, cut, cut_several};
 use recording::intervals::Detector;
+use recording::readings::swings;
 use recording::{Error, Recording};
 use sensor::{AnyEffect, Nature, Role};
 
@@ -149,6 +150,10 @@ impl<'a> Session<'a> {
         })?;
         let mut remarks = ready.remarks.clone();
         remarks.extend(within_budget(&all, &mut choices, MOST_IN_A_SEARCH));
+        for (recording, choice) in all.iter().zip(&choices) {
+            let swings = swings(recording, &choice.segmentation).into_iter();
+            remarks.extend(swings.map(|swing| swing.in_recording(recording)));
+        }
         Ok(Self {
             remarks,
             originals: ready.originals,
