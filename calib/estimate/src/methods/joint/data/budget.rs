@@ -13,9 +13,9 @@ use recording::intervals::StaticInterval;
 use crate::methods::Choice;
 
 /// Most static intervals of a recording. Every one has a direction of its own among the parameters, and noise
-/// joins all rows of a recording: time grows with the third power of their number and memory with the second: 0.4 s at 100, 1.5 s at 200, 4 s at 320. With the
+/// joins all rows of a recording: time grows with the third power of their number and memory with the second: 0.4 s at 100, 1.4 s at 200, 4 s at 320. With the
 /// number of recordings, which share no noise, both grow evenly.
-pub const MOST_STATIC_INTERVALS: usize = 200;
+pub const MOST_STATIC_INTERVALS: usize = 140;
 
 /// The same where many models are fitted one after the other.
 pub const MOST_IN_A_SEARCH: usize = 60;
