@@ -11,7 +11,6 @@ ratios that a text states as `NAME: 5 times` with those of this run, and ends wi
 """
 
 import argparse
-import csv
 import json
 import math
 import re
@@ -32,18 +31,18 @@ DEVICE = {
 
 
 def processor_time(command):
-    """User and system time of a process, s, and its standard output."""
+    """User and system time of a process, s."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     ended = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     # 1 is a gate that failed: the work was done.
     if ended.returncode not in (0, 1):
         sys.exit(f"{' '.join(map(str, command))}: exit status {ended.returncode}\n{ended.stderr[-1000:]}")
-    return (after.ru_utime - before.ru_utime) + (after.ru_stime - before.ru_stime), ended.stdout
+    return (after.ru_utime - before.ru_utime) + (after.ru_stime - before.ru_stime)
 
 
 def plain_read(folders):
-    """The same of a plain read of all tables in some folders."""
+    """The same of a plain read of the readings in some folders."""
     script = (
         "import csv, sys\n"
         "for name in sys.argv[1:]:\n"
@@ -55,13 +54,12 @@ def plain_read(folders):
         "                pass\n"
     )
     names = [name for folder in folders for name in sorted(Path(folder).glob("*.csv")) if is_readings(name)]
-    return processor_time([sys.executable, "-c", script, *names])[0] - processor_time([sys.executable, "-c", "import csv"])[0]
+    return processor_time([sys.executable, "-c", script, *names]) - processor_time([sys.executable, "-c", "import csv"])
 
 
 def is_readings(path):
-    """Whether a table has a stamp and three values or more in each row."""
-    with open(path, newline="", encoding="utf-8") as file:
-        return path.stem in ("acc", "gyro", "mag") and len(next(csv.reader(file), [])) >= 4
+    """Whether a table is a sensor's: a phone's folder holds marks and summaries too."""
+    return path.stem in ("acc", "gyro", "mag")
 
 
 def slope(numbers, times):
@@ -71,17 +69,11 @@ def slope(numbers, times):
     return sum((a - mx) * (b - my) for a, b in zip(x, y)) / sum((a - mx) ** 2 for a in x)
 
 
-class Table:
-    """Rows as they come, in columns that fit a terminal."""
-
-    def __init__(self):
-        print(f"{'':44} {'seconds':>9} {'a read':>8} {'growth':>7}")
-
-    @staticmethod
-    def row(name, seconds, ratio=None, growth=None):
-        ratio = "" if ratio is None else f"{ratio:.1f}"
-        growth = "" if growth is None else f"{growth:.2f}"
-        print(f"{name:44} {seconds:9.3f} {ratio:>8} {growth:>7}", flush=True)
+def row(name, seconds, ratio=None, growth=None):
+    """Prints a row as it comes."""
+    ratio = "" if ratio is None else f"{ratio:.1f}"
+    growth = "" if growth is None else f"{growth:.2f}"
+    print(f"{name:44} {seconds:9.3f} {ratio:>8} {growth:>7}", flush=True)
 
 
 def simulated(program, folder, number, placements, hidden):
@@ -97,7 +89,7 @@ def simulated(program, folder, number, placements, hidden):
     return session
 
 
-def of_the_phone(program, folder, repeat, out, table):
+def of_the_phone(program, folder, repeat, out):
     """Commands on recordings of a phone; the ratios by name."""
     one, three = [folder / "rec_1"], [folder / f"rec_{k}" for k in (1, 2, 3)]
     calls = {
@@ -113,33 +105,32 @@ def of_the_phone(program, folder, repeat, out, table):
         reads[1].append(plain_read(one))
         reads[3].append(plain_read(three))
         for name, (words, files) in calls.items():
-            times[name].append(processor_time([program, *words, *files, "-o", out / "out.json", "--force"])[0])
+            times[name].append(processor_time([program, *words, *files, "-o", out / "out.json", "--force"]))
     ratios = {}
     for name, (_, files) in calls.items():
         read = statistics.median(reads[len(files)])
         ratios[name] = statistics.median(times[name]) / read
-        table.row(name, statistics.median(times[name]), ratios[name])
+        row(name, statistics.median(times[name]), ratios[name])
     return ratios
 
 
-def growth(program, command, numbers, files_of, repeat, out, table, what):
+def growth(program, command, numbers, files_of, repeat, out, what):
     """One command on more and more."""
     times = []
     for number in numbers:
         files = files_of(number)
-        taken = [processor_time([program, command, *files, "-o", out / "out.json", "--force"])[0] for _ in range(repeat)]
+        taken = [processor_time([program, command, *files, "-o", out / "out.json", "--force"]) for _ in range(repeat)]
         times.append(statistics.median(taken))
         half = len(times) // 2
         slopes = slope(numbers[half - 1 : len(times)], times[half - 1 :]) if len(times) >= 3 else None
         used = placements_used(out / "out.json")
-        table.row(f"{command}, {number} {what}{used}", times[-1], growth=slopes)
+        row(f"{command}, {number} {what}{used}", times[-1], growth=slopes)
 
 
 def placements_used(path):
     """How many placements a calibration is from."""
-    document = json.loads(path.read_text(encoding="utf-8"))
-    count = document.get("accelerometer", {}).get("static_intervals") if isinstance(document.get("accelerometer"), dict) else None
-    return f" ({count} used)" if isinstance(count, int) else ""
+    count = json.loads(path.read_text(encoding="utf-8")).get("accelerometer", {}).get("static_intervals")
+    return "" if count is None else f" ({count} used)"
 
 
 def check(text, ratios):
@@ -169,18 +160,19 @@ def main():
     parser.add_argument("--placements", type=int, default=1000, help="placements of one recording at most; 0 leaves these rows out")
     parser.add_argument("--check", type=Path)
     given = parser.parse_args()
-    program, table, ratios = given.program.resolve(), Table(), {}
+    program, ratios = given.program.resolve(), {}
+    print(f"{'':44} {'seconds':>9} {'a read':>8} {'growth':>7}")
     with tempfile.TemporaryDirectory() as made:
         folder = Path(made)
         if given.phone:
-            ratios = of_the_phone(program, given.phone, given.repeat, folder, table)
+            ratios = of_the_phone(program, given.phone, given.repeat, folder)
         recordings = [n for n in (1, 2, 4, 8, 16, 32) if n <= given.most]
         for command in ("calibrate", "discover"):
             sessions = lambda n: [simulated(program, folder, k, 37, True) for k in range(n)]
-            growth(program, command, recordings, sessions, min(given.repeat, 3), folder, table, "recordings, one effect missing")
+            growth(program, command, recordings, sessions, min(given.repeat, 3), folder, "recordings, one effect missing")
         placements = [n for n in (40, 100, 320, 1000) if n <= given.placements]
         one = lambda n: [simulated(program, folder, 1, n, False)]
-        growth(program, "calibrate", placements, one, min(given.repeat, 3), folder, table, "placements")
+        growth(program, "calibrate", placements, one, min(given.repeat, 3), folder, "placements")
     return min(check(given.check.read_text(encoding="utf-8"), ratios), 1) if given.check else 0
 
 

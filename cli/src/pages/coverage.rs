@@ -1,5 +1,6 @@
 //! Coverage of the upward directions by the placements.
 
+use findings::turns;
 use nalgebra::Vector3;
 
 use crate::report::{Picture, Placed, Sphere};
@@ -50,12 +51,7 @@ impl Coverage {
         let placements = match wanted.as_slice() {
             [] => return None,
             [one] => format!("1 more placement: {one}"),
-            all => {
-                let each = all.iter().enumerate();
-                let each = each.map(|(k, placement)| format!("{}) {placement}", k + 1));
-                let each: Vec<String> = each.collect();
-                format!("{} more placements: {}", all.len(), each.join(", "))
-            }
+            all => format!("{} more placements: {}", all.len(), turns::numbered(all)),
         };
         Some(format!(
             "Make a second recording with {placements}. Leave the device still for {:.0} s in each, and calibrate both \

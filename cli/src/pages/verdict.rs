@@ -36,15 +36,18 @@ pub fn judged(calibration: &Calibration, coverage: Option<&Coverage>) -> Judged 
         Grade::Care => (Level::Care, format!("Usable with care: {why}.")),
         Grade::Bad => (Level::Bad, format!("Do not use this calibration: {why}.")),
     };
-    let placements = coverage.and_then(Coverage::second_recording);
-    let next = verdict.next.iter().map(|step| match &placements {
-        Some(record) if adds_placements(step) => format!("{record}: {TOGETHER}"),
-        _ => in_words(step),
-    });
+    let mut next: Vec<String> = verdict.next.iter().map(in_words).collect();
+    if let Some(record) = coverage.and_then(Coverage::second_recording) {
+        let record = format!("{record}: {TOGETHER}");
+        match verdict.next.iter().position(adds_placements) {
+            Some(place) => next[place] = record,
+            None => next.push(record),
+        }
+    }
     Judged {
         level,
         sentence,
-        next: next.collect(),
+        next,
     }
 }
 

@@ -35,7 +35,8 @@ function action(command, page) {
     }
 }
 
-/** Recordings are calibrated together where they are dropped together; a place is a person's to give; what else is read otherwise the page can try. */
+/** What the page does for a calibration with other files or options: recordings are dropped together, a place is a person's to give, what
+ * else is read otherwise can be tried. */
 function option(command, page) {
     if (command.includes(" FIRST SECOND ")) {
         return ["Choose both recordings", () => document.getElementById("choose-files").click()];

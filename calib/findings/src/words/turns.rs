@@ -23,11 +23,13 @@ pub fn add_turns(turns: &[String]) -> String {
 
 fn counted(thing: &str, all: &[String]) -> String {
     let plural = if all.len() == 1 { "" } else { "s" };
-    let each: Vec<String> = (1..)
-        .zip(all)
-        .map(|(k, own)| format!("{k}) {own}"))
-        .collect();
-    format!("{} {thing}{plural}: {}", all.len(), each.join(", "))
+    format!("{} {thing}{plural}: {}", all.len(), numbered(all))
+}
+
+/// `1) z up, 2) x down`.
+pub fn numbered(all: &[String]) -> String {
+    let each = (1..).zip(all).map(|(k, own)| format!("{k}) {own}"));
+    each.collect::<Vec<_>>().join(", ")
 }
 
 /// `z up (a phone: flat on its back, screen up)`.

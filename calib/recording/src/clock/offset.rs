@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use nalgebra::Vector3;
+use nalgebra::{DVectorView, Vector3};
 
 use crate::recording::stream::Stream;
 
@@ -132,9 +132,11 @@ impl Correlated {
     }
 
     /// The values at `places`, their sum and the sum of their squares.
-    fn part(&self, places: Range<usize>) -> (&[f64], f64, f64) {
+    fn part(&self, places: Range<usize>) -> (DVectorView<'_, f64>, f64, f64) {
         let (before, after) = (self.sums[places.start], self.sums[places.end]);
-        (&self.values[places], after.0 - before.0, after.1 - before.1)
+        let values = &self.values[places];
+        let values = DVectorView::from_slice(values, values.len());
+        (values, after.0 - before.0, after.1 - before.1)
     }
 }
 
@@ -156,24 +158,10 @@ fn correlation(a: &Correlated, b: &Correlated, lag: i64) -> f64 {
     let (b, sum_b, bb) = b.part(later..later + count);
     let aa = aa - sum_a * sum_a / n;
     let bb = bb - sum_b * sum_b / n;
-    let ab = dot(a, b) - sum_a * sum_b / n;
+    let ab = a.dot(&b) - sum_a * sum_b / n;
     if aa.min(bb) > STILL * n {
         ab / (aa * bb).sqrt()
     } else {
         0.0
     }
-}
-
-/// `Σ a b`, in eight sums side by side.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let (a, b) = (a.chunks_exact(8), b.chunks_exact(8));
-    let rest = a.remainder().iter().zip(b.remainder());
-    let rest: f64 = rest.map(|(a, b)| a * b).sum();
-    let mut sums = [0.0; 8];
-    for (a, b) in a.zip(b) {
-        for (sum, (a, b)) in sums.iter_mut().zip(a.iter().zip(b)) {
-            *sum += a * b;
-        }
-    }
-    sums.iter().sum::<f64>() + rest
 }
