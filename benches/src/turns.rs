@@ -3,7 +3,7 @@
 use calib::residuals::{Integrator, PropagatedGravity, TurnData};
 use nalgebra::Vector3;
 use sensor::attitude::Attitude;
-use sensor::{AnyEffect, Kinematics, Model};
+use sensor::{EffectRef, Kinematics, Model, Sensor};
 
 /// `count` turns of `samples` samples at 100 Hz: a rate of up to 3 rad/s about changing axes, with
 /// everything that an effect may ask for.
@@ -61,7 +61,7 @@ pub fn residual<'a>(model: &'a Model, turns: &'a [TurnData]) -> PropagatedGravit
 
 /// The base model with the named effects of the gyroscope.
 pub fn with(names: &[&str]) -> Model {
-    let named = |effect: &&&'static dyn AnyEffect| names.contains(&effect.name());
-    let effects = gyroscope::EFFECTS.iter().filter(named);
-    effects.fold(gyroscope::model(), |model, effect| model.with(*effect))
+    let named = |effect: &EffectRef| names.contains(&effect.name());
+    let effects = calib::effects::catalogue_of(Sensor::Gyroscope).filter(named);
+    effects.fold(gyroscope::model(), Model::with)
 }

@@ -12,7 +12,7 @@ use calib::simulate::{
 };
 use calib::{Error, Recording};
 use nalgebra::{Matrix3, Vector3};
-use sensor::{AnyEffect, DefinedParam, Definition, Quantity, Sensor};
+use sensor::{DefinedParam, Definition, EffectRef, Quantity, Sensor};
 
 /// White noise densities of the second recording, m/s²/√Hz and rad/s/√Hz: so large that what an integrator misses
 /// between samples is small beside them.
@@ -31,7 +31,7 @@ const EDGE: f64 = 0.3;
 #[derive(Clone, Debug)]
 pub struct Trial {
     /// The effect.
-    pub effect: &'static dyn AnyEffect,
+    pub effect: EffectRef,
     /// Its text, where it is not compiled.
     pub definition: Option<Definition>,
     /// Times its typical size.
@@ -73,16 +73,16 @@ impl Chi2 {
 /// The whole catalogue and three effects written as text: with `alpha`, `change` and `vibration`.
 pub fn trials() -> Vec<Trial> {
     let compiled = calib::calibration::catalogue().map(|effect| Trial {
+        size: size_of(&effect),
         effect,
         definition: None,
-        size: size_of(effect),
     });
     let defined = definitions().into_iter().filter_map(|definition| {
         let effect = definition.effect().ok()?;
         Some(Trial {
+            size: size_of(&effect),
             effect,
             definition: Some(definition),
-            size: size_of(effect),
         })
     });
     // Those of the magnetometer last: the seed of a trial is its place.
@@ -92,7 +92,7 @@ pub fn trials() -> Vec<Trial> {
 }
 
 /// Times the typical size: vibration is small here, so that what it adds as noise is small too.
-fn size_of(effect: &dyn AnyEffect) -> f64 {
+fn size_of(effect: &EffectRef) -> f64 {
     let shaken = effect.needs().contains(&Quantity::Vibration);
     match (shaken, effect.sensor()) {
         (true, Sensor::Accelerometer) => 15.0,
@@ -225,7 +225,7 @@ impl Trial {
         placements: usize,
     ) -> Result<([Chi2; 2], [Chi2; 2]), Error> {
         let [first, second] = self.sessions(seed, placements)?;
-        let with = calibrated(&first, method, &[self.effect])?.calibration;
+        let with = calibrated(&first, method, std::slice::from_ref(&self.effect))?.calibration;
         let with = remainder(&with, &second)?;
         let without = calibrated(&first, method, &[])?.calibration;
         Ok((with, remainder(&without, &second)?))
@@ -236,7 +236,7 @@ impl Trial {
 pub fn calibrated(
     session: &Session,
     method: Method,
-    effects: &[&'static dyn AnyEffect],
+    effects: &[EffectRef],
 ) -> Result<Outcome, Error> {
     let request = Request {
         method,

@@ -11,7 +11,7 @@ use std::borrow::Borrow;
 use ::findings::Finding;
 use estimate::calibrate::own_effects;
 use recording::{Error, Recording};
-use sensor::AnyEffect;
+use sensor::EffectRef;
 
 use super::base::base;
 use super::calibrated::{calibrated, calibration, calibration_that, settle};
@@ -53,7 +53,10 @@ pub fn discover<R: Borrow<Recording>>(
     request: &Request,
 ) -> Result<Discovery, Error> {
     let recordings: Vec<&Recording> = recordings.iter().map(R::borrow).collect();
-    own_effects::grant_steps(&request.catalogue, recordings.iter().copied());
+    let request = &Request {
+        catalogue: own_effects::granted(&request.catalogue, recordings.iter().copied()),
+        ..request.clone()
+    };
     let mut discovery = discover_in(&mut Session::new(&recordings, request)?, request)?;
     let warnings = &mut discovery.findings.calibration.warnings;
     warnings.extend(own_effects::left_out(&request.catalogue));
@@ -67,7 +70,7 @@ pub(super) fn discover_in(
 ) -> Result<Discovery, Error> {
     let base = base(session, request)?;
     let mut faults = integrity(session, &base);
-    let is_spoilt = faults.iter().any(|fault| SPOILT.contains(&fault.name));
+    let is_spoilt = faults.iter().any(|fault| SPOILT.contains(&&*fault.name));
     let Judged {
         mut search,
         rest,
@@ -105,7 +108,7 @@ pub(super) fn discover_in(
     }
     if let Some((effect, late)) = stamps.together {
         let again = delay(&search.last);
-        let late = late_finding(effect, &late, again, request, &mut calibration);
+        let late = late_finding(&effect, &late, again, request, &mut calibration);
         effects.push(late);
     }
     let lasting = disturbed(&search.last, &faults, &search.either);
@@ -149,7 +152,7 @@ fn at_latitude(
 #[derive(Default)]
 struct LateStamps {
     /// By the same in all recordings.
-    together: Option<(&'static dyn AnyEffect, Delay)>,
+    together: Option<(EffectRef, Delay)>,
     /// In each recording by its own.
     apart: Vec<Integrity>,
 }
@@ -160,9 +163,11 @@ impl LateStamps {
         let apart = late_apart(&search.last, request, LATE_APART);
         let looks = apart.is_empty();
         let together = looks.then(|| late(&search.last, request)).flatten();
-        if let Some((effect, late)) = together {
+        if let Some((effect, late)) = &together {
             let mut extension = search.last.extension.clone();
-            extension.effects.push((effect, Some((0, late.delay))));
+            extension
+                .effects
+                .push((effect.clone(), Some((0, late.delay))));
             search.last = search.fit(session, extension)?;
         }
         Ok(Self { together, apart })

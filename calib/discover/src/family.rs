@@ -2,7 +2,7 @@
 
 use estimate::methods::joint::{Column, Columns, FAULTS, FaultRef, effect_columns, step_columns};
 use faer::Mat;
-use sensor::{AnyEffect, Nature, Param, Role, Sensor};
+use sensor::{EffectRef, Nature, Param, Role, Sensor};
 
 use super::extension::with_companions;
 use super::heading::by_heading;
@@ -14,21 +14,21 @@ use super::state::State;
 const TIME_CONSTANTS: [f64; 6] = [20.0, 40.0, 70.0, 120.0, 200.0, 350.0];
 
 /// Returns the number of parameters of an effect that depend on the heading; they come before the others.
-pub fn references(effect: &dyn AnyEffect) -> usize {
+pub fn references(effect: &EffectRef) -> usize {
     let params = effect.params().iter();
     params.filter(|p| p.role == Role::Reference).count()
 }
 
 /// Returns true if the effect is a time offset of the stamps, which shows in the accelerometer during motion.
-pub fn is_late(effect: &dyn AnyEffect) -> bool {
+pub fn is_late(effect: &EffectRef) -> bool {
     effect.nature() == Nature::Delay && effect.sensor() == Sensor::Accelerometer
 }
 
 /// Claim of a family: an effect, a disturbance or an unexplained shape.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub enum Claim {
     /// The sensor has an effect of the catalogue.
-    Effect(&'static dyn AnyEffect),
+    Effect(EffectRef),
     /// The recording was disturbed.
     Disturbed(FaultRef),
     /// Something is left that no effect of the catalogue explains, of this shape.
@@ -37,15 +37,15 @@ pub enum Claim {
 
 impl Claim {
     /// The effect that it claims, if it claims one.
-    pub fn effect(&self) -> Option<&'static dyn AnyEffect> {
+    pub fn effect(&self) -> Option<&EffectRef> {
         match self {
-            Self::Effect(effect) => Some(*effect),
+            Self::Effect(effect) => Some(effect),
             Self::Disturbed(_) | Self::Shape(..) => None,
         }
     }
 
     /// The name in findings.
-    pub fn name(&self) -> &'static str {
+    pub fn name(&self) -> &str {
         match self {
             Self::Effect(effect) => effect.name(),
             Self::Disturbed(fault) => fault.name(),
@@ -111,12 +111,12 @@ impl Family {
 
 /// Places of an effect's coefficients, which are nothing in a perfect sensor, and of the parameter that
 /// shapes it, where there is one.
-pub fn coefficients(effect: &dyn AnyEffect) -> (Vec<usize>, Option<usize>) {
+pub fn coefficients(effect: &EffectRef) -> (Vec<usize>, Option<usize>) {
     let params = effect.params();
     let shape = params.iter().position(is_shape);
     let reference = effect.reference();
     let linear = (0..params.len())
-        .filter(|k| Some(*k) != shape && Some(params[*k].name) != reference)
+        .filter(|k| Some(*k) != shape && reference.is_none_or(|name| params[*k].name != name))
         .collect();
     (linear, shape)
 }
@@ -138,28 +138,24 @@ pub fn tried(p: &Param) -> &[f64] {
 }
 
 /// Everything that the model of `state` lacks and its recordings could show.
-pub fn families(state: &State, catalogue: &[&'static dyn AnyEffect]) -> Vec<Family> {
+pub fn families(state: &State, catalogue: &[EffectRef]) -> Vec<Family> {
     let mut all: Vec<Family> = catalogue
         .iter()
-        .filter(|effect| may_be_missing(state, **effect))
-        .map(|effect| effect_family(state, *effect, catalogue))
+        .filter(|effect| may_be_missing(state, effect))
+        .map(|effect| effect_family(state, effect, catalogue))
         .collect();
     all.extend(disturbance_families(state));
     all
 }
 
 /// Returns true if the effect's sensor was recorded and the model does not have the effect yet.
-pub(super) fn may_be_missing(state: &State, effect: &dyn AnyEffect) -> bool {
+pub(super) fn may_be_missing(state: &State, effect: &EffectRef) -> bool {
     let is_recorded = effect.sensor() == Sensor::Accelerometer || state.fit.has_gyroscope();
     is_recorded && !state.has(effect.name())
 }
 
 /// The family of one effect; `catalogue` has its companions.
-pub(super) fn effect_family(
-    state: &State,
-    effect: &'static dyn AnyEffect,
-    catalogue: &[&'static dyn AnyEffect],
-) -> Family {
+pub(super) fn effect_family(state: &State, effect: &EffectRef, catalogue: &[EffectRef]) -> Family {
     let (linear, shape) = coefficients(effect);
     let nominal: Vec<f64> = effect.params().iter().map(|p| p.nominal).collect();
     let values: Vec<Option<f64>> = match shape {
@@ -176,7 +172,7 @@ pub(super) fn effect_family(
     let role = shape.map(|k| effect.params()[k].role_by_name());
     let is_instant = role == Some(Role::Instant);
     let mut parts = if is_instant {
-        vec![steps(state, effect, &linear, &values)]
+        vec![steps(state, &effect, &linear, &values)]
     } else {
         Vec::new()
     };
@@ -190,8 +186,8 @@ pub(super) fn effect_family(
             if let Some((k, value)) = shape {
                 p[k] = value;
             }
-            let mut own = scaled(state, effect, &p, &linear);
-            let of_heading = references(effect);
+            let mut own = scaled(state, &effect, &p, &linear);
+            let of_heading = references(&effect);
             if of_heading > 0 {
                 own = by_heading(state, own, of_heading);
                 count = own.ncols();
@@ -199,10 +195,10 @@ pub(super) fn effect_family(
             parts.push(own);
             let companions = with_companions(effect, catalogue).skip(1);
             for companion in companions.filter(|c| !state.has(c.name())) {
-                let (linear, _) = coefficients(companion);
+                let (linear, _) = coefficients(&companion);
                 let p: Vec<f64> = companion.params().iter().map(|p| p.nominal).collect();
                 count += linear.len();
-                parts.push(scaled(state, companion, &p, &linear));
+                parts.push(scaled(state, &companion, &p, &linear));
             }
         }
         hypotheses.push(Hypothesis {
@@ -213,7 +209,7 @@ pub(super) fn effect_family(
         first += count;
     }
     Family {
-        claim: Claim::Effect(effect),
+        claim: Claim::Effect(effect.clone()),
         // Neighbouring time constants make nearly the same columns: choosing spends a degree of freedom, not a search.
         shape_dof: if role == Some(Role::TimeConstant) {
             1.0
@@ -232,13 +228,13 @@ pub(super) fn effect_family(
 }
 
 /// The columns of an effect's coefficients, for typical sizes.
-fn scaled(state: &State, effect: &dyn AnyEffect, p: &[f64], linear: &[usize]) -> Mat<f64> {
+fn scaled(state: &State, effect: &EffectRef, p: &[f64], linear: &[usize]) -> Mat<f64> {
     let columns = effect_columns(&state.sensitivities, state.rows(), effect, p, linear);
     sized(columns, effect, linear)
 }
 
 /// Columns of coefficients, for the typical size of each.
-fn sized(mut columns: Mat<f64>, effect: &dyn AnyEffect, linear: &[usize]) -> Mat<f64> {
+fn sized(mut columns: Mat<f64>, effect: &EffectRef, linear: &[usize]) -> Mat<f64> {
     for (k, mut column) in columns.col_iter_mut().enumerate() {
         column *= faer::Scale(effect.typical_of(linear[k % linear.len()]));
     }
@@ -246,12 +242,7 @@ fn sized(mut columns: Mat<f64>, effect: &dyn AnyEffect, linear: &[usize]) -> Mat
 }
 
 /// The same for an effect that begins at an instant, for all instants.
-fn steps(
-    state: &State,
-    effect: &dyn AnyEffect,
-    linear: &[usize],
-    values: &[Option<f64>],
-) -> Mat<f64> {
+fn steps(state: &State, effect: &EffectRef, linear: &[usize], values: &[Option<f64>]) -> Mat<f64> {
     let instants: Vec<f64> = values.iter().flatten().copied().collect();
     // The instant is no coefficient: it is put before everything.
     let always: Vec<f64> = (0..effect.params().len())
@@ -329,23 +320,20 @@ mod tests {
         let recordings = [spec.run().unwrap().recording];
         let session = Session::new(&recordings, &Request::new(spec.gravity)).unwrap();
         let state = State::fit(&session, Extension::default()).unwrap();
-        let effect = gyroscope::EFFECTS
-            .iter()
-            .find(|e| e.name() == "gyro_step")
-            .unwrap();
+        let effect = effects::effect_named("gyro_step").unwrap();
         let (wanted, always) = ([0, 1, 2], [0.0, 0.0, 0.0, f64::NEG_INFINITY]);
         let instants = [60.0, 100.0, 200.0];
         let m = state.rows();
         let at_once = step_columns(
             &state.sensitivities,
             m,
-            *effect,
+            &effect,
             (&always, &wanted),
             &instants,
         );
         for (k, instant) in instants.into_iter().enumerate() {
             let p = [0.0, 0.0, 0.0, instant];
-            let one = effect_columns(&state.sensitivities, m, *effect, &p, &wanted);
+            let one = effect_columns(&state.sensitivities, m, &effect, &p, &wanted);
             let difference = &one - at_once.as_ref().subcols(3 * k, 3);
             // Sums in another order.
             assert!(difference.norm_max() < 1e-12 * one.norm_max());

@@ -4,7 +4,7 @@ use estimate::calibration::EffectParameter;
 use estimate::methods::joint::BiasNoise;
 use faer::Mat;
 use nalgebra::{Matrix3, Vector3};
-use sensor::{AnyEffect, Kinematics, Quantity, Sensor};
+use sensor::{EffectRef, Kinematics, Quantity, Sensor};
 
 use super::discovery::Discovery;
 use super::family::Claim;
@@ -59,16 +59,14 @@ pub struct Point {
 /// direction through turns and the effect shows at rest, a second of the readings at rest.
 pub fn pictures(discovery: &Discovery) -> Vec<Picture> {
     let search = &discovery.search;
-    let effects = search.names.iter().filter_map(|name| match name.claim {
-        Claim::Effect(effect) => Some((name, effect.name())),
-        _ => None,
-    });
-    effects
-        .flat_map(|(name, effect)| {
-            let all = &discovery.findings.effects;
-            let finding = all.iter().find(|finding| finding.name == effect);
-            finding.map_or_else(Vec::new, |finding| of_effect(name, finding, &search.last))
-        })
+    let written = |name: &Name| {
+        let effect = name.claim.effect()?;
+        let mut all = discovery.findings.effects.iter();
+        all.find(|finding| finding.name == effect.name())
+    };
+    let each = search.names.iter();
+    each.filter_map(|name| Some(of_effect(name, written(name)?, &search.last)))
+        .flatten()
         .collect()
 }
 
@@ -267,7 +265,7 @@ const TELLING: [(Quantity, Kind); 7] = [
     (Quantity::Vibration, Kind::Vibration),
 ];
 
-fn kind_of(effect: &dyn AnyEffect) -> Option<Kind> {
+fn kind_of(effect: &EffectRef) -> Option<Kind> {
     let needs = effect.needs();
     let telling = TELLING
         .iter()
@@ -280,7 +278,7 @@ fn kind_of(effect: &dyn AnyEffect) -> Option<Kind> {
 
 /// Returns the dependence of an error on specific force: on that along its axis, on a product of those across it, or on
 /// that along any direction.
-fn of_force(effect: &dyn AnyEffect) -> Kind {
+fn of_force(effect: &EffectRef) -> Kind {
     let params = effect.params();
     let p: Vec<f64> = (0..params.len())
         .map(|k| match params[k].nominal {
@@ -302,7 +300,7 @@ impl GoesWith {
         let Claim::Effect(effect) = claim else {
             return None;
         };
-        let kind = kind_of(*effect)?;
+        let kind = kind_of(effect)?;
         let evidence = |p: &EffectParameter| p.std.map_or(0.0, |s| (p.value / s).abs());
         let axis = (0..parameters.len().min(3))
             .max_by(|&a, &b| evidence(&parameters[a]).total_cmp(&evidence(&parameters[b])))?;

@@ -3,7 +3,7 @@
 use std::borrow::{Borrow, Cow};
 use std::sync::Arc;
 
-use effects::{follows_turns, stands_in_the_room};
+use effects::{catalogue_of, follows_turns, stands_in_the_room};
 use estimate::calibrate::Prepared;
 use estimate::gravity::GravitySource;
 use estimate::methods::earth::on_the_earth;
@@ -14,7 +14,7 @@ use estimate::methods::{Choice, cut, cut_several};
 use recording::intervals::Detector;
 use recording::readings::swings;
 use recording::{Error, Recording};
-use sensor::{AnyEffect, Nature, Role};
+use sensor::{EffectRef, Nature, Role, Sensor};
 
 use super::extension::Extension;
 
@@ -44,7 +44,7 @@ pub struct Request {
     /// on the placement, as an effect does.
     pub flicker: bool,
     /// The effects that may be missing.
-    pub catalogue: Vec<&'static dyn AnyEffect>,
+    pub catalogue: Vec<EffectRef>,
 }
 
 impl Request {
@@ -59,12 +59,12 @@ impl Request {
     }
 
     /// The effects that may be missing from the base model.
-    pub fn candidates(&self) -> Vec<&'static dyn AnyEffect> {
-        let is_given = |effect: &dyn AnyEffect| {
+    pub fn candidates(&self) -> Vec<EffectRef> {
+        let is_given = |effect: &EffectRef| {
             self.latitude.is_some() && effect.nature() == Nature::EarthRotation
         };
         let mut all = self.catalogue.clone();
-        all.retain(|effect| !is_given(*effect) && is_looked_for(*effect));
+        all.retain(|effect| !is_given(effect) && is_looked_for(effect));
         all
     }
 
@@ -81,10 +81,8 @@ impl Request {
             detector: Detector::default(),
             choose_multiplier: true,
             force_device: false,
-            catalogue: accelerometer::EFFECTS
-                .iter()
-                .chain(gyroscope::EFFECTS)
-                .copied()
+            catalogue: catalogue_of(Sensor::Accelerometer)
+                .chain(catalogue_of(Sensor::Gyroscope))
                 .collect(),
         }
     }
@@ -95,7 +93,7 @@ impl Request {
 /// Effects with a shape of their own (a relaxation after turns, a period) and those fixed in the room are described as a
 /// remainder instead: on recordings of a phone they displaced simpler names, or their fits did not converge.
 /// `calibrate --effects` has them all.
-fn is_looked_for(effect: &dyn AnyEffect) -> bool {
+fn is_looked_for(effect: &EffectRef) -> bool {
     let params = effect.params();
     let is_periodic = params.iter().any(|p| p.role == Role::Shape);
     let is_described = stands_in_the_room(effect) || follows_turns(effect) || is_periodic;
@@ -192,8 +190,8 @@ impl<'a> Session<'a> {
             held.push(vertical);
         }
         for (effect, shape) in &extension.effects {
-            accelerometer = accelerometer.with(*effect);
-            gyroscope = gyroscope.with(*effect);
+            accelerometer = accelerometer.with(effect.clone());
+            gyroscope = gyroscope.with(effect.clone());
             let mut hold = |parameter: &str, value: f64| {
                 held.push((format!("{}.{parameter}", effect.name()), value));
             };
@@ -205,7 +203,7 @@ impl<'a> Session<'a> {
                 if extension.settles && parameter.role_by_name() == Role::TimeConstant {
                     starts.push((format!("{}.{}", effect.name(), parameter.name), *value));
                 } else {
-                    hold(parameter.name, *value);
+                    hold(&parameter.name, *value);
                 }
             }
         }

@@ -1,14 +1,15 @@
 //! The registry: which effects each kind of sensor has.
 
-use sensor::{AnyEffect, Quantity, Role, Sensor};
+use sensor::{EffectRef, Quantity, Role, Sensor};
 
 /// The effects of one kind of sensor, in the order of its crate.
-pub fn catalogue_of(sensor: Sensor) -> &'static [&'static dyn AnyEffect] {
-    match sensor {
+pub fn catalogue_of(sensor: Sensor) -> impl Iterator<Item = EffectRef> {
+    let registry = match sensor {
         Sensor::Accelerometer => accelerometer::EFFECTS,
         Sensor::Gyroscope => gyroscope::EFFECTS,
         Sensor::Magnetometer => magnetometer::EFFECTS,
-    }
+    };
+    registry.iter().map(|effect| EffectRef::from(*effect))
 }
 
 /// The whole catalogue.
@@ -16,46 +17,44 @@ pub fn catalogue_of(sensor: Sensor) -> &'static [&'static dyn AnyEffect] {
 /// ```
 /// assert!(stillpoint_effects::catalogue().any(|effect| effect.name() == "gyro_g_sensitivity"));
 /// ```
-pub fn catalogue() -> impl Iterator<Item = &'static dyn AnyEffect> {
-    Sensor::ALL.into_iter().flat_map(catalogue_of).copied()
+pub fn catalogue() -> impl Iterator<Item = EffectRef> {
+    Sensor::ALL.into_iter().flat_map(catalogue_of)
 }
 
 /// The effect of that name.
-pub fn effect_named(name: &str) -> Option<&'static dyn AnyEffect> {
+pub fn effect_named(name: &str) -> Option<EffectRef> {
     catalogue().find(|effect| effect.name() == name)
 }
 
 /// The effect that is the rotation of the earth.
-pub fn earth_rotation() -> &'static dyn AnyEffect {
-    gyroscope::EARTH_ROTATION
+pub fn earth_rotation() -> EffectRef {
+    gyroscope::EARTH_ROTATION.into()
 }
 
 /// Returns true if the effect comes from a field fixed to the room: all of its parameters depend on the heading.
-pub fn stands_in_the_room(effect: &dyn AnyEffect) -> bool {
+pub fn stands_in_the_room(effect: &EffectRef) -> bool {
     let mut params = effect.params().iter();
     params.all(|p| p.role == Role::Reference)
 }
 
 /// Returns true if the effect depends on the last turn.
-pub fn follows_turns(effect: &dyn AnyEffect) -> bool {
+pub fn follows_turns(effect: &EffectRef) -> bool {
     effect.needs().contains(&Quantity::LastTurn)
 }
 
 /// The effect of a field that stands in the room.
-pub fn room_field(sensor: Sensor) -> Option<&'static dyn AnyEffect> {
-    let mut own = catalogue_of(sensor).iter().copied();
-    own.find(|effect| stands_in_the_room(*effect))
+pub fn room_field(sensor: Sensor) -> Option<EffectRef> {
+    catalogue_of(sensor).find(|effect| stands_in_the_room(effect))
 }
 
 /// The effect of a bias that relaxes after a turn.
-pub fn relaxation(sensor: Sensor) -> Option<&'static dyn AnyEffect> {
-    let mut own = catalogue_of(sensor).iter().copied();
-    own.find(|effect| follows_turns(*effect))
+pub fn relaxation(sensor: Sensor) -> Option<EffectRef> {
+    catalogue_of(sensor).find(|effect| follows_turns(effect))
 }
 
 /// The effect that is the sensitivity of the rate to specific force.
-pub fn force_sensitivity() -> &'static dyn AnyEffect {
-    gyroscope::FORCE_SENSITIVITY
+pub fn force_sensitivity() -> EffectRef {
+    gyroscope::FORCE_SENSITIVITY.into()
 }
 
 /// Returns true if the effect of that name is the rotation of the earth.
@@ -122,7 +121,7 @@ mod tests {
                 parameters: parameters
                     .map(|p| DefinedParam {
                         nominal: p.nominal,
-                        ..DefinedParam::new(p.name, p.unit, 0.1)
+                        ..DefinedParam::new(&p.name, &p.unit, 0.1)
                     })
                     .collect(),
                 ..Definition::silent(effect.sensor())

@@ -23,7 +23,7 @@ use findings::{Finding, Kind};
 use recording::Error;
 use recording::shown::shown_path;
 use recording::toml_place::{at_key, not_toml};
-use sensor::{AnyEffect, Definition, DefinitionError, DefinitionFault};
+use sensor::{Definition, DefinitionError, DefinitionFault, EffectRef};
 use serde::{Deserialize, Serialize};
 
 use crate::catalogue;
@@ -40,7 +40,7 @@ struct EffectFile {
 /// # Errors
 /// [`Error::Io`] where it cannot be read, [`Error::Input`] as `file:line:column: key: …` for what is
 /// not TOML, an unknown key, an expression that cannot be read, a name that is taken.
-pub fn read_effects(path: &Path) -> Result<Vec<&'static dyn AnyEffect>, Error> {
+pub fn read_effects(path: &Path) -> Result<Vec<EffectRef>, Error> {
     let text = recording::read_text(path)?;
     parse_effects(&text, &shown_path(path))
 }
@@ -49,7 +49,7 @@ pub fn read_effects(path: &Path) -> Result<Vec<&'static dyn AnyEffect>, Error> {
 ///
 /// # Errors
 /// As [`read_effects`].
-pub fn parse_effects(text: &str, name: &str) -> Result<Vec<&'static dyn AnyEffect>, Error> {
+pub fn parse_effects(text: &str, name: &str) -> Result<Vec<EffectRef>, Error> {
     let file: EffectFile = toml::from_str(text).map_err(|e| {
         let found = not_toml(name, text, &e);
         Error::input(found)
@@ -74,10 +74,8 @@ pub fn to_toml(definitions: &[Definition]) -> Result<String, Error> {
 ///
 /// # Errors
 /// The key of what is wrong, and what.
-pub fn effects_of(
-    definitions: &[Definition],
-) -> Result<Vec<&'static dyn AnyEffect>, DefinitionError> {
-    let mut effects: Vec<&'static dyn AnyEffect> = Vec::new();
+pub fn effects_of(definitions: &[Definition]) -> Result<Vec<EffectRef>, DefinitionError> {
+    let mut effects: Vec<EffectRef> = Vec::new();
     for (k, definition) in definitions.iter().enumerate() {
         let effect = definition.effect().map_err(|e| DefinitionError {
             key: format!("definitions.{k}.{}", e.key),
@@ -96,9 +94,7 @@ pub fn effects_of(
 }
 
 /// The catalogue with these effects after it.
-pub fn catalogue_with(
-    extra: &[&'static dyn AnyEffect],
-) -> impl Iterator<Item = &'static dyn AnyEffect> {
+pub fn catalogue_with(extra: &[EffectRef]) -> impl Iterator<Item = EffectRef> {
     catalogue().chain(extra.to_vec())
 }
 
@@ -126,9 +122,9 @@ parameters = [{ name = "k", unit = "1/(m/s^2)", typical = 1e-4 }]
         let effects = parse_effects(SWIRL, "a.toml").unwrap();
         let truth = Kinematics::at_rest(Vector3::new(0.0, 2.0, 3.0));
         assert_eq!(effects[0].error_f64(&truth, &[2.0]), Vector3::x() * 12.0);
-        let all: Vec<_> = catalogue_with(&effects).map(|e| e.name()).collect();
+        let all: Vec<_> = catalogue_with(&effects).collect();
         assert_eq!(all.len(), catalogue().count() + 1);
-        assert_eq!(all.last(), Some(&"accel_swirl"));
+        assert_eq!(all[all.len() - 1].name(), "accel_swirl");
     }
 
     #[test]
@@ -164,6 +160,6 @@ parameters = [{ name = "k", unit = "1/(m/s^2)", typical = 1e-4 }]
         let text = to_toml(&[formula.definition("gyro_proposed")]).unwrap();
         let read = parse_effects(&text, "a.toml").unwrap();
         let direct = formula.effect("gyro_proposed").unwrap();
-        assert!(std::ptr::addr_eq(read[0], direct));
+        assert_eq!(read[0].definition(), direct.definition());
     }
 }

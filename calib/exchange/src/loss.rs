@@ -170,7 +170,7 @@ fn of_effects(source: &Source<'_>, kept: &Kept) -> Vec<Loss> {
         let Ok(effect) = values.effect() else {
             continue;
         };
-        if kept.formulas && is_code(effect) {
+        if kept.formulas && is_code(&effect) {
             continue;
         }
         let sensor = effect.sensor();

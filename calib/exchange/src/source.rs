@@ -29,8 +29,8 @@ impl<'a> Source<'a> {
     pub fn new(calibration: &'a Calibration) -> Self {
         let base = |sensor| calibration.triad(sensor).map(|triad| triad.base());
         let own = calibration.effects.iter();
-        let name = force_sensitivity().name();
-        let own = own.filter(|e| e.name == name && e.parameters.len() == 9);
+        let sensitivity = force_sensitivity();
+        let own = own.filter(|e| e.name == sensitivity.name() && e.parameters.len() == 9);
         let matrix = |e: &calib::calibration::EffectValues| {
             Matrix3::from_fn(|i, j| e.parameters[3 * i + j].value)
         };

@@ -2,10 +2,10 @@
 
 use findings::{Finding, Kind};
 use std::path::Path;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use calib::effect_file::{catalogue_with, parse_effects};
-use sensor::AnyEffect;
+use sensor::{AnyEffect, EffectRef};
 
 use crate::Error;
 
@@ -15,7 +15,7 @@ use crate::Error;
 /// parameters. One of one's own is a type with `effect::Effect`, in any crate, or a definition in TOML; an `Arc` of
 /// it joins a catalogue, is fitted, applied, and found again in a calibration that is read with the same catalogue.
 ///
-/// What joined a catalogue once lives as long as the program: models point to effects, as those of the program are.
+/// Requests and calibrations share what joined a catalogue.
 ///
 /// # Examples
 /// ```
@@ -55,7 +55,7 @@ use crate::Error;
 /// # Ok::<(), stillpoint::Error>(())
 /// ```
 #[derive(Clone, Debug, Default)]
-pub struct Catalogue(Vec<&'static dyn AnyEffect>);
+pub struct Catalogue(Vec<EffectRef>);
 
 impl Catalogue {
     /// With an effect of one's own.
@@ -87,13 +87,13 @@ impl Catalogue {
     /// }
     ///
     /// let catalogue = Catalogue::default().with(Arc::new(Cubic))?;
-    /// assert!(catalogue.names().contains(&"gyro_temperature_cube"));
+    /// assert!(catalogue.names().contains(&"gyro_temperature_cube".to_owned()));
     /// let twice = catalogue.with(Arc::new(Cubic)).unwrap_err(); // another `Arc` of the same name
     /// assert_eq!(twice.kind, ErrorKind::Usage);
     /// # Ok::<(), stillpoint::Error>(())
     /// ```
     pub fn with(mut self, effect: Arc<dyn AnyEffect>) -> Result<Self, Error> {
-        self.add(kept(effect))?;
+        self.add(effect.into())?;
         Ok(self)
     }
 
@@ -112,7 +112,7 @@ impl Catalogue {
     ///     parameters = [{ name = "k", unit = "rad/s/(m/s^2)^2", typical = 5e-6 }]
     /// "#;
     /// let catalogue = stillpoint::Catalogue::default().with_definitions(toml)?;
-    /// assert!(catalogue.names().contains(&"gyro_swirl"));
+    /// assert!(catalogue.names().contains(&"gyro_swirl".to_owned()));
     /// # Ok::<(), stillpoint::Error>(())
     /// ```
     pub fn with_definitions(mut self, toml: &str) -> Result<Self, Error> {
@@ -143,29 +143,24 @@ impl Catalogue {
     ///
     /// # Examples
     /// ```
-    /// assert!(stillpoint::Catalogue::default().names().contains(&"gyro_g_sensitivity"));
+    /// let names = stillpoint::Catalogue::default().names();
+    /// assert!(names.iter().any(|name| name == "gyro_g_sensitivity"));
     /// ```
-    pub fn names(&self) -> Vec<&'static str> {
-        catalogue_with(&self.0)
-            .map(|effect| effect.name())
-            .collect()
+    pub fn names(&self) -> Vec<String> {
+        let all = catalogue_with(&self.0);
+        all.map(|effect| effect.name().to_owned()).collect()
     }
 
-    pub(crate) fn own(&self) -> &[&'static dyn AnyEffect] {
+    pub(crate) fn own(&self) -> &[EffectRef] {
         &self.0
     }
 
-    fn add(&mut self, effect: &'static dyn AnyEffect) -> Result<(), Error> {
-        let name = effect.name();
-        let taken = catalogue_with(&self.0).find(|other| other.name() == name);
+    fn add(&mut self, effect: EffectRef) -> Result<(), Error> {
+        let taken = catalogue_with(&self.0).find(|other| other.name() == effect.name());
         match taken {
-            Some(other)
-                if std::ptr::addr_eq(other, effect) && std::mem::size_of_val(effect) > 0 =>
-            {
-                Ok(())
-            }
+            Some(other) if other.is(&effect) => Ok(()),
             Some(_) => Err(Error::usage(
-                Finding::of(Kind::EffectTaken).detail("name", name),
+                Finding::of(Kind::EffectTaken).detail("name", effect.name()),
             )),
             None => {
                 self.0.push(effect);
@@ -173,19 +168,4 @@ impl Catalogue {
             }
         }
     }
-}
-
-/// The effect behind a pointer for as long as the program runs; the same one for the same `Arc`.
-fn kept(effect: Arc<dyn AnyEffect>) -> &'static dyn AnyEffect {
-    static KEPT: Mutex<Vec<&'static Arc<dyn AnyEffect>>> = Mutex::new(Vec::new());
-    let mut all = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
-    let same =
-        |known: &&&Arc<dyn AnyEffect>| std::ptr::addr_eq(Arc::as_ptr(known), Arc::as_ptr(&effect));
-    let known = all.iter().find(same).copied();
-    if let Some(known) = known {
-        return known.as_ref();
-    }
-    let known: &'static Arc<dyn AnyEffect> = Box::leak(Box::new(effect));
-    all.push(known);
-    known.as_ref()
 }

@@ -9,7 +9,7 @@ use calib::methods::joint::{BiasNoise, ClockMode};
 use calib::recording::figure;
 use calib::residuals::Integrator;
 use findings::{Finding, Kind};
-use sensor::AnyEffect;
+use sensor::EffectRef;
 
 use crate::{Catalogue, Error, Recording, Watch};
 
@@ -197,7 +197,9 @@ impl Request {
             gravity_source: gravity.source,
             ..DiscoverRequest::new(gravity.value)
         };
-        request.catalogue.extend(self.catalogue.own());
+        request
+            .catalogue
+            .extend(self.catalogue.own().iter().cloned());
         Ok(request)
     }
 
@@ -238,13 +240,14 @@ impl Request {
         self.left_out.iter().map(instant).collect()
     }
 
-    fn named_effects(&self) -> Result<Vec<&'static dyn AnyEffect>, Error> {
+    fn named_effects(&self) -> Result<Vec<EffectRef>, Error> {
         let find = |name: &String| {
             let mut all = catalogue_with(self.catalogue.own());
             all.find(|effect| effect.name() == name).ok_or_else(|| {
                 let unknown = Finding::of(Kind::EffectUnknown);
                 let unknown = unknown.detail("effect", format!("`{name}`"));
-                Error::usage(unknown.or_nearest(name, self.catalogue.names()))
+                let known = self.catalogue.names();
+                Error::usage(unknown.or_nearest(name, known.iter().map(String::as_str)))
             })
         };
         self.effects.iter().map(find).collect()

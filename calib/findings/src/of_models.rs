@@ -1,7 +1,7 @@
 //! Errors of the models as findings: their data are the models', their words are here.
 
 use sensor::expression::{Expected, FUNCTIONS, ParseError, ParseFault};
-use sensor::{AnyEffect, DefinitionError, DefinitionFault, EffectFault};
+use sensor::{DefinitionError, DefinitionFault, EffectFault, EffectRef};
 
 use crate::finding::Finding;
 use crate::kind::Kind;
@@ -83,7 +83,7 @@ impl From<DefinitionError> for Finding {
 
 impl Finding {
     /// Builds the finding for a fault in an effect that a user wrote.
-    pub fn of_effect(effect: &dyn AnyEffect, fault: &EffectFault) -> Self {
+    pub fn of_effect(effect: &EffectRef, fault: &EffectFault) -> Self {
         let of = |kind| Self::of(kind).detail("effect", effect.name());
         match fault {
             EffectFault::NoNumber {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use findings::{Finding, Kind};
 use recording::Error;
-use sensor::{AnyEffect, Model, Role, Sensor};
+use sensor::{EffectRef, Model, Role, Sensor};
 use solver::Parameters;
 
 use super::device::Device;
@@ -24,9 +24,9 @@ pub(crate) fn draw_device(
     let effects = spec.all_effects();
     for (place, effect) in spec.catalogue(sensor)?.iter().enumerate() {
         if let Some(wanted) = effects.get(effect.name()) {
-            model = model.with(*effect);
+            model = model.with(effect.clone());
             let mut random = Random::new(seed, Purpose::Effect(sensor, place));
-            drawn.extend(coefficients(*effect, wanted, end, &mut random));
+            drawn.extend(coefficients(effect, wanted, end, &mut random));
         }
     }
     let mut parameters: Parameters = model.parameters();
@@ -49,12 +49,15 @@ pub(crate) fn draw_device(
 
 /// Coefficients that are not given get a random sign and 0.5 to 1.5 times `size` typical sizes.
 fn coefficients(
-    effect: &dyn AnyEffect,
+    effect: &EffectRef,
     wanted: &BTreeMap<String, f64>,
     end: f64,
     random: &mut Random,
 ) -> Vec<f64> {
-    let names_one = effect.params().iter().any(|p| wanted.contains_key(p.name));
+    let names_one = effect
+        .params()
+        .iter()
+        .any(|p| wanted.contains_key(&*p.name));
     let size = wanted
         .get(SIZE)
         .copied()
@@ -70,7 +73,7 @@ fn coefficients(
     };
     let mut value = |(k, p): (usize, &sensor::Param)| {
         let drawn = draw(k, p, random);
-        wanted.get(p.name).copied().unwrap_or(drawn)
+        wanted.get(&*p.name).copied().unwrap_or(drawn)
     };
     effect.params().iter().enumerate().map(&mut value).collect()
 }

@@ -98,7 +98,7 @@ pub fn simulate(
 
 /// Names of all effects.
 #[pyfunction]
-pub fn effect_names(py: Python<'_>, effect_files: Vec<PathBuf>) -> PyResult<Vec<&'static str>> {
+pub fn effect_names(py: Python<'_>, effect_files: Vec<PathBuf>) -> PyResult<Vec<String>> {
     Ok(catalogue(py, &effect_files)?.names())
 }
 

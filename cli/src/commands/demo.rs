@@ -24,8 +24,8 @@ use crate::show::command_line;
 const SEED: u64 = 20_240_229;
 
 /// Name of the effect that the simulated device has beyond its base models. Nothing but the simulation is told.
-fn hidden_effect() -> &'static str {
-    force_sensitivity().name()
+fn hidden_effect() -> String {
+    force_sensitivity().name().to_owned()
 }
 
 /// Simulates a hand-held session of a device with a hidden effect, calibrates it, discovers the effect and
@@ -101,7 +101,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     args.replace.end_if_all_exist()?;
     let progress = spinner("simulating");
     let mut session = Spec::hand_held(SEED)
-        .with_effect(hidden_effect(), 1.0)
+        .with_effect(&hidden_effect(), 1.0)
         .run()?;
     let gravity = session.truth.spec.gravity;
     let recordings = [session.recording.clone()];
@@ -249,7 +249,7 @@ fn hidden(rows: &[Estimate]) -> String {
     let factor = 3600.0 * 1f64.to_degrees() * STANDARD_GRAVITY;
     let own = rows
         .iter()
-        .filter(|row| row.name.starts_with(hidden_effect()));
+        .filter(|row| row.name.starts_with(&hidden_effect()));
     let mut lines = vec![format!(
         "  {:<24}  {:>8}  {:>16}",
         "°/h per g", "truth", "estimate"

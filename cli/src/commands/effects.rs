@@ -71,8 +71,8 @@ fn parameters(params: &[sensor::Param]) -> String {
     params
         .chunk_by(|a, b| a.unit == b.unit)
         .map(|group| {
-            let names: Vec<&str> = group.iter().map(|p| p.name).collect();
-            let unit = group.first().map_or("", |p| p.unit);
+            let names: Vec<&str> = group.iter().map(|p| &*p.name).collect();
+            let unit = group.first().map_or("", |p| &*p.unit);
             match unit {
                 "" => names.join(" "),
                 unit => format!("{} ({unit})", names.join(" ")),

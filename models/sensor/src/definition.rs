@@ -9,7 +9,6 @@ mod formula;
 
 pub use budget::EffectFault;
 pub use code::{ErrorCode, error_code};
-pub use defined::{fault_of, grant_steps};
 pub use emit::emit_effect;
 pub use fault::{DefinitionError, DefinitionFault};
 pub use formula::{Factor, Formula, Term};

@@ -2,6 +2,7 @@
 
 mod any_effect;
 mod needs;
+mod shared;
 
 use nalgebra::{Matrix3, Vector3};
 use solver::{Jet, Jet2, Scalar, lit};
@@ -12,6 +13,7 @@ use crate::param::Param;
 use crate::quantity::Quantity;
 pub use any_effect::{AnyEffect, ModelScalar, Nature};
 pub use needs::{observed_needs, silent_at_rest};
+pub use shared::EffectRef;
 
 /// An error that a sensor adds to the true signal: `raw = base⁻¹(truth + Σ effect(truth))`.
 ///
@@ -82,13 +84,13 @@ pub trait Effect: Send + Sync + 'static {
 }
 
 impl<E: Effect> AnyEffect for E {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         E::NAME
     }
     fn sensor(&self) -> Sensor {
         E::SENSOR
     }
-    fn equation(&self) -> &'static str {
+    fn equation(&self) -> &str {
         E::EQUATION
     }
     fn formula(&self, axis: Axis) -> Option<String> {

@@ -25,10 +25,11 @@ pub use base::{BASE_PARAMETERS, Base, PLACES, base_names, inverse};
 pub use covariate::{Covariate, NoSuchCovariate};
 pub use definition::{
     DefinedParam, Definition, DefinitionError, DefinitionFault, EffectFault, ErrorCode, Factor,
-    Formula, Term, emit_effect, error_code, fault_of, grant_steps,
+    Formula, Term, emit_effect, error_code,
 };
 pub use effect::{
-    AnyEffect, Effect, ModelScalar, Nature, mat3, observed_needs, off_diagonal, silent_at_rest,
+    AnyEffect, Effect, EffectRef, ModelScalar, Nature, mat3, observed_needs, off_diagonal,
+    silent_at_rest,
 };
 pub use kinematics::{Kinematics, REFERENCE_TEMPERATURE, Sensor, Since};
 pub use model::Model;

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use solver::Parameters;
 
 use crate::base::{BASE_PARAMETERS, Base, base_names};
-use crate::effect::{AnyEffect, ModelScalar};
+use crate::effect::{EffectRef, ModelScalar};
 use crate::kinematics::{Kinematics, Sensor};
 use crate::param::Role;
 
@@ -14,7 +14,7 @@ use crate::param::Role;
 #[derive(Clone, Debug)]
 pub struct Model {
     sensor: Sensor,
-    effects: Vec<&'static dyn AnyEffect>,
+    effects: Vec<EffectRef>,
 }
 
 impl Model {
@@ -30,7 +30,8 @@ impl Model {
     ///
     /// An effect of the other sensor is left out: it does not change this signal.
     #[must_use]
-    pub fn with(mut self, effect: &'static dyn AnyEffect) -> Self {
+    pub fn with(mut self, effect: impl Into<EffectRef>) -> Self {
+        let effect = effect.into();
         if effect.sensor() == self.sensor {
             self.effects.push(effect);
         }
@@ -43,7 +44,7 @@ impl Model {
     }
 
     /// The effects, in the order of their parameters.
-    pub fn effects(&self) -> &[&'static dyn AnyEffect] {
+    pub fn effects(&self) -> &[EffectRef] {
         &self.effects
     }
 
@@ -62,7 +63,7 @@ impl Model {
         }
         for effect in &self.effects {
             for p in effect.params() {
-                parameters.push(format!("{}.{}", effect.name(), p.name), p.unit, p.nominal);
+                parameters.push(format!("{}.{}", effect.name(), p.name), &*p.unit, p.nominal);
             }
         }
         parameters
@@ -88,7 +89,7 @@ impl Model {
         let mut from = BASE_PARAMETERS;
         for effect in &self.effects {
             let to = from + effect.params().len();
-            sum += D::error(*effect, truth, &p[from..to]);
+            sum += D::error(&**effect, truth, &p[from..to]);
             from = to;
         }
         sum

@@ -1,12 +1,14 @@
 //! The parameters of an effect: names and units.
 
+use std::borrow::Cow;
+
 /// One parameter of an effect.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Param {
     /// Name within the effect, such as `xx`.
-    pub name: &'static str,
+    pub name: Cow<'static, str>,
     /// Unit.
-    pub unit: &'static str,
+    pub unit: Cow<'static, str>,
     /// Value of a perfect sensor, at which the effect is silent.
     pub nominal: f64,
     /// Size in a consumer-grade device, where it is not that of the effect.
@@ -49,8 +51,8 @@ impl Param {
     /// ```
     pub const fn new(name: &'static str, unit: &'static str, nominal: f64) -> Self {
         Self {
-            name,
-            unit,
+            name: Cow::Borrowed(name),
+            unit: Cow::Borrowed(unit),
             nominal,
             typical: None,
             role: Role::Coefficient,
@@ -60,19 +62,21 @@ impl Param {
 
     /// The same with values at which it is tried where it has to be found.
     #[must_use]
-    pub const fn tried_at(self, tried: &'static [f64]) -> Self {
-        Self { tried, ..self }
+    pub const fn tried_at(mut self, tried: &'static [f64]) -> Self {
+        self.tried = tried;
+        self
     }
 
     /// The same in another role.
     #[must_use]
-    pub const fn in_role(self, role: Role) -> Self {
-        Self { role, ..self }
+    pub const fn in_role(mut self, role: Role) -> Self {
+        self.role = role;
+        self
     }
 
     /// Returns the role. For an effect written as text, the names `tau` and `t0` determine it.
     pub fn role_by_name(&self) -> Role {
-        match (self.role, self.name) {
+        match (self.role, &*self.name) {
             (Role::Coefficient, "tau") => Role::TimeConstant,
             (Role::Coefficient, "t0") => Role::Instant,
             (role, _) => role,
@@ -81,11 +85,9 @@ impl Param {
 
     /// The same with a size of its own in a consumer-grade device.
     #[must_use]
-    pub const fn sized(self, typical: f64) -> Self {
-        Self {
-            typical: Some(typical),
-            ..self
-        }
+    pub const fn sized(mut self, typical: f64) -> Self {
+        self.typical = Some(typical);
+        self
     }
 }
 
@@ -99,17 +101,14 @@ impl Param {
 /// assert_eq!((PARAMS[2].name, PARAMS[2].unit, PARAMS[2].nominal), ("z", "rad/s/K", 0.0));
 /// ```
 pub const fn params<const N: usize>(unit: &'static str, names: [&'static str; N]) -> [Param; N] {
-    let mut all = [Param {
-        name: "",
-        unit,
-        nominal: 0.0,
-        typical: None,
-        role: Role::Coefficient,
-        tried: &[],
-    }; N];
+    let mut all = [const { Param::new("", "", 0.0) }; N];
     let mut k = 0;
     while k < N {
-        all[k].name = names[k];
+        // What stood there owns nothing; a constant function may not drop it all the same.
+        std::mem::forget(std::mem::replace(
+            &mut all[k],
+            Param::new(names[k], unit, 0.0),
+        ));
         k += 1;
     }
     all

@@ -106,7 +106,7 @@ fn print_claims(
         let request = calib::discover::Request::new(spec.gravity);
         let found = calib::discover::discover(&[recording], &request)?.findings;
         let names = found.effects.iter().map(|effect| effect.name.clone());
-        let faults = found.integrity.iter().map(|fault| fault.name.to_owned());
+        let faults = found.integrity.iter().map(|fault| fault.name.to_string());
         let rest = found.unexplained.iter().map(|_| "unexplained".to_owned());
         let all: Vec<String> = names.chain(faults).chain(rest).collect();
         if !all.is_empty() {

@@ -92,10 +92,9 @@ pub fn run(row: Row, index: u64) -> Result<Record, Error> {
             hidden.is_some_and(|hidden| hidden.is(&proposed.equation, &proposed.alternatives));
         record.proposed = Some(proposed.equation.clone());
     }
-    let owned = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect();
     let faults = findings.integrity.iter();
     let mut faults: Vec<(String, Vec<String>)> = faults
-        .map(|fault| (fault.name.into(), owned(&fault.indistinguishable_from)))
+        .map(|fault| (fault.name.to_string(), fault.indistinguishable_from.clone()))
         .collect();
     faults.sort();
     faults.dedup();
@@ -282,7 +281,7 @@ fn against_the_truth(
                     .or(Some((k, p.nominal)));
             }
         }
-        extension.effects.push((*effect, shape));
+        extension.effects.push((effect.clone(), shape));
     }
     let truth = State::fit(&session, extension)?;
     let noise = discovery.search.last.noise;

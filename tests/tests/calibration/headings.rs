@@ -101,7 +101,7 @@ fn near_the_equator_the_earth_may_be_a_field_of_the_room_and_hides_nothing() {
     assert_eq!(names, ["gyro_delay"]);
     let rest = unknown.unexplained.unwrap();
     assert!(rest.shape().contains("the same way in the room"));
-    assert_eq!(rest.fitted_by, Some("gyro_room_field"));
+    assert_eq!(rest.fitted_by.as_deref(), Some("gyro_room_field"));
     // With the latitude nothing is left.
     let known = findings(Some(3.0));
     assert_eq!(known.effects.len(), 1);

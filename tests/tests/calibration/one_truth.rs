@@ -9,7 +9,7 @@ use calib::calibration::{Calibration, apply, load, load_with};
 use calib::recording::Stream;
 use nalgebra::Vector3;
 use rayon::prelude::*;
-use sensor::{AnyEffect, Effect, Kinematics, Param, Quantity, Sensor, params};
+use sensor::{Effect, EffectRef, Kinematics, Param, Quantity, Sensor, params};
 use solver::Scalar;
 use stillpoint_tests::one_truth::{Chi2, End, Trial, calibrated, remainder, trials};
 
@@ -123,8 +123,10 @@ fn counts_and_si_units_give_the_same_corrected_signals() {
             }
         }
         for method in METHODS {
-            let corrected = |first, second: &calib::simulate::Session| {
-                let outcome = calibrated(first, method, &[trial.effect]).unwrap();
+            let corrected = |first: &calib::simulate::Session,
+                             second: &calib::simulate::Session| {
+                let outcome =
+                    calibrated(first, method, std::slice::from_ref(&trial.effect)).unwrap();
                 apply(&outcome.calibration, &second.recording).unwrap()
             };
             let si = corrected(&first, &second);
@@ -172,16 +174,16 @@ static JOLT: Jolt = Jolt;
 
 #[test]
 fn an_effect_of_another_crate_is_applied_and_reloaded_or_refused_but_never_dropped() {
-    let outside: &'static dyn AnyEffect = &JOLT;
+    let outside = [EffectRef::from(&JOLT)];
     assert_eq!(
-        outside.needs(),
+        outside[0].needs(),
         [Quantity::SpecificForce, Quantity::AngularAcceleration]
     );
     let trial = trials()
         .into_iter()
         .find(|t| t.effect.name() == "gyro_delay");
     let [first, second] = trial.unwrap().sessions(3, 12).unwrap();
-    let outcome = calibrated(&first, Method::Joint, &[outside]).unwrap();
+    let outcome = calibrated(&first, Method::Joint, &outside).unwrap();
     let calibration = outcome.calibration;
     assert_eq!(calibration.effects[0].name, "gyro_jolt");
     let here = apply(&calibration, &second.recording).unwrap();
@@ -192,7 +194,7 @@ fn an_effect_of_another_crate_is_applied_and_reloaded_or_refused_but_never_dropp
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("cal.json");
     std::fs::write(&path, serde_json::to_string(&calibration).unwrap()).unwrap();
-    let again = load_with(&path, &[outside]).unwrap();
+    let again = load_with(&path, &outside).unwrap();
     let there = apply(&again, &second.recording).unwrap();
     assert_eq!(here.gyroscope, there.gyroscope);
     let refused = load(&path).unwrap_err().to_string();
@@ -213,7 +215,7 @@ fn the_rotation_of_the_earth_is_applied_to_the_recording_it_was_found_in() {
     let trial = trial.unwrap();
     let [first, second] = trial.sessions(4, 12).unwrap();
     for method in METHODS {
-        let calibration = calibrated(&first, method, &[trial.effect])
+        let calibration = calibrated(&first, method, std::slice::from_ref(&trial.effect))
             .unwrap()
             .calibration;
         remainder(&calibration, &first).unwrap();

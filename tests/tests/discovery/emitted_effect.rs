@@ -5,7 +5,7 @@
 use std::path::Path;
 
 use nalgebra::Vector3;
-use sensor::{AnyEffect, Axis, Covariate, Formula, Kinematics, Model, Sensor, Term, emit_effect};
+use sensor::{Axis, Covariate, EffectRef, Formula, Kinematics, Model, Sensor, Term, emit_effect};
 use solver::{Jet, lit};
 
 #[path = "emitted/accel_proposed.rs"]
@@ -51,14 +51,18 @@ fn gyroscope() -> Formula {
     Formula::new(Sensor::Gyroscope, terms)
 }
 
-fn cases() -> [(&'static str, Formula, &'static dyn AnyEffect); 2] {
+fn cases() -> [(&'static str, Formula, EffectRef); 2] {
     [
         (
             "accel_proposed",
             accelerometer(),
-            &accel_proposed::AccelProposed,
+            (&accel_proposed::AccelProposed).into(),
         ),
-        ("gyro_proposed", gyroscope(), &gyro_proposed::GyroProposed),
+        (
+            "gyro_proposed",
+            gyroscope(),
+            (&gyro_proposed::GyroProposed).into(),
+        ),
     ]
 }
 
@@ -117,7 +121,7 @@ fn the_compiled_effect_keeps_to_the_rules_of_the_catalogue() {
     for (name, formula, effect) in cases() {
         let n = formula.terms.len();
         assert_eq!(effect.error_f64(&instant(), &vec![0.0; n]).norm(), 0.0);
-        let model = Model::base(formula.sensor).with(effect);
+        let model = Model::base(formula.sensor).with(effect.clone());
         let mut p = model.parameters().values().to_vec();
         for (k, term) in formula.terms.iter().enumerate() {
             assert_eq!(effect.typical_of(k), term.size.abs());

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use nalgebra::Vector3;
 use sensor::attitude::Attitude;
-use sensor::{AnyEffect, BASE_PARAMETERS, Kinematics, Model, Sensor, Since};
+use sensor::{BASE_PARAMETERS, EffectRef, Kinematics, Model, Sensor, Since};
 use solver::scalar::{along, derivatives, second_derivative, variable};
 use solver::{Jet, Jet2, LANES, lit};
 
@@ -70,7 +70,7 @@ const PROMISED: [(Sensor, &[&str]); 3] = [
     ),
 ];
 
-fn catalogue() -> Vec<&'static dyn AnyEffect> {
+fn catalogue() -> Vec<EffectRef> {
     calib::effects::catalogue().collect()
 }
 
@@ -106,7 +106,7 @@ fn instant(seed: usize) -> Kinematics<f64> {
 }
 
 /// Coefficients of `size` typical sizes; time constants and instants as they are nominally.
-fn coefficients(effect: &dyn AnyEffect, size: f64, seed: usize) -> Vec<f64> {
+fn coefficients(effect: &EffectRef, size: f64, seed: usize) -> Vec<f64> {
     let mut next = numbers(seed + 17);
     let value = |(k, p): (usize, &sensor::Param)| match p.nominal {
         0.0 => size * effect.typical_of(k) * next(),
@@ -118,7 +118,7 @@ fn coefficients(effect: &dyn AnyEffect, size: f64, seed: usize) -> Vec<f64> {
 #[test]
 fn an_effect_declares_all_that_it_looks_at_and_nothing_else() {
     for effect in catalogue() {
-        let observed = sensor::observed_needs(effect);
+        let observed = sensor::observed_needs(&*effect);
         assert_eq!(effect.needs(), observed, "{}", effect.name());
     }
 }
@@ -127,8 +127,8 @@ fn an_effect_declares_all_that_it_looks_at_and_nothing_else() {
 fn every_promised_name_is_there_with_its_sensor() {
     for (sensor, promised) in PROMISED {
         let own = catalogue().into_iter().filter(|e| e.sensor() == sensor);
-        let names: HashSet<_> = own.map(|e| e.name()).collect();
-        let missing: Vec<_> = promised.iter().filter(|n| !names.contains(*n)).collect();
+        let names: HashSet<String> = own.map(|e| e.name().to_owned()).collect();
+        let missing: Vec<_> = promised.iter().filter(|n| !names.contains(**n)).collect();
         assert!(missing.is_empty(), "{missing:?}");
     }
 }
@@ -146,7 +146,7 @@ fn names_are_unique_and_in_snake_case() {
             && !name.contains("__")
     };
     for effect in effects {
-        let params: HashSet<_> = effect.params().iter().map(|p| p.name).collect();
+        let params: HashSet<_> = effect.params().iter().map(|p| &*p.name).collect();
         assert_eq!(params.len(), effect.params().len(), "{}", effect.name());
         assert!(is_snake(effect.name()) && params.iter().all(|p| is_snake(p)));
         assert!(!effect.equation().is_empty());
@@ -167,13 +167,13 @@ fn every_effect_is_silent_at_its_nominal_parameters() {
 #[test]
 fn no_effect_is_silent_at_its_typical_size() {
     for effect in catalogue() {
-        let error = effect.error_f64(&instant(3), &coefficients(effect, 1.0, 0));
+        let error = effect.error_f64(&instant(3), &coefficients(&effect, 1.0, 0));
         assert!(error.norm() > 1e-6, "{}", effect.name());
     }
 }
 
 /// The arguments of an effect as one list: parameters, specific force, angular rate.
-fn arguments(effect: &dyn AnyEffect, truth: &Kinematics<f64>, size: f64, seed: usize) -> Vec<f64> {
+fn arguments(effect: &EffectRef, truth: &Kinematics<f64>, size: f64, seed: usize) -> Vec<f64> {
     let mut x = coefficients(effect, size, seed);
     x.extend(truth.specific_force.iter().chain(&truth.angular_rate));
     x
@@ -192,7 +192,7 @@ fn derivatives_are_those_of_central_differences() {
         let n = effect.params().len();
         for seed in 0..5 {
             let truth = instant(seed);
-            let x = arguments(effect, &truth, 1.0, seed);
+            let x = arguments(&effect, &truth, 1.0, seed);
             let value = |x: &[f64]| effect.error_f64(&split(n, &truth, x), &x[..n]);
             for k in 0..x.len() {
                 let mut jets: Vec<Jet> = x.iter().map(|&v| lit(v)).collect();
@@ -222,7 +222,7 @@ fn second_derivatives_are_those_of_the_first() {
         let n = effect.params().len();
         for seed in 0..5 {
             let truth = instant(seed);
-            let x = arguments(effect, &truth, 1.0, seed);
+            let x = arguments(&effect, &truth, 1.0, seed);
             let mut next = numbers(seed + 5);
             let direction: Vec<f64> = x.iter().map(|v| v * next()).collect();
             let at = |t: f64| -> Vector3<Jet2> {
@@ -248,8 +248,8 @@ fn second_derivatives_are_those_of_the_first() {
 }
 
 /// A sensor with this effect and the errors of a consumer-grade base model.
-fn device(effect: &'static dyn AnyEffect, size: f64, seed: usize) -> (Model, Vec<f64>) {
-    let model = Model::base(effect.sensor()).with(effect);
+fn device(effect: &EffectRef, size: f64, seed: usize) -> (Model, Vec<f64>) {
+    let model = Model::base(effect.sensor()).with(effect.clone());
     let mut next = numbers(seed + 29);
     let mut p: Vec<f64> = model.parameters().values()[..BASE_PARAMETERS]
         .iter()
@@ -266,7 +266,7 @@ fn correct_undoes_distort_at_ten_times_the_typical_size() {
             .into_iter()
             .flat_map(|s| (0..5).map(move |k| (s, k)))
         {
-            let (model, p) = device(effect, size, seed);
+            let (model, p) = device(&effect, size, seed);
             let truth = instant(seed);
             let raw = model.distort(&truth, &p).unwrap();
             let signal = truth.signal(effect.sensor());
@@ -288,11 +288,11 @@ fn all_effects_of_a_sensor_at_once_can_be_undone() {
             .collect();
         let model = own
             .iter()
-            .fold(Model::base(sensor), |model, effect| model.with(*effect));
+            .fold(Model::base(sensor), |model, effect| model.with(effect.clone()));
         let mut p = model.parameters().values()[..BASE_PARAMETERS].to_vec();
         own.iter()
             .enumerate()
-            .for_each(|(k, effect)| p.extend(coefficients(*effect, 3.0, k)));
+            .for_each(|(k, effect)| p.extend(coefficients(effect, 3.0, k)));
         let truth = instant(2);
         let raw = model.distort(&truth, &p).unwrap();
         let corrected = model.correct(&raw, &truth.with_signal(sensor, Vector3::zeros()), &p);
@@ -303,7 +303,7 @@ fn all_effects_of_a_sensor_at_once_can_be_undone() {
 #[test]
 fn the_derivatives_of_a_corrected_reading_are_right() {
     for effect in catalogue() {
-        let (model, p) = device(effect, 10.0, 1);
+        let (model, p) = device(&effect, 10.0, 1);
         let truth = instant(1);
         let raw = model.distort(&truth, &p).unwrap();
         let correct = |p: &[f64]| model.correct(&raw, &truth, p);
@@ -333,7 +333,7 @@ fn the_derivatives_of_a_corrected_reading_are_right() {
 #[test]
 fn the_second_derivative_of_a_corrected_reading_is_right() {
     for effect in catalogue() {
-        let (model, p) = device(effect, 10.0, 2);
+        let (model, p) = device(&effect, 10.0, 2);
         let truth = instant(2);
         let raw = model.distort(&truth, &p).unwrap();
         let mut next = numbers(3);
@@ -364,12 +364,12 @@ fn the_second_derivative_of_a_corrected_reading_is_right() {
 fn an_effect_that_calls_itself_linear_is_and_does_not_see_its_own_signal() {
     let linear = catalogue().into_iter().filter(|effect| effect.is_linear());
     let mut tried = 0;
-    for (effect, seed) in linear.flat_map(|effect| (0..4).map(move |seed| (effect, seed))) {
+    for (effect, seed) in linear.flat_map(|effect| (0..4).map(move |seed| (effect.clone(), seed))) {
         let truth = instant(seed);
         let other_signal = truth.with_signal(effect.sensor(), Vector3::new(0.3, -2.0, 5.0));
         let (p, q) = (
-            coefficients(effect, 1.0, seed),
-            coefficients(effect, 3.0, seed + 40),
+            coefficients(&effect, 1.0, seed),
+            coefficients(&effect, 3.0, seed + 40),
         );
         let sum: Vec<f64> = p.iter().zip(&q).map(|(p, q)| 2.0 * p + q).collect();
         let parts = effect.error_f64(&truth, &p) * 2.0 + effect.error_f64(&truth, &q);

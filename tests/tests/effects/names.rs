@@ -68,13 +68,13 @@ fn camel(name: &str) -> String {
 }
 
 /// The effects whose name stands in `code` as a word of its own: in a text, as an identifier or as a type.
-fn named(code: &str) -> Vec<&'static str> {
+fn named(code: &str) -> Vec<String> {
     let words: std::collections::HashSet<&str> = code
         .split(|c: char| !(c.is_alphanumeric() || c == '_'))
         .collect();
     calib::effects::catalogue()
-        .map(|effect| effect.name())
-        .filter(|name| words.contains(name) || words.contains(camel(name).as_str()))
+        .map(|effect| effect.name().to_owned())
+        .filter(|name| words.contains(name.as_str()) || words.contains(camel(name).as_str()))
         .collect()
 }
 

@@ -17,7 +17,7 @@ fn the_turns_of_a_phone_miss_what_falls_between_samples() {
     }
     for name in ["rec_2", "rec_3"] {
         let found = findings(name);
-        let faults: Vec<&str> = found.integrity.iter().map(|f| f.name).collect();
+        let faults: Vec<&str> = found.integrity.iter().map(|f| &*f.name).collect();
         assert_eq!(faults, ["undersampled_motion"], "{name}");
         assert_eq!(found.unexplained, None, "{name}");
         // No effect of the accelerometer stands for turns that scatter.

@@ -175,7 +175,7 @@ fn the_model_with_the_true_parameters_explains_every_effect_at_rest() {
                 ..Vibration::default()
             });
             let session = spec.run().unwrap();
-            let model = Model::base(sensor).with(*effect);
+            let model = Model::base(sensor).with(effect.clone());
             let p = session.truth.parameters(sensor).values();
             let mut sign = Vector3::zeros();
             let mut before: Option<Vector3<f64>> = None;

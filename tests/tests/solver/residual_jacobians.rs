@@ -95,15 +95,16 @@ fn turns() -> Vec<TurnData> {
 }
 
 /// Base model with and without every effect of the catalogue.
-fn models(base: Model, catalogue: &[&'static dyn sensor::AnyEffect]) -> Vec<Model> {
+fn models(base: Model) -> Vec<Model> {
     let mut models = vec![base.clone()];
-    models.extend(catalogue.iter().map(|effect| base.clone().with(*effect)));
+    let catalogue = calib::effects::catalogue_of(base.sensor());
+    models.extend(catalogue.map(|effect| base.clone().with(effect)));
     models
 }
 
 #[test]
 fn gravity_norm_differentiates_with_every_effect() {
-    for model in models(accelerometer::model(), accelerometer::EFFECTS) {
+    for model in models(accelerometer::model()) {
         let problem = GravityNorm {
             model: &model,
             means: &placements(),
@@ -115,7 +116,7 @@ fn gravity_norm_differentiates_with_every_effect() {
 
 #[test]
 fn static_rate_differentiates_with_every_effect() {
-    for model in models(gyroscope::model(), gyroscope::EFFECTS) {
+    for model in models(gyroscope::model()) {
         let problem = StaticRate {
             model: &model,
             means: &placements(),
@@ -133,7 +134,7 @@ fn propagated_gravity_differentiates_through_every_integrator_and_effect() {
         Integrator::FirstOrderNormalized,
         Integrator::FirstOrder,
     ] {
-        for model in models(gyroscope::model(), gyroscope::EFFECTS) {
+        for model in models(gyroscope::model()) {
             let problem = PropagatedGravity {
                 model: &model,
                 turns: &turns,

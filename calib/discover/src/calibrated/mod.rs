@@ -6,11 +6,10 @@ use ::findings::{Finding, Kind};
 use estimate::calibrate::{Account, Frame, gyroscope_of_one_device, written_down};
 use estimate::calibration::Calibration;
 use recording::{Error, Recording};
-use sensor::AnyEffect;
+use sensor::EffectRef;
 pub(crate) use settle::{HeldShape, settle};
 
 use self::settle::say_held;
-use super::family::Claim;
 use super::request::{Request, Session};
 use super::search::Search;
 use super::state::State;
@@ -90,27 +89,24 @@ fn determined(
             Err(refused) => refused,
         };
         let extension = search.last.extension.clone();
-        let less = |effect: &dyn AnyEffect| {
+        let less = |effect: &EffectRef| {
             let mut less = extension.clone();
             less.settles = false;
             less.effects.retain(|(own, _)| own.name() != effect.name());
             less
         };
-        let effects = search.names.iter().filter_map(|name| match name.claim {
-            Claim::Effect(effect) => Some(effect),
-            _ => None,
-        });
-        let mut effects: Vec<&'static dyn AnyEffect> = effects.collect();
-        let Some(weakest) = effects.last().copied() else {
+        let effects = search.names.iter().filter_map(|name| name.claim.effect());
+        let mut effects: Vec<EffectRef> = effects.cloned().collect();
+        let Some(weakest) = effects.last().cloned() else {
             return Err(refused);
         };
         effects.sort_by_key(|effect| std::cmp::Reverse(effect.params().len()));
-        let helps = |effect: &&&'static dyn AnyEffect| {
-            let state = search.fit(session, less(**effect));
+        let helps = |effect: &&EffectRef| {
+            let state = search.fit(session, less(effect));
             state.is_ok_and(|state| calibration(session, &state, request).is_ok())
         };
-        let gone = effects.iter().find(helps).copied().unwrap_or(weakest);
-        search.withdraw_to(session, less(gone))?;
+        let gone = effects.iter().find(helps).cloned().unwrap_or(weakest);
+        search.withdraw_to(session, less(&gone))?;
         held = settle(session, &mut search.last);
     }
 }

@@ -16,8 +16,8 @@ const BEYOND_TRIED: f64 = 3.0;
 
 /// A time constant that these recordings do not show.
 pub(crate) struct HeldShape {
-    effect: &'static str,
-    parameter: &'static Param,
+    effect: String,
+    parameter: Param,
     value: f64,
 }
 
@@ -25,7 +25,7 @@ impl HeldShape {
     /// Returns true if the fitted value of the parameter is near those tried.
     fn is_shown_by(&self, fitted: &Parameters) -> bool {
         let place = fitted.index(&format!("{}.{}", self.effect, self.parameter.name));
-        place.is_some_and(|k| near(self.parameter).contains(&fitted.values()[k]))
+        place.is_some_and(|k| near(&self.parameter).contains(&fitted.values()[k]))
     }
 }
 
@@ -39,8 +39,8 @@ pub(crate) fn settle(session: &Session<'_>, last: &mut State) -> Vec<HeldShape> 
         let (k, value) = (*shape)?;
         let parameter = &effect.params()[k];
         (parameter.role_by_name() == Role::TimeConstant).then_some(HeldShape {
-            effect: effect.name(),
-            parameter,
+            effect: effect.name().to_owned(),
+            parameter: parameter.clone(),
             value,
         })
     });
@@ -76,8 +76,8 @@ pub(crate) fn say_held(calibration: &mut Calibration, held: &[HeldShape]) {
         }
         calibration.warnings.push(
             Finding::of(Kind::TimeConstantSupposed)
-                .detail("effect", *effect)
-                .detail("parameter", *name)
+                .detail("effect", effect.clone())
+                .detail("parameter", &**name)
                 .detail("value", format!("{value} {unit}")),
         );
     }

@@ -1,5 +1,7 @@
 //! Faults of the recording itself, found without a model.
 
+use std::borrow::Cow;
+
 use ::findings::{Finding, Kind};
 use estimate::methods::joint::{Flagged, Reason, Scope, SensorNoise};
 use recording::intervals::{Rails, Segmentation, Span};
@@ -30,7 +32,7 @@ const REGULAR: f64 = 0.2;
 pub struct Integrity {
     /// `saturation`, `quantisation`, `dead_zone`, `rezeroing`, `lost_samples`, `outlying_turn`, `undersampled_motion`, `mount_slip` or
     /// `disturbed_interval`; `time_offset` where it is another in every recording.
-    pub name: &'static str,
+    pub name: Cow<'static, str>,
     /// The recording.
     pub recording: String,
     /// The static interval, or the one before the turn, counted from 1; `None` of a whole recording.
@@ -44,7 +46,7 @@ pub struct Integrity {
     pub finding: Finding,
     /// Names of other faults that these recordings cannot tell from it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub indistinguishable_from: Vec<&'static str>,
+    pub indistinguishable_from: Vec<String>,
     /// Size of the fault, where it is measured: rad for a slip or a turn, or, root mean square over the turns, for
     /// undersampled motion; m/s² or rad/s for the offset of a static interval.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -186,7 +188,7 @@ pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<In
                 false => found.at_interval(flagged.interval),
             };
             Integrity {
-                name,
+                name: name.into(),
                 recording: recording.clone(),
                 interval: Some(flagged.interval + 1),
                 t0: flagged.span.from,
@@ -216,7 +218,7 @@ impl Looked<'_> {
         finding: Finding,
     ) -> Integrity {
         Integrity {
-            name,
+            name: name.into(),
             recording: self.recording.name.clone(),
             interval,
             t0: span.from,

@@ -29,7 +29,7 @@ pub fn undersampled(state: &State) -> Vec<Integrity> {
         let last = spans.max_by(|a, b| a.to.total_cmp(&b.to))?;
         let [low, high] = found.share.between;
         Some(Integrity {
-            name: "undersampled_motion",
+            name: "undersampled_motion".into(),
             recording: state.fit.data.sources[found.recording].name.clone(),
             interval: None,
             t0: first.from,

@@ -4,7 +4,7 @@ use estimate::calibration::EffectParameter;
 use estimate::methods::joint::Basis;
 use faer::Mat;
 use nalgebra::{DMatrix, DVector};
-use sensor::AnyEffect;
+use sensor::EffectRef;
 use serde::Serialize;
 
 use crate::family::effect_family;
@@ -47,7 +47,7 @@ impl Beside {
 
 /// An effect that was evident before anything was named, and is not beside the names.
 pub struct Rival {
-    effect: &'static dyn AnyEffect,
+    effect: EffectRef,
     /// Its columns (`m × k`), for typical sizes and whitened by everything.
     columns: Mat<f64>,
     /// Score of its columns against the residuals, with the named effects in the model.
@@ -61,7 +61,7 @@ pub fn rivals(search: &Search, threshold: f64) -> Vec<Rival> {
     let evident = first.filter(|(_, ranked)| ranked.evidence > threshold);
     let effects = evident.filter_map(|(claim, _)| claim.effect());
     let others = effects.filter(|effect| !search.last.has(effect.name()));
-    let others: Vec<&'static dyn AnyEffect> = others.collect();
+    let others: Vec<&EffectRef> = others.collect();
     if others.is_empty() {
         return Vec::new();
     }
@@ -73,7 +73,7 @@ pub fn rivals(search: &Search, threshold: f64) -> Vec<Rival> {
 impl Rival {
     /// The likeliest way in which the model of `state` may lack an effect; `taken` is what the model's parameters take of the
     /// rows.
-    fn of(state: &State, taken: &Basis, effect: &'static dyn AnyEffect) -> Option<Self> {
+    fn of(state: &State, taken: &Basis, effect: &EffectRef) -> Option<Self> {
         let family = effect_family(state, effect, &[]);
         let columns = state.fit.whitening.finish_columns(family.columns);
         let left = taken.without(&columns).to_dense();
@@ -86,7 +86,7 @@ impl Rival {
         let log_p = log_tail(score.statistic, score.dof as f64 + family.shape_dof);
         let own: Vec<usize> = own.collect();
         Some(Self {
-            effect,
+            effect: effect.clone(),
             columns: columns.select(&own).to_dense(),
             p_value: (log_p + family.log_places).exp().min(1.0),
             score,
@@ -96,7 +96,7 @@ impl Rival {
     /// Beside a named effect with these `parameters`, where much hangs on it.
     pub fn beside(
         &self,
-        named: &dyn AnyEffect,
+        named: &EffectRef,
         parameters: &[EffectParameter],
         state: &State,
     ) -> Option<Beside> {
@@ -128,7 +128,7 @@ impl Rival {
     ///
     /// With `A` the columns of that effect, projected onto the null space of all other parameters, and `W` its own columns,
     /// the change is `T δ` with `T = −(AᵀA)⁻¹AᵀW`, of covariance `T cov(δ) Tᵀ`.
-    fn moved(&self, named: &dyn AnyEffect, state: &State) -> Option<Vec<Moved>> {
+    fn moved(&self, named: &EffectRef, state: &State) -> Option<Vec<Moved>> {
         let fit = &state.fit;
         let parameter_of = |k: usize| {
             let name = &fit.parameters.names()[fit.free[k]];

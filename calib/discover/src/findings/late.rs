@@ -3,7 +3,7 @@
 use ::findings::{Finding, Kind};
 use estimate::calibration::Calibration;
 use recording::intervals::Span;
-use sensor::{AnyEffect, Model, Nature, Sensor};
+use sensor::{EffectRef, Model, Nature, Sensor};
 
 use super::EffectFinding;
 use super::named::parameters_of;
@@ -19,22 +19,23 @@ use crate::state::State;
 const MUCH_LATER: f64 = 3.0;
 
 /// The effect of late stamps, where the moving accelerometer shows it.
-pub fn late(state: &State, request: &Request) -> Option<(&'static dyn AnyEffect, Delay)> {
+pub fn late(state: &State, request: &Request) -> Option<(EffectRef, Delay)> {
     let candidates = request.candidates();
-    let effect = candidates.iter().find(|e| is_late(**e))?;
+    let effect = candidates.iter().find(|e| is_late(e))?;
     let found = delay(state)?;
     // What delays the gyroscope's axes delays them against the accelerometer too.
     if found.delay.abs() <= 2.0 * gyroscope_delay(state) + MUCH_LATER * found.std {
         return None;
     }
-    (late_evidence(&found, candidates.len()) > request.threshold()).then_some((*effect, found))
+    (late_evidence(&found, candidates.len()) > request.threshold())
+        .then_some((effect.clone(), found))
 }
 
 /// Recordings whose stamps are late each in their own way, as their clocks were started apart: no error of the sensor. `alpha` is
 /// the chance that they are said to differ where they do not.
 pub fn late_apart(state: &State, request: &Request, alpha: f64) -> Vec<Integrity> {
     let (all, candidates) = (delays(state), request.candidates());
-    let effect = candidates.iter().find(|e| is_late(**e));
+    let effect = candidates.iter().find(|e| is_late(e));
     let Some(effect) = effect.filter(|_| differ(&all, alpha)) else {
         return Vec::new();
     };
@@ -52,7 +53,7 @@ pub fn late_apart(state: &State, request: &Request, alpha: f64) -> Vec<Integrity
         })?;
         let way = if own.delay < 0.0 { "early" } else { "late" };
         Some(Integrity {
-            name: effect.name(),
+            name: effect.name().to_owned().into(),
             recording: data.sources[*recording].name.clone(),
             interval: None,
             t0: span.from,
@@ -107,7 +108,7 @@ fn late_evidence(found: &Delay, candidates: usize) -> f64 {
 
 /// The finding of them; `again` is the delay that remains with the effect in the model: its gap is that after.
 pub fn late_finding(
-    effect: &dyn AnyEffect,
+    effect: &EffectRef,
     found: &Delay,
     again: Option<Delay>,
     request: &Request,

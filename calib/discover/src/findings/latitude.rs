@@ -42,7 +42,7 @@ fn vertical(name: &Name) -> Option<Score> {
     let column = effect_columns(
         &state.sensitivities,
         state.rows(),
-        earth,
+        &earth,
         &nominal,
         &[VERTICAL],
     );

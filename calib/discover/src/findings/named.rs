@@ -2,7 +2,7 @@
 
 use estimate::calibration::{Calibration, EffectParameter, EffectValues};
 use estimate::methods::joint::BiasNoise;
-use sensor::AnyEffect;
+use sensor::EffectRef;
 
 use super::beside::{Rival, rivals};
 use super::{EffectFinding, RankedClaim};
@@ -24,7 +24,7 @@ pub struct Final<'a> {
     held_out: Option<[Misfit; 3]>,
     calibration: &'a Calibration,
     rivals: Vec<Rival>,
-    catalogue: Vec<&'static dyn AnyEffect>,
+    catalogue: Vec<EffectRef>,
 }
 
 impl<'a> Final<'a> {

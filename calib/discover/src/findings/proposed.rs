@@ -25,7 +25,7 @@ pub fn proposed(
     let Some(mut proposed) = found else {
         return Ok(None);
     };
-    let family = effect_family(&search.base, proposed.effect, &[]);
+    let family = effect_family(&search.base, &proposed.effect, &[]);
     let noise = proposed.state.noise;
     if let Some(less) = weighed_again(search, request, &family.columns.to_dense(), noise) {
         search.withdraw_to(session, less)?;

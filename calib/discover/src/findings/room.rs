@@ -2,7 +2,7 @@
 
 use ::findings::{Finding, Kind};
 use effects::{is_earth_rotation, room_field};
-use sensor::{AnyEffect, Sensor};
+use sensor::Sensor;
 
 use super::EffectFinding;
 use crate::remainder::unexplained::Unexplained;
@@ -20,10 +20,11 @@ pub fn described(
     search: &mut Search,
     rest: Option<Unexplained>,
 ) -> (Option<Unexplained>, bool) {
-    let field = room_field(Sensor::Gyroscope).map(AnyEffect::name);
+    let field = room_field(Sensor::Gyroscope);
+    let field = field.map(|field| field.name().to_owned());
     let is_either = |effect: &EffectFinding| {
         let mut ties = effect.indistinguishable_from.iter();
-        is_earth_rotation(&effect.name) && ties.any(|tie| Some(tie.as_str()) == field)
+        is_earth_rotation(&effect.name) && ties.any(|tie| Some(tie) == field.as_ref())
     };
     let Some(place) = effects.iter().position(is_either) else {
         return (rest, false);

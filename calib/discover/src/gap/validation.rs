@@ -9,11 +9,10 @@ use estimate::methods::joint::{
 };
 use faer::Mat;
 use recording::{Error, Recording};
-use sensor::{AnyEffect, Model};
+use sensor::{EffectRef, Model};
 
 use crate::discovery::Discovery;
 use crate::extension::Extension;
-use crate::family::Claim;
 use crate::findings::{Confirmation, Says, Validation};
 use crate::gap::channel::Channel;
 use crate::gap::sequence::{Misfit, Sequence, whitening_at};
@@ -103,7 +102,7 @@ fn confirmations(
 ) -> Result<Vec<Confirmation>, Error> {
     let search = &discovery.search;
     // An instant is of one recording.
-    let lasts = |name: &&Name| matches!(name.claim, Claim::Effect(e) if e.instant().is_none());
+    let lasts = |name: &&Name| name.claim.effect().is_some_and(|e| e.instant().is_none());
     let mut found = Vec::new();
     for name in search.names.iter().filter(lasts) {
         let other;
@@ -145,10 +144,10 @@ impl Missed {
     fn of(session: &Session<'_>, model: &State, noise: BiasNoise) -> Result<Self, Error> {
         // What was disturbed in the other recording was disturbed there.
         // An instant belongs to the recording that it was found in: nothing is judged by it here.
-        let lasting = |(effect, _): &&(&'static dyn AnyEffect, _)| effect.instant().is_none();
+        let lasting = |(effect, _): &&(EffectRef, _)| effect.instant().is_none();
         let effects = model.extension.effects.iter().filter(lasting);
         let fit = fit_joint(&session.joint(&Extension {
-            effects: effects.copied().collect(),
+            effects: effects.cloned().collect(),
             ..Extension::default()
         }))?;
         let held = HeldCalibration::of(&under(model, noise), &fit);

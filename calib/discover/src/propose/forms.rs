@@ -1,6 +1,6 @@
 //! Forms of an error that explain as much as a named effect does.
 
-use sensor::{AnyEffect, Axis, Covariate, Quantity};
+use sensor::{Axis, Covariate, EffectRef, Quantity};
 
 use super::dictionary::{Factors, Product, forms_of};
 use super::instead::outside;
@@ -20,27 +20,23 @@ const SAME: f64 = 2e-3;
 ///
 /// Over the attitudes of a recording `f⁴` is nearly `f²` and `f |f|` nearly `f³`: which of them a device has is known only where it is
 /// large.
-pub fn forms(name: &Name, catalogue: &[&'static dyn AnyEffect]) -> Vec<String> {
+pub fn forms(name: &Name, catalogue: &[EffectRef]) -> Vec<String> {
     let found = name
         .claim
         .effect()
-        .filter(|effect| coefficients(*effect).1.is_none());
+        .filter(|effect| coefficients(effect).1.is_none());
     found
         .and_then(|effect| as_likely(name, effect, catalogue))
         .unwrap_or_default()
 }
 
-fn as_likely(
-    name: &Name,
-    effect: &'static dyn AnyEffect,
-    catalogue: &[&'static dyn AnyEffect],
-) -> Option<Vec<String>> {
+fn as_likely(name: &Name, effect: &EffectRef, catalogue: &[EffectRef]) -> Option<Vec<String>> {
     let (state, ranked) = (&name.without, &name.ranked);
     let whitened = state.projected.at_share(ranked.noise, ranked.scatter)?;
     let (needs, signal) = (effect.needs(), Quantity::signal_of(effect.sensor()));
     let looked_at = |q: &Quantity| needs.contains(q) || *q == signal;
-    let alike = |other: &&&'static dyn AnyEffect| other.needs().iter().all(looked_at);
-    let catalogue: Vec<_> = catalogue.iter().filter(alike).copied().collect();
+    let alike = |other: &&EffectRef| other.needs().iter().all(looked_at);
+    let catalogue: Vec<_> = catalogue.iter().filter(alike).cloned().collect();
     let products = forms_of(state, effect.sensor(), &needs);
     let own = log_tail(ranked.score.statistic, ranked.score.dof as f64);
     let likely = outside(state, &catalogue, products, SAME).into_iter();

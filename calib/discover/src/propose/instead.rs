@@ -2,7 +2,7 @@
 
 use estimate::methods::joint::orthonormal;
 use faer::Mat;
-use sensor::AnyEffect;
+use sensor::EffectRef;
 
 use super::dictionary::{Product, dictionary};
 use super::most::most_evidence;
@@ -31,7 +31,7 @@ pub fn instead_of_names(
     search: &Search,
     of_base: Option<Described>,
 ) -> Option<(Proposed, Unexplained)> {
-    let mut claims = search.names.iter().map(|name| name.claim);
+    let mut claims = search.names.iter().map(|name| &name.claim);
     let several = search.last.extension.disturbed.len() >= SEVERAL;
     if !several && !claims.any(|claim| claim.effect().is_some()) {
         return None;
@@ -52,15 +52,15 @@ pub fn instead_of_names(
 /// The `products` of which every effect of the catalogue that may be missing leaves more than this share.
 pub(super) fn outside(
     base: &State,
-    catalogue: &[&'static dyn AnyEffect],
+    catalogue: &[EffectRef],
     mut products: Vec<Product>,
     share: f64,
 ) -> Vec<Product> {
     let spans = catalogue
         .iter()
-        .filter(|effect| may_be_missing(base, **effect) && coefficients(**effect).1.is_none())
+        .filter(|effect| may_be_missing(base, *effect) && coefficients(*effect).1.is_none())
         .map(|effect| {
-            let family = effect_family(base, *effect, catalogue);
+            let family = effect_family(base, effect, catalogue);
             orthonormal(&base.projected.columns(family.columns_of(0).as_ref()))
         });
     let spans: Vec<Mat<f64>> = spans.collect();

@@ -23,7 +23,7 @@ use estimate::calibration::EffectParameter;
 pub use forms::forms;
 pub use instead::instead_of_names;
 use screen::{Screened, screen};
-use sensor::{AnyEffect, Formula, Sensor};
+use sensor::{EffectRef, Formula, Sensor};
 use serde::Serialize;
 use stability::stability;
 use terms::terms;
@@ -80,7 +80,7 @@ pub struct Proposed {
     /// The formula, with estimated sizes.
     pub formula: Formula,
     /// The effect that it is in the model.
-    pub effect: &'static dyn AnyEffect,
+    pub effect: EffectRef,
     /// The model with it.
     pub state: State,
     ranked: Ranked,
@@ -175,12 +175,12 @@ fn tried(
     let formula = Formula::new(sensor, found.terms.clone());
     let effect = formula.effect(name_of(sensor)).ok()?;
     let tried = log_formulas(products, found.products, found.terms.len());
-    let ranked = evidence(last, effect, tried)?;
+    let ranked = evidence(last, &effect, tried)?;
     if ranked.evidence <= request.threshold() {
         return None;
     }
     let mut extension = last.extension.clone();
-    extension.effects.push((effect, None));
+    extension.effects.push((effect.clone(), None));
     let state = State::fit(session, extension).ok()?;
     let Some(gaps) = closed(last, &state, rest.channel) else {
         return Some(Tried::Open);
@@ -207,7 +207,7 @@ pub fn name_of(sensor: Sensor) -> &'static str {
 }
 
 /// The evidence for a formula, one of `exp(log_formulas)` of as many products.
-fn evidence(last: &State, effect: &'static dyn AnyEffect, log_formulas: f64) -> Option<Ranked> {
+fn evidence(last: &State, effect: &EffectRef, log_formulas: f64) -> Option<Ranked> {
     let mut family = effect_family(last, effect, &[]);
     family.log_places = log_formulas;
     rank(&last.projected, &[family], last.walks()).pop()

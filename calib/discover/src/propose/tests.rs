@@ -51,8 +51,8 @@ z = "k * abs(fy)"
 parameters = [{ name = "k", unit = "", typical = 1e-3 }]
 "#;
 
-fn defined(definition: &str) -> &'static dyn AnyEffect {
-    parse_effects(definition, "hidden.toml").unwrap()[0]
+fn defined(definition: &str) -> EffectRef {
+    parse_effects(definition, "hidden.toml").unwrap().remove(0)
 }
 
 /// A session in which the definition's effect has its typical size.

@@ -4,7 +4,7 @@ use effects::{relaxation, room_field};
 use estimate::methods::joint::Instant;
 use findings::Kind;
 use nalgebra::Vector3;
-use sensor::{AnyEffect, Sensor};
+use sensor::{EffectRef, Sensor};
 
 /// A shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,13 +45,12 @@ impl Shape {
 
     /// The effect of the catalogue that has this shape. It is described and not named, as it has a time constant, a period or a heading
     /// to itself.
-    pub fn effect(self, sensor: Sensor) -> Option<&'static str> {
-        let effect = match self {
+    pub fn effect(self, sensor: Sensor) -> Option<EffectRef> {
+        match self {
             Self::Heading => room_field(sensor),
             Self::LastTurn => relaxation(sensor),
             _ => None,
-        };
-        effect.map(AnyEffect::name)
+        }
     }
 
     /// The kind of finding.

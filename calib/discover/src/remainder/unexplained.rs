@@ -42,7 +42,7 @@ pub struct Unexplained {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub recording: Option<String>,
     /// The effect of the catalogue that has its shape, for `calibrate --effects`.
-    pub fitted_by: Option<&'static str>,
+    pub fitted_by: Option<String>,
     /// Names that were withdrawn because this explains more than they do, or what they do.
     pub instead_of: Vec<String>,
     /// The columns of its shape, white-whitened (`m × k`), and the noise that it was found with.
@@ -100,7 +100,7 @@ fn is_covered((shape, sensor): (Shape, Sensor), names: &[Name]) -> bool {
         Shape::LastTurn => Quantity::LastTurn,
         _ => return false,
     };
-    names.iter().any(|name| match name.claim {
+    names.iter().any(|name| match &name.claim {
         Claim::Effect(effect) => effect.sensor() == sensor && effect.needs().contains(&quantity),
         _ => false,
     })
@@ -152,7 +152,10 @@ pub fn rest_beside(state: &State, described: &Described, alpha: f64) -> Option<U
         finding: worst.finding.clone(),
         period: worst.period,
         recording: worst.recording.clone(),
-        fitted_by: worst.of.and_then(|(shape, sensor)| shape.effect(sensor)),
+        fitted_by: worst.of.and_then(|(shape, sensor)| {
+            let effect = shape.effect(sensor)?;
+            Some(effect.name().to_owned())
+        }),
         instead_of: Vec::new(),
         columns: worst.columns.clone(),
         wandering: worst.wandering,

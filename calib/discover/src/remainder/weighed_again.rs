@@ -71,9 +71,9 @@ fn items(last: &State, families: &[Family]) -> Vec<Item> {
     for family in families {
         let cost = family.log_places + choice;
         for (k, hypothesis) in family.hypotheses.iter().enumerate() {
-            let known = match family.claim {
+            let known = match &family.claim {
                 Claim::Effect(effect) => {
-                    let own = |(e, shape): &(&'static dyn sensor::AnyEffect, _)| {
+                    let own = |(e, shape): &(sensor::EffectRef, _)| {
                         e.name() == effect.name() && *shape == hypothesis.shape
                     };
                     if !last.extension.effects.iter().any(own) {
@@ -82,7 +82,7 @@ fn items(last: &State, families: &[Family]) -> Vec<Item> {
                     None
                 }
                 Claim::Disturbed(fault) => {
-                    let known = hypothesis.place.and_then(|place| last.known(fault, place));
+                    let known = hypothesis.place.and_then(|place| last.known(*fault, place));
                     if known.is_none() {
                         continue;
                     }
@@ -91,7 +91,7 @@ fn items(last: &State, families: &[Family]) -> Vec<Item> {
                 Claim::Shape(..) => continue,
             };
             items.push(Item {
-                claim: family.claim,
+                claim: family.claim.clone(),
                 known,
                 columns: family.columns_of(k),
                 cost,
@@ -109,7 +109,7 @@ fn without(extension: &Extension, kept: &[Item]) -> Extension {
         .retain(|known| kept.iter().any(|item| item.known == Some(*known)));
     less.effects.retain(|(effect, _)| {
         kept.iter()
-            .any(|item| matches!(item.claim, Claim::Effect(own) if own.name() == effect.name()))
+            .any(|item| matches!(&item.claim, Claim::Effect(own) if own.name() == effect.name()))
     });
     less
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 use recording::Error;
-use sensor::{AnyEffect, Role, Sensor};
+use sensor::{EffectRef, Role, Sensor};
 
 use super::biases::biases;
 use super::scatter::scatters;
@@ -34,7 +34,7 @@ pub(crate) fn without_weak(
     let mut extension = found.last.extension.clone();
     let before = found.names.len();
     found.names.retain(|name| {
-        let Claim::Effect(effect) = name.claim else {
+        let Claim::Effect(effect) = &name.claim else {
             return true;
         };
         let parts = Sequence::of(&name.without, noise).of_column(name.predicted.col_as_slice(0));
@@ -65,7 +65,7 @@ pub(crate) fn without_doubtful_steps(
 ) -> Result<bool, Error> {
     let mut less = search.last.extension.clone();
     for name in &search.names {
-        let Claim::Effect(effect) = name.claim else {
+        let Claim::Effect(effect) = &name.claim else {
             continue;
         };
         if effect.instant().is_some()
@@ -101,9 +101,9 @@ pub(crate) fn without_steps_of(
     search: &mut Search,
     sensor: Sensor,
 ) -> Result<bool, Error> {
-    let wanders = |effect: &dyn AnyEffect| effect.sensor() == sensor && effect.instant().is_some();
+    let wanders = |effect: &EffectRef| effect.sensor() == sensor && effect.instant().is_some();
     let mut less = search.last.extension.clone();
-    less.effects.retain(|(effect, _)| !wanders(*effect));
+    less.effects.retain(|(effect, _)| !wanders(effect));
     withdraw(session, search, less)
 }
 
@@ -117,7 +117,7 @@ pub(crate) fn without_undetermined(
 ) -> Result<bool, Error> {
     let known = search.last.fit.shared_uncertainty();
     let values = &search.last.fit.parameters;
-    let by_chance_alone = |effect: &dyn AnyEffect| {
+    let by_chance_alone = |effect: &EffectRef| {
         let of = |p: &sensor::Param| format!("{}.{}", effect.name(), p.name);
         let coefficients = effect.params().iter();
         let coefficients = coefficients.filter(|p| p.role == Role::Coefficient);
@@ -138,16 +138,13 @@ pub(crate) fn without_undetermined(
         })
     };
     let mut less = search.last.extension.clone();
-    let is_named = |own: &dyn AnyEffect| {
+    let is_named = |own: &EffectRef| {
         let names = search.names.iter();
-        let mut named = names.filter_map(|name| match name.claim {
-            Claim::Effect(effect) => Some(effect.name()),
-            _ => None,
-        });
-        named.any(|name| name == own.name())
+        let mut named = names.filter_map(|name| name.claim.effect());
+        named.any(|effect| effect.name() == own.name())
     };
     less.effects
-        .retain(|(effect, _)| !(is_named(*effect) && by_chance_alone(*effect)));
+        .retain(|(effect, _)| !(is_named(effect) && by_chance_alone(effect)));
     withdraw(session, search, less)
 }
 

@@ -24,9 +24,9 @@ impl Finder<'_> {
     ) -> Result<Vec<Either>, Error> {
         let mut all = Vec::new();
         for name in names {
-            if let (Claim::Disturbed(kind), Some(place)) = (name.claim, name.hypothesis.place) {
+            if let (Claim::Disturbed(kind), Some(place)) = (&name.claim, name.hypothesis.place) {
                 all.extend(Either::of(
-                    Known::disturbed(kind, place),
+                    Known::disturbed(*kind, place),
                     names_of(&name.ties),
                 ));
             }
@@ -99,6 +99,6 @@ fn across(base: &State, held: &[Held], k: usize) -> Option<Vec<Held>> {
     Some(exchanged)
 }
 
-fn names_of(ties: &[Tie]) -> impl Iterator<Item = &'static str> {
-    ties.iter().map(|tie| tie.claim.name())
+fn names_of(ties: &[Tie]) -> impl Iterator<Item = String> {
+    ties.iter().map(|tie| tie.claim.name().to_owned())
 }

@@ -10,16 +10,16 @@ pub struct Either {
     /// Disturbance in the model.
     pub known: Known,
     /// Names of what explains the data about as well.
-    pub or: Vec<&'static str>,
+    pub or: Vec<String>,
 }
 
 impl Either {
     /// `None` where nothing has another name.
-    pub(super) fn of(known: Known, ties: impl Iterator<Item = &'static str>) -> Option<Self> {
-        let own = Claim::Disturbed(known.fault).name();
-        let mut or: Vec<&'static str> = Vec::new();
+    pub(super) fn of(known: Known, ties: impl Iterator<Item = String>) -> Option<Self> {
+        let own = Claim::Disturbed(known.fault);
+        let mut or: Vec<String> = Vec::new();
         for name in ties {
-            if name != own && !or.contains(&name) {
+            if name != own.name() && !or.contains(&name) {
                 or.push(name);
             }
         }

@@ -19,7 +19,7 @@ impl Held {
     pub fn of(families: &[Family], ranked: &Ranked) -> Self {
         let family = &families[ranked.family];
         Self {
-            claim: family.claim,
+            claim: family.claim.clone(),
             hypothesis: family.hypotheses[ranked.hypothesis].clone(),
             evidence: ranked.by_ratio(),
         }

@@ -21,7 +21,7 @@ use findings::{Finding, Kind};
 use outlying_turns::outlying_turns;
 pub(crate) use ranking::{Ranking, VERTICAL};
 use recording::Error;
-use sensor::AnyEffect;
+use sensor::EffectRef;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use self::held::Held;
@@ -147,12 +147,12 @@ impl Search {
         session: &Session<'_>,
         less: Extension,
     ) -> Result<Vec<String>, Error> {
-        let stays = |name: &Name| match name.claim {
+        let stays = |name: &Name| match &name.claim {
             Claim::Effect(effect) => less.effects.iter().any(|(e, _)| e.name() == effect.name()),
             Claim::Disturbed(fault) => less
                 .disturbed
                 .iter()
-                .any(|known| known.fault == fault && Some(known.place) == name.hypothesis.place),
+                .any(|known| known.fault == *fault && Some(known.place) == name.hypothesis.place),
             Claim::Shape(..) => true,
         };
         let gone = self.names.iter().filter(|name| !stays(name));
@@ -199,7 +199,7 @@ pub fn search(session: &Session<'_>, request: &Request, base: State) -> Result<S
 
 struct Finder<'a> {
     session: &'a Session<'a>,
-    catalogue: &'a [&'static dyn AnyEffect],
+    catalogue: &'a [EffectRef],
     threshold: f64,
     most_fits: usize,
     /// Fits so far.
@@ -294,15 +294,15 @@ impl Finder<'_> {
     fn extension(&self, held: &[Held]) -> Extension {
         let mut extension = Extension::default();
         for h in held {
-            match h.claim {
+            match &h.claim {
                 Claim::Effect(effect) => {
-                    extension.hold(effect, h.hypothesis.shape, self.catalogue);
+                    extension.hold(effect.clone(), h.hypothesis.shape, self.catalogue);
                 }
                 Claim::Disturbed(fault) => {
                     extension.disturbed.extend(
                         h.hypothesis
                             .place
-                            .map(|place| Known::disturbed(fault, place)),
+                            .map(|place| Known::disturbed(*fault, place)),
                     );
                 }
                 Claim::Shape(..) => {}
@@ -347,7 +347,7 @@ impl Finder<'_> {
         ranked: &'r [Ranked],
         top: &Ranked,
     ) -> Option<&'r Ranked> {
-        let Claim::Effect(effect) = families[top.family].claim else {
+        let Claim::Effect(effect) = &families[top.family].claim else {
             return None;
         };
         let companion = with_companions(effect, self.catalogue).nth(1)?;

@@ -1,7 +1,7 @@
 //! Everything that a model lacks, by the evidence for it.
 
 use nalgebra::DVector;
-use sensor::{AnyEffect, Nature};
+use sensor::{EffectRef, Nature};
 
 use super::few_turns::Turns;
 use crate::family::{Claim, Family, families, is_late, references};
@@ -30,7 +30,7 @@ pub(crate) struct Ranking {
 impl Ranking {
     /// Beside the model of `state`: what is evident beyond `threshold` has to be so without the turns that speak for it most,
     /// where knocks have spoiled turns, and a rotation has to be the earth's.
-    pub fn of(state: &State, catalogue: &[&'static dyn AnyEffect], threshold: f64) -> Self {
+    pub fn of(state: &State, catalogue: &[EffectRef], threshold: f64) -> Self {
         let families = families(state, catalogue);
         let mut ranked = rank(&state.projected, &families, state.walks());
         for r in &mut ranked {
@@ -55,7 +55,7 @@ impl Ranking {
     /// The most evident claims.
     pub(super) fn first(&self) -> Vec<(Claim, Ranked)> {
         let best = self.ranked.iter().take(PAIRED);
-        best.map(|r| (self.families[r.family].claim, r.clone()))
+        best.map(|r| (self.families[r.family].claim.clone(), r.clone()))
             .collect()
     }
 
@@ -65,7 +65,7 @@ impl Ranking {
         let has_no_rank = |k: usize| self.ranked.iter().all(|r| r.family != k);
         let effects = self.families.iter().enumerate();
         effects
-            .filter(|(_, f)| matches!(f.claim, Claim::Effect(effect) if !is_late(effect)))
+            .filter(|(_, f)| f.claim.effect().is_some_and(|effect| !is_late(effect)))
             .filter(|(k, _)| has_no_rank(*k))
             .map(|(_, f)| f.claim.name().into())
             .collect()
@@ -109,7 +109,7 @@ pub(super) fn as_the_earth(family: &Family, ranked: &Ranked) -> Earth {
     if ranked.score.dof < 3 || covariance[(VERTICAL, VERTICAL)] < UNSEEN {
         return Earth::Yes;
     }
-    let own = places_by_heading(ranked.score.change.len(), VERTICAL + 1, references(earth));
+    let own = places_by_heading(ranked.score.change.len(), VERTICAL + 1, references(&earth));
     let known = own.into_iter().min_by(|a, b| {
         let of = |places: &[usize]| places.iter().map(|k| covariance[(*k, *k)]).sum::<f64>();
         seen_first(of(a)).total_cmp(&seen_first(of(b)))

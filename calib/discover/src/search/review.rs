@@ -171,7 +171,7 @@ impl Finder<'_> {
             .iter()
             .filter(|r| r.family != named.family && r.evidence > named.evidence - APART)
             .map(|r| Tie {
-                claim: families[r.family].claim,
+                claim: families[r.family].claim.clone(),
                 behind: named.evidence - r.evidence,
                 shared: shared(&state.projected, families, named, r).unwrap_or(0.0),
                 rivalry: Rivalry::of(state, families, (named, r), self.catalogue),
@@ -183,7 +183,7 @@ impl Finder<'_> {
 
     /// Returns true if `one` is the first order of `top`.
     fn is_simpler(&self, families: &[Family], top: &Ranked, one: &Ranked) -> bool {
-        match families[top.family].claim {
+        match &families[top.family].claim {
             Claim::Effect(effect) => with_companions(effect, self.catalogue)
                 .skip(1)
                 .any(|c| c.name() == families[one.family].claim.name()),

@@ -3,7 +3,7 @@
 use estimate::methods::joint::BiasNoise;
 use nalgebra::Vector3;
 use plan::{Timing, Turn};
-use sensor::AnyEffect;
+use sensor::EffectRef;
 use simulate::{Grade, Motion, Planned, PlannedStep, Sampling, SensorSpec, Spec, Temperature};
 
 use super::information::Information;
@@ -33,7 +33,7 @@ pub struct Conditions {
     /// True if the device is warmed while it records.
     pub warmed: bool,
     /// The effects.
-    pub catalogue: Vec<&'static dyn AnyEffect>,
+    pub catalogue: Vec<EffectRef>,
 }
 
 /// A recording to make.

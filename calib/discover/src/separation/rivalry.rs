@@ -3,12 +3,12 @@
 use estimate::calibration::effect_named;
 use estimate::methods::joint::{BiasNoise, columns, effect_columns};
 use faer::Mat;
-use sensor::{AnyEffect, Quantity, Role};
+use sensor::{EffectRef, Quantity, Role};
 use serde::{Deserialize, Serialize};
 
 use super::information::Information;
 use crate::extension::with_companions;
-use crate::family::{Claim, Family, beside, coefficients};
+use crate::family::{Family, beside, coefficients};
 use crate::rank::Ranked;
 use crate::state::State;
 
@@ -39,19 +39,13 @@ pub struct Rivalry {
 }
 
 impl Rival {
-    fn of(
-        families: &[Family],
-        ranked: &Ranked,
-        catalogue: &[&'static dyn AnyEffect],
-    ) -> Option<Self> {
+    fn of(families: &[Family], ranked: &Ranked, catalogue: &[EffectRef]) -> Option<Self> {
         let family = &families[ranked.family];
-        let Claim::Effect(effect) = family.claim else {
-            return None;
-        };
+        let effect = family.claim.effect()?;
         let (mut names, mut typical) = (Vec::new(), Vec::new());
         for part in with_companions(effect, catalogue) {
-            for k in coefficients(part).0 {
-                names.push(full(part, k));
+            for k in coefficients(&part).0 {
+                names.push(full(&part, k));
                 typical.push(part.typical_of(k));
             }
         }
@@ -69,13 +63,13 @@ impl Rival {
 
     /// Returns true if it settles after switching on.
     pub fn settles(&self) -> bool {
-        let shaped = |effect: &dyn AnyEffect| {
+        let shaped = |effect: &EffectRef| {
             let mut roles = effect.params().iter().map(sensor::Param::role_by_name);
             roles.any(|role| role == Role::TimeConstant)
         };
         self.shape.is_some()
             && effect_named(&self.name)
-                .is_some_and(|e| shaped(e) && e.needs().contains(&Quantity::Time))
+                .is_some_and(|e| shaped(&e) && e.needs().contains(&Quantity::Time))
     }
 
     /// Returns true if it belongs to an instant of the recording that it was seen in.
@@ -91,7 +85,7 @@ impl Rival {
     }
 
     /// Returns true if the catalogue has all its effects.
-    pub fn is_known(&self, catalogue: &[&'static dyn AnyEffect]) -> bool {
+    pub fn is_known(&self, catalogue: &[EffectRef]) -> bool {
         let there = |name: &String| {
             let (effect, _) = name.split_once('.')?;
             catalogue.iter().find(|e| e.name() == effect)
@@ -103,14 +97,14 @@ impl Rival {
     pub(super) fn columns(
         &self,
         state: &State,
-        catalogue: &[&'static dyn AnyEffect],
+        catalogue: &[EffectRef],
     ) -> (Vec<String>, Mat<f64>) {
         let (mut names, mut parts) = (Vec::new(), Vec::new());
         for effect in catalogue {
             let params = effect.params();
-            let value = |k: usize| self.value(&full(*effect, k));
+            let value = |k: usize| self.value(&full(effect, k));
             let wanted: Vec<usize> = (0..params.len())
-                .filter(|k| self.coefficients.contains(&full(*effect, *k)))
+                .filter(|k| self.coefficients.contains(&full(effect, *k)))
                 .collect();
             if wanted.is_empty() {
                 continue;
@@ -120,15 +114,15 @@ impl Rival {
                 .enumerate()
                 .map(|(k, p)| value(k).unwrap_or(p.nominal))
                 .collect();
-            names.extend(wanted.iter().map(|k| full(*effect, *k)));
+            names.extend(wanted.iter().map(|k| full(effect, *k)));
             let (sensitivities, m) = (&state.sensitivities, state.rows());
-            parts.push(effect_columns(sensitivities, m, *effect, &point, &wanted));
+            parts.push(effect_columns(sensitivities, m, effect, &point, &wanted));
         }
         (names, state.whitened(beside(&parts, state.rows())))
     }
 }
 
-fn full(effect: &dyn AnyEffect, k: usize) -> String {
+fn full(effect: &EffectRef, k: usize) -> String {
     format!("{}.{}", effect.name(), effect.params()[k].name)
 }
 
@@ -138,7 +132,7 @@ impl Rivalry {
         state: &State,
         families: &[Family],
         (named, other): (&Ranked, &Ranked),
-        catalogue: &[&'static dyn AnyEffect],
+        catalogue: &[EffectRef],
     ) -> Option<Self> {
         let noise = named.noise;
         let mut rivalry = Self {
@@ -157,7 +151,7 @@ impl Rivalry {
         &self,
         state: &State,
         noise: BiasNoise,
-        catalogue: &[&'static dyn AnyEffect],
+        catalogue: &[EffectRef],
     ) -> Information {
         let (mut names, mine) = self.named.columns(state, catalogue);
         let (others, theirs) = self.other.columns(state, catalogue);

@@ -2,7 +2,7 @@
 
 use estimate::calibration::EffectParameter;
 use nalgebra::{DMatrix, DVector};
-use sensor::{AnyEffect, Role};
+use sensor::{EffectRef, Role};
 
 use super::findings::Agreement;
 use super::unit::Unit;
@@ -12,7 +12,7 @@ use crate::score::log_tail;
 /// recording or that a shape of its own scales, and where fewer than two units have it.
 pub(super) fn agreement(
     units: &[Unit<'_>],
-    effect: &'static dyn AnyEffect,
+    effect: &EffectRef,
     among: &[bool],
 ) -> Option<Agreement> {
     let params = effect.params();
@@ -42,7 +42,7 @@ pub(super) fn agreement(
         params
             .iter()
             .find(|p| p.name == name)
-            .map_or("", |p| p.unit)
+            .map_or("", |p| &*p.unit)
     };
     let mean = free.iter().enumerate().map(|(k, name)| EffectParameter {
         name: (*name).clone(),
@@ -59,10 +59,7 @@ pub(super) fn agreement(
 }
 
 /// Names, values and covariance of the free coefficients of an effect.
-fn size(
-    unit: &Unit<'_>,
-    effect: &'static dyn AnyEffect,
-) -> Option<(Vec<String>, DVector<f64>, DMatrix<f64>)> {
+fn size(unit: &Unit<'_>, effect: &EffectRef) -> Option<(Vec<String>, DVector<f64>, DMatrix<f64>)> {
     let prefix = format!("{}.", effect.name());
     let fitted = unit
         .state

@@ -20,7 +20,7 @@ use std::borrow::Borrow;
 use ::findings::{Finding, Kind};
 use estimate::calibrate::own_effects;
 use recording::{Error, Recording};
-use sensor::AnyEffect;
+use sensor::EffectRef;
 
 use crate::gap::channel::Channel;
 use crate::gap::held_out::gap_of;
@@ -38,7 +38,7 @@ const MOST_EFFECTS: usize = 8;
 /// An effect of some of the units, with what shapes it in each.
 #[derive(Clone)]
 struct Held {
-    effect: &'static dyn AnyEffect,
+    effect: EffectRef,
     /// One flag per unit: true if its model has the effect.
     units: Vec<bool>,
     is_shared: bool,
@@ -55,7 +55,10 @@ pub fn discover_units<R: Borrow<Recording>>(
     if recordings.len() < 2 {
         return Err(Error::not_enough(Finding::of(Kind::OneUnitOnly)));
     }
-    own_effects::grant_steps(&request.catalogue, recordings.iter().map(R::borrow));
+    let request = &Request {
+        catalogue: own_effects::granted(&request.catalogue, recordings.iter().map(R::borrow)),
+        ..request.clone()
+    };
     let each: Vec<[&Recording; 1]> = recordings.iter().map(|r| [r.borrow()]).collect();
     let units = each.iter().map(|recording| Unit::new(recording, request));
     let mut units = units.collect::<Result<Vec<Unit<'_>>, Error>>()?;
@@ -70,18 +73,18 @@ pub fn discover_units<R: Borrow<Recording>>(
 
 struct Together<'a> {
     request: &'a Request,
-    candidates: Vec<&'static dyn AnyEffect>,
+    candidates: Vec<EffectRef>,
 }
 
 impl Together<'_> {
     fn search(&self, units: &mut [Unit<'_>]) -> Result<Vec<Held>, Error> {
         let mut held: Vec<Held> = Vec::new();
-        let mut passed: Vec<&str> = Vec::new();
+        let mut passed: Vec<String> = Vec::new();
         while held.len() < MOST_EFFECTS {
             let pooled = pool(units, &self.candidates, self.request.threshold(), &[]);
             let may = |p: &&Pooled| {
                 let is_in = |h: &Held| h.effect.name() == p.effect.name();
-                !passed.contains(&p.effect.name()) && !held.iter().any(is_in)
+                !passed.iter().any(|name| name == p.effect.name()) && !held.iter().any(is_in)
             };
             let Some(top) = pooled.iter().find(may) else {
                 break;
@@ -89,7 +92,7 @@ impl Together<'_> {
             let wanted = match self.wanted(top) {
                 Some(wanted) => wanted,
                 None if top.evidence > self.request.threshold() => {
-                    passed.push(top.effect.name());
+                    passed.push(top.effect.name().to_owned());
                     continue;
                 }
                 None => break,
@@ -98,12 +101,12 @@ impl Together<'_> {
             if own.iter().any(|is_in| *is_in) {
                 let is_shared = own.iter().filter(|is_in| **is_in).count() > 1;
                 held.push(Held {
-                    effect: top.effect,
+                    effect: top.effect.clone(),
                     units: own,
                     is_shared,
                 });
             } else {
-                passed.push(top.effect.name());
+                passed.push(top.effect.name().to_owned());
             }
         }
         Ok(held)
@@ -131,7 +134,12 @@ impl Together<'_> {
         for (k, unit) in units.iter_mut().enumerate() {
             let says = top.units[k].as_ref().filter(|_| wanted[k]);
             if let Some(says) = says {
-                own[k] = unit.take_in(top.effect, says.shape, self.request, &self.candidates)?;
+                own[k] = unit.take_in(
+                    top.effect.clone(),
+                    says.shape,
+                    self.request,
+                    &self.candidates,
+                )?;
             }
         }
         Ok(own)
@@ -141,8 +149,8 @@ impl Together<'_> {
     fn review(&self, units: &mut [Unit<'_>], held: &mut Vec<Held>) -> Result<(), Error> {
         let mut k = 0;
         while k < held.len() {
-            let effect = held[k].effect;
-            let without = self.without(units, effect)?;
+            let effect = held[k].effect.clone();
+            let without = self.without(units, &effect)?;
             let pooled = pool(
                 &without,
                 &self.candidates,
@@ -167,18 +175,14 @@ impl Together<'_> {
         Ok(())
     }
 
-    fn without<'u>(
-        &self,
-        units: &[Unit<'u>],
-        effect: &'static dyn AnyEffect,
-    ) -> Result<Vec<Unit<'u>>, Error> {
+    fn without<'u>(&self, units: &[Unit<'u>], effect: &EffectRef) -> Result<Vec<Unit<'u>>, Error> {
         units.iter().map(|unit| unit.without(effect)).collect()
     }
 
     fn written(&self, units: &[Unit<'_>], held: &[Held]) -> Result<UnitFindings, Error> {
         let (mut shared, mut own) = (Vec::new(), Vec::new());
         for h in held {
-            let without = self.without(units, h.effect)?;
+            let without = self.without(units, &h.effect)?;
             let threshold = self.request.threshold();
             // Of what one unit alone shows the others are asked too.
             let among: &[bool] = if h.is_shared { &h.units } else { &[] };
@@ -196,12 +200,12 @@ impl Together<'_> {
                     name: h.effect.name().into(),
                     adjusted_p_value: (-named.evidence).exp().min(1.0),
                     indistinguishable_from: named.ties(&pooled),
-                    agreement: agreement(units, h.effect, &h.units),
+                    agreement: agreement(units, &h.effect, &h.units),
                     sizes,
                 });
             } else {
                 let alone = h.units.iter().position(|is_in| *is_in);
-                let others = alone.and_then(|k| named.shown_by_others(k, &without, h.effect));
+                let others = alone.and_then(|k| named.shown_by_others(k, &without, &h.effect));
                 own.extend(
                     sizes
                         .into_iter()
@@ -231,7 +235,7 @@ impl Together<'_> {
         named: &Pooled,
     ) -> Result<Vec<UnitSize>, Error> {
         let channel = named
-            .channel(without, held.effect)
+            .channel(without, &held.effect)
             .unwrap_or(Channel::StaticNorm);
         let mut sizes = Vec::new();
         for (k, (unit, before)) in units.iter().zip(without).enumerate() {
@@ -241,7 +245,7 @@ impl Together<'_> {
                 unit: unit.name.clone(),
                 p_value: says.map(|says| says.log_p.exp()),
                 parameters: match held.units[k] {
-                    true => unit.parameters(held.effect, self.request)?,
+                    true => unit.parameters(&held.effect, self.request)?,
                     false => Vec::new(),
                 },
                 channel,

@@ -2,7 +2,7 @@
 
 use faer::Mat;
 use nalgebra::DVector;
-use sensor::{AnyEffect, Quantity};
+use sensor::{EffectRef, Quantity};
 
 use super::unit::Unit;
 use crate::family::{Claim, effect_family};
@@ -40,7 +40,7 @@ pub(super) struct Says {
 /// Evidence of all units for an effect.
 #[derive(Clone, Debug)]
 pub(super) struct Pooled {
-    pub effect: &'static dyn AnyEffect,
+    pub effect: EffectRef,
     /// Evidence of each unit; `None` where it cannot show the effect.
     pub units: Vec<Option<Says>>,
     /// `−ln p − ln 2m` of all together.
@@ -54,7 +54,7 @@ pub(super) struct Pooled {
 /// not asked, where it says which are.
 pub(super) fn pool(
     units: &[Unit<'_>],
-    catalogue: &[&'static dyn AnyEffect],
+    catalogue: &[EffectRef],
     threshold: f64,
     among: &[bool],
 ) -> Vec<Pooled> {
@@ -69,12 +69,12 @@ pub(super) fn pool(
     let count = rankings.iter().map(tests).max().unwrap_or(1).max(1) as f64;
     let search = (2.0 * count).ln();
     let is_asked = |k: usize| units[k].is_counted() && among.get(k).is_none_or(|is_in| *is_in);
-    let says = |k: usize, effect: &'static dyn AnyEffect| {
+    let says = |k: usize, effect: &EffectRef| {
         if !is_asked(k) {
             return None;
         }
         let ranking = &rankings[k];
-        let own = |r: &&Ranked| match ranking.families[r.family].claim {
+        let own = |r: &&Ranked| match &ranking.families[r.family].claim {
             Claim::Effect(e) => e.name() == effect.name(),
             _ => false,
         };
@@ -102,11 +102,11 @@ pub(super) fn pool(
         .iter()
         .filter(|effect| effect.instant().is_none())
         .filter_map(|effect| {
-            let units: Vec<Option<Says>> = (0..units.len()).map(|k| says(k, *effect)).collect();
+            let units: Vec<Option<Says>> = (0..units.len()).map(|k| says(k, effect)).collect();
             units.iter().flatten().next()?;
             let together = units.iter().flatten().map(|says| says.log_p);
             Some(Pooled {
-                effect: *effect,
+                effect: effect.clone(),
                 evidence: -fisher(together) - search,
                 units,
             })
@@ -155,7 +155,7 @@ impl Pooled {
     }
 
     /// The channel in which the units, whose models lack the effect, show most of it.
-    pub fn channel(&self, without: &[Unit<'_>], effect: &'static dyn AnyEffect) -> Option<Channel> {
+    pub fn channel(&self, without: &[Unit<'_>], effect: &EffectRef) -> Option<Channel> {
         let mut parts = [Misfit::default(); 3];
         for (unit, says) in without.iter().zip(&self.units) {
             let Some(says) = says else { continue };
@@ -176,7 +176,7 @@ impl Pooled {
         &self,
         k: usize,
         units: &[Unit<'_>],
-        effect: &'static dyn AnyEffect,
+        effect: &EffectRef,
     ) -> Option<bool> {
         let mine = self.units.get(k)?.as_ref()?;
         let change = &mine.ranked.score.change;
@@ -219,7 +219,7 @@ impl Says {
     }
 
     /// Computes the contribution of its estimate to the rows, white-whitened.
-    fn predicted(&self, unit: &Unit<'_>, effect: &'static dyn AnyEffect) -> Option<Vec<f64>> {
+    fn predicted(&self, unit: &Unit<'_>, effect: &EffectRef) -> Option<Vec<f64>> {
         let family = effect_family(&unit.state, effect, &[]);
         let own = family.columns_of(self.ranked.hypothesis.min(family.hypotheses.len() - 1));
         let count = own.ncols().min(self.ranked.score.change.len());

@@ -113,6 +113,6 @@ fn a_unit_has_its_faults_with_interval_and_size() {
     recordings.push(spec.run().unwrap().recording);
     let found = discover_units(&recordings, &request).unwrap();
     let fault = &found.units[2].faults[0];
-    assert_eq!((fault.name, fault.interval), ("mount_slip", Some(10)));
+    assert_eq!((&*fault.name, fault.interval), ("mount_slip", Some(10)));
     assert!(fault.size.is_some());
 }

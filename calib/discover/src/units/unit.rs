@@ -4,7 +4,7 @@ use ::findings::{Finding, Front, Kind};
 use estimate::calibration::{Calibration, EffectParameter};
 use estimate::methods::joint::BiasNoise;
 use recording::{Error, Recording};
-use sensor::AnyEffect;
+use sensor::EffectRef;
 
 use super::findings::UnitAlone;
 use crate::calibrated::calibration;
@@ -70,10 +70,10 @@ impl<'a> Unit<'a> {
     /// That it was cancelled.
     pub fn take_in(
         &mut self,
-        effect: &'static dyn AnyEffect,
+        effect: EffectRef,
         shape: Option<(usize, f64)>,
         request: &Request,
-        catalogue: &[&'static dyn AnyEffect],
+        catalogue: &[EffectRef],
     ) -> Result<bool, Error> {
         let mut extension = self.state.extension.clone();
         extension.hold(effect, shape, catalogue);
@@ -94,11 +94,11 @@ impl<'a> Unit<'a> {
     ///
     /// # Errors
     /// As the joint fit.
-    pub fn without(&self, effect: &'static dyn AnyEffect) -> Result<Self, Error> {
+    pub fn without(&self, effect: &EffectRef) -> Result<Self, Error> {
         let mut unit = self.clone();
         if self.state.has(effect.name()) {
             let mut extension = self.state.extension.clone();
-            let is_other = |(own, _): &(&dyn AnyEffect, _)| own.name() != effect.name();
+            let is_other = |(own, _): &(EffectRef, _)| own.name() != effect.name();
             extension.effects.retain(is_other);
             unit.state = State::fit(&self.session, extension)?;
         }
@@ -111,7 +111,7 @@ impl<'a> Unit<'a> {
     /// A calibration that the recording does not determine.
     pub fn parameters(
         &self,
-        effect: &'static dyn AnyEffect,
+        effect: &EffectRef,
         request: &Request,
     ) -> Result<Vec<EffectParameter>, Error> {
         let calibration = calibration(&self.session, &self.state, request)?;
@@ -125,7 +125,11 @@ impl<'a> Unit<'a> {
 }
 
 fn alone(recording: &Recording, findings: &Findings) -> UnitAlone {
-    let mut integrity: Vec<String> = findings.integrity.iter().map(|i| i.name.into()).collect();
+    let mut integrity: Vec<String> = findings
+        .integrity
+        .iter()
+        .map(|i| i.name.to_string())
+        .collect();
     integrity.sort();
     integrity.dedup();
     UnitAlone {

@@ -366,10 +366,10 @@ pub(super) fn effect_values<'a>(
             .map(|p| {
                 let name = format!("{}.{}", effect.name(), p.name);
                 EffectParameter {
-                    name: p.name.into(),
+                    name: p.name.to_string(),
                     value: fitted.parameters.get(&name).unwrap_or(p.nominal),
                     std: fitted.standard_error(&name),
-                    unit: p.unit.into(),
+                    unit: p.unit.to_string(),
                 }
             })
             .collect();
@@ -379,7 +379,7 @@ pub(super) fn effect_values<'a>(
             parameters,
             outside: effect_named(effect.name())
                 .is_none()
-                .then_some(Outside(*effect)),
+                .then_some(Outside(effect.clone())),
         }
     })
 }

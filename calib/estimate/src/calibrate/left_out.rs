@@ -2,7 +2,7 @@
 
 use faer::Mat;
 use nalgebra::Vector3;
-use sensor::{AnyEffect, Model, Quantity, Role, Sensor};
+use sensor::{EffectRef, Model, Quantity, Role, Sensor};
 use solver::Problem;
 
 use super::static_norm::StaticNorms;
@@ -16,10 +16,10 @@ use crate::truth::{supposed, unneeded};
 /// The effects that a joint fit leaves out: all of the catalogue that are functions of what their sensor measures, whatever
 /// else happens.
 pub(super) fn left_out(fit: &JointFit, fitted: &Fitted) -> Vec<LeftOut> {
-    let effects: Vec<&dyn AnyEffect> = candidates(&fit.models).collect();
+    let effects: Vec<EffectRef> = candidates(&fit.models).collect();
     let added = fit.squares_added_by(&effects);
     let each = effects.into_iter().zip(added);
-    each.filter_map(|(effect, added)| of_joint(fit, fitted, effect, added?))
+    each.filter_map(|(effect, added)| of_joint(fit, fitted, &effect, added?))
         .collect()
 }
 
@@ -31,10 +31,10 @@ pub(super) fn left_out_by_norms(fit: &AccelerometerFit, norms: &StaticNorms) -> 
     let residuals = norms.each().map(|norm| norm.residual / norm.sigma);
     let residuals: Vec<f64> = residuals.collect();
     let residuals = Mat::from_fn(residuals.len(), 1, |i, _| residuals[i]);
-    let of = |effect: &'static dyn AnyEffect| {
-        let columns = columns_of_norms(norms, effect);
+    let of = |effect: EffectRef| {
+        let columns = columns_of_norms(norms, &effect);
         let added = squares_added(&parameters, &columns, &residuals, |k| effect.typical_of(k))?;
-        worst(effect, &fit.fitted, fit.fitted.free.iter().zip(added))
+        worst(&effect, &fit.fitted, fit.fitted.free.iter().zip(added))
     };
     candidates(std::slice::from_ref(&fit.model))
         .filter(|effect| effect.sensor() == Sensor::Accelerometer)
@@ -43,7 +43,7 @@ pub(super) fn left_out_by_norms(fit: &AccelerometerFit, norms: &StaticNorms) -> 
 }
 
 /// The effects of the catalogue that are functions of their sensor's signal, with coefficients alone, and that no model has.
-fn candidates(models: &[Model]) -> impl Iterator<Item = &'static dyn AnyEffect> + use<> {
+fn candidates(models: &[Model]) -> impl Iterator<Item = EffectRef> + use<'_> {
     let own = models.iter().flat_map(|model| model.effects());
     let known: Vec<&str> = own.map(|effect| effect.name()).collect();
     catalogue().filter(move |effect| {
@@ -57,7 +57,7 @@ fn candidates(models: &[Model]) -> impl Iterator<Item = &'static dyn AnyEffect> 
 
 /// The parameter of an effect's sensor that is most off; `added` are mean squares in the unit of the parameters.
 fn worst<'a>(
-    effect: &dyn AnyEffect,
+    effect: &EffectRef,
     fitted: &Fitted,
     added: impl Iterator<Item = (&'a String, f64)>,
 ) -> Option<LeftOut> {
@@ -77,7 +77,7 @@ fn worst<'a>(
 fn of_joint(
     fit: &JointFit,
     fitted: &Fitted,
-    effect: &dyn AnyEffect,
+    effect: &EffectRef,
     added: Vec<f64>,
 ) -> Option<LeftOut> {
     let shared = fit.free.iter().copied().filter(|&k| k < fit.shared);
@@ -122,7 +122,7 @@ fn slopes_of_norms(fit: &AccelerometerFit, norms: &StaticNorms) -> Option<Mat<f6
 }
 
 /// Computes the change of the norms by unit coefficients of an effect, over their standard deviations (`n × q`).
-fn columns_of_norms(norms: &StaticNorms, effect: &dyn AnyEffect) -> Mat<f64> {
+fn columns_of_norms(norms: &StaticNorms, effect: &EffectRef) -> Mat<f64> {
     let count = effect.params().len();
     let mut columns = Mat::zeros(norms.each().count(), count);
     let (nothing, wanted) = (vec![0.0; count], (0..count).collect::<Vec<_>>());

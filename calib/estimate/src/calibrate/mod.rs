@@ -63,11 +63,11 @@ pub fn calibrate<R: Borrow<Recording>>(
 ) -> Result<Outcome, Error> {
     let recordings: Vec<&Recording> = recordings.iter().map(R::borrow).collect();
     let gyro_recordings: Vec<&Recording> = gyro_recordings.iter().map(R::borrow).collect();
-    let request = request.decided(&recordings);
+    let mut request = request.decided(&recordings);
     request.refuse_ignored()?;
     magnetic::refuse_alone(&recordings)?;
     let all = recordings.iter().chain(&gyro_recordings);
-    own_effects::grant_steps(&request.effects, all.copied());
+    request.effects = own_effects::granted(&request.effects, all.copied());
     let outcome = in_steps(&recordings, &gyro_recordings, &request);
     own_effects::blamed(&request.effects, outcome)
 }

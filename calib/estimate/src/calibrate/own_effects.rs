@@ -2,32 +2,28 @@
 
 use findings::{Finding, Kind};
 use recording::{Error, Recording, Stream};
-use sensor::{AnyEffect, EffectFault, fault_of};
+use sensor::{EffectFault, EffectRef};
 
-/// Grants each as many steps as fits of these recordings need.
-pub fn grant_steps<'a>(
-    effects: &[&'static dyn AnyEffect],
+/// The same effects, each with as many steps as fits of these recordings need: a budget of this run alone.
+pub fn granted<'a>(
+    effects: &[EffectRef],
     recordings: impl Iterator<Item = &'a Recording>,
-) {
+) -> Vec<EffectRef> {
     let samples = |r: &Recording| {
         let streams = [&r.accelerometer, &r.gyroscope].into_iter().flatten();
         streams.map(Stream::len).max().unwrap_or(0)
     };
     let samples = recordings.map(samples).sum();
-    for effect in effects {
-        sensor::grant_steps(*effect, samples);
-    }
+    let of_run = |effect: &EffectRef| effect.granted(samples).unwrap_or_else(|| effect.clone());
+    effects.iter().map(of_run).collect()
 }
 
 /// The outcome; the error of the effect that is to blame where a fit failed or an effect's steps are spent.
-pub fn blamed<T>(
-    effects: &[&'static dyn AnyEffect],
-    outcome: Result<T, Error>,
-) -> Result<T, Error> {
+pub fn blamed<T>(effects: &[EffectRef], outcome: Result<T, Error>) -> Result<T, Error> {
     let fault = effects.iter().find_map(|effect| {
-        let fault = fault_of(*effect)?;
+        let fault = effect.fault()?;
         let spent = fault == EffectFault::StepsSpent;
-        (outcome.is_err() || spent).then(|| Finding::of_effect(*effect, &fault))
+        (outcome.is_err() || spent).then(|| Finding::of_effect(effect, &fault))
     });
     match (fault, outcome) {
         (Some(fault), _) => Err(Error::not_converged(fault)),
@@ -36,7 +32,7 @@ pub fn blamed<T>(
 }
 
 /// The error of a fit with the effects of a user named, whose formulas may be the reason.
-fn suspected(effects: &[&'static dyn AnyEffect], error: Error) -> Error {
+fn suspected(effects: &[EffectRef], error: Error) -> Error {
     let own = effects
         .iter()
         .filter(|effect| effect.definition().is_some());
@@ -55,13 +51,13 @@ fn suspected(effects: &[&'static dyn AnyEffect], error: Error) -> Error {
 }
 
 /// Lists the faults of effects that a search left out because of them.
-pub fn left_out(effects: &[&'static dyn AnyEffect]) -> impl Iterator<Item = Finding> {
+pub fn left_out(effects: &[EffectRef]) -> impl Iterator<Item = Finding> {
     effects.iter().filter_map(|effect| {
-        let fault = fault_of(*effect)?;
+        let fault = effect.fault()?;
         Some(
             Finding::of(Kind::EffectFault)
                 .detail("effect", effect.name())
-                .because(Finding::of_effect(*effect, &fault)),
+                .because(Finding::of_effect(effect, &fault)),
         )
     })
 }

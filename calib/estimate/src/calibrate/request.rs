@@ -6,7 +6,7 @@ use findings::{Finding, Kind, OptionName, Remedy};
 use nalgebra::Vector3;
 use recording::intervals::{Detector, Span};
 use recording::{Error, Recording};
-use sensor::AnyEffect;
+use sensor::EffectRef;
 use serde::{Deserialize, Serialize};
 
 use crate::gravity::{GravitySource, STANDARD_GRAVITY};
@@ -83,7 +83,7 @@ pub struct Request {
     /// Step between gyroscope samples to assume instead of the stamps, s.
     pub nominal_step: Option<f64>,
     /// Effects on top of the base models.
-    pub effects: Vec<&'static dyn AnyEffect>,
+    pub effects: Vec<EffectRef>,
     /// Latitude, °: the joint method then takes the earth's rotation off the gyroscope. Its vertical part is
     /// known, its horizontal part is estimated, as the heading of the recording is not known.
     pub latitude: Option<f64>,

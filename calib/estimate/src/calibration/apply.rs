@@ -117,11 +117,11 @@ fn belongs_to(calibration: &Calibration, recording: &Recording) -> Result<Option
                 Role::Coefficient | Role::Shape | Role::TimeConstant => false,
             };
             if bound {
-                own.push((effect.name(), param, value.value));
+                own.push((effect.clone(), param.clone(), value.value));
             }
         }
     }
-    let Some((effect, param, value)) = own.first().copied() else {
+    let Some((effect, param, value)) = own.into_iter().next() else {
         return Ok(None);
     };
     let made_from = calibration.was_made_from(recording);
@@ -129,8 +129,8 @@ fn belongs_to(calibration: &Calibration, recording: &Recording) -> Result<Option
     let inputs: Vec<&str> = inputs.map(|input| input.recording.as_str()).collect();
     let of = |kind| {
         Finding::of(kind)
-            .detail("effect", effect)
-            .detail("parameter", param.name)
+            .detail("effect", effect.name())
+            .detail("parameter", &*param.name)
             .detail("inputs", inputs.join(", "))
     };
     match (made_from, param.role) {

@@ -5,7 +5,7 @@ use std::path::Path;
 use findings::{Finding, Kind, Remedy};
 use recording::shown::{shown, shown_path};
 use recording::{Error, figure};
-use sensor::AnyEffect;
+use sensor::EffectRef;
 
 use super::document::marks;
 use super::{Calibration, Outside, SCHEMA, Triad};
@@ -36,7 +36,7 @@ pub fn load(path: &Path) -> Result<Calibration, Error> {
 ///
 /// # Errors
 /// As [`load`].
-pub fn load_with(path: &Path, outside: &[&'static dyn AnyEffect]) -> Result<Calibration, Error> {
+pub fn load_with(path: &Path, outside: &[EffectRef]) -> Result<Calibration, Error> {
     read_calibration(&recording::read_text(path)?, path, outside)
 }
 
@@ -47,7 +47,7 @@ pub fn load_with(path: &Path, outside: &[&'static dyn AnyEffect]) -> Result<Cali
 pub fn read_calibration(
     text: &str,
     path: &Path,
-    outside: &[&'static dyn AnyEffect],
+    outside: &[EffectRef],
 ) -> Result<Calibration, Error> {
     refuse_newer(path, text, SCHEMA)?;
     refuse_newer(path, text, FINDINGS_SCHEMA)?;
@@ -112,7 +112,7 @@ fn count(key: impl Into<String>, found: String, expected: String) -> Finding {
 }
 
 /// The calibration in `text`.
-fn parse(text: &str, outside: &[&'static dyn AnyEffect]) -> Result<Calibration, Box<Finding>> {
+fn parse(text: &str, outside: &[EffectRef]) -> Result<Calibration, Box<Finding>> {
     let any: serde_json::Value = serde_json::from_str(text).map_err(|e| {
         let found = of_json(Kind::NotJson, &e);
         match text.trim_start().starts_with('{') {
@@ -141,7 +141,7 @@ fn parse(text: &str, outside: &[&'static dyn AnyEffect]) -> Result<Calibration, 
     let mut calibration = read.map_err(|e| of_json(Kind::Unreadable, &e))?;
     for values in &mut calibration.effects {
         let own = outside.iter().find(|effect| effect.name() == values.name);
-        values.outside = own.map(|effect| Outside(*effect));
+        values.outside = own.map(|effect| Outside(effect.clone()));
     }
     check(&calibration)?;
     Ok(calibration)
@@ -199,7 +199,7 @@ fn check(calibration: &Calibration) -> Result<(), Box<Finding>> {
         for (k, (expected, found)) in pairs {
             if expected.name != found.name {
                 let key = format!("{key}.parameters.{k}");
-                return Err(other(key, &found.name, expected.name).into());
+                return Err(other(key, &found.name, &*expected.name).into());
             }
         }
     }

@@ -41,7 +41,7 @@ use nalgebra::{Matrix3, Vector3};
 use recording::intervals::Segmentation;
 use recording::shown::shown;
 use recording::{Error, Recording};
-use sensor::{AnyEffect, Base, Definition, DefinitionError, Model, Sensor};
+use sensor::{Base, Definition, DefinitionError, EffectRef, Model, Sensor};
 use serde::{Deserialize, Serialize};
 
 use crate::gravity::GravitySource;
@@ -239,7 +239,7 @@ impl EffectValues {
     ///
     /// # Errors
     /// What is wrong with the definition, or that there is no such effect.
-    pub fn effect(&self) -> Result<&'static dyn AnyEffect, Box<Finding>> {
+    pub fn effect(&self) -> Result<EffectRef, Box<Finding>> {
         match &self.definition {
             Some(definition) if definition.name != self.name => {
                 let found = Finding::of(Kind::DefinitionOfOther)
@@ -253,7 +253,7 @@ impl EffectValues {
                 Box::new(DefinitionError { key, fault }.into())
             }),
             None => effect_named(&self.name)
-                .or(self.outside.map(|outside| outside.0))
+                .or_else(|| self.outside.as_ref().map(|outside| outside.0.clone()))
                 .ok_or_else(|| {
                     let unknown = Finding::of(Kind::EffectUnknown);
                     Box::new(unknown.detail("effect", shown(&self.name)))

@@ -1,10 +1,10 @@
 //! Effects of other crates.
 
-use sensor::AnyEffect;
+use sensor::EffectRef;
 
 /// A compiled effect that is in no catalogue of this program. Two are the same where their names are.
-#[derive(Clone, Copy, Debug)]
-pub struct Outside(pub &'static dyn AnyEffect);
+#[derive(Clone, Debug)]
+pub struct Outside(pub EffectRef);
 
 impl PartialEq for Outside {
     fn eq(&self, other: &Self) -> bool {

@@ -2,7 +2,7 @@
 //! times parameters, `e = F p`.
 
 use nalgebra::Vector3;
-use sensor::{AnyEffect, Kinematics, Model};
+use sensor::{EffectRef, Kinematics, Model};
 use solver::scalar::{derivatives, variable};
 use solver::{Jet, LANES, lit};
 
@@ -82,14 +82,14 @@ fn columns(model: &Model, turn: &TurnData) -> Vec<Vec<Vector3<f64>>> {
             let known = turn.rest.get(k).unwrap_or(&still);
             let effects = model.effects().iter();
             effects
-                .flat_map(|effect| of_effect(*effect, known))
+                .flat_map(|effect| of_effect(effect, known))
                 .collect()
         })
         .collect()
 }
 
 /// `∂e/∂p` of one effect.
-fn of_effect(effect: &dyn AnyEffect, known: &Kinematics<f64>) -> Vec<Vector3<f64>> {
+fn of_effect(effect: &EffectRef, known: &Kinematics<f64>) -> Vec<Vector3<f64>> {
     let count = effect.params().len();
     let mut columns = Vec::with_capacity(count);
     for from in (0..count).step_by(LANES) {

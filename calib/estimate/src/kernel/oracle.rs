@@ -1,7 +1,7 @@
 //! The kernel against dual numbers straight through the integration.
 
 use nalgebra::Vector3;
-use sensor::{AnyEffect, Kinematics, Model};
+use sensor::{EffectRef, Kinematics, Model, Sensor};
 use solver::Problem;
 
 use super::{Tier, TurnProblem};
@@ -95,7 +95,11 @@ fn all(model: &Model) -> Vec<usize> {
     (0..model.parameters().len()).collect()
 }
 
-fn with(effects: impl Iterator<Item = &'static dyn AnyEffect>) -> Model {
+fn effects() -> impl Iterator<Item = EffectRef> {
+    effects::catalogue_of(Sensor::Gyroscope)
+}
+
+fn with(effects: impl Iterator<Item = EffectRef>) -> Model {
     effects.fold(gyroscope::model(), Model::with)
 }
 
@@ -115,21 +119,21 @@ fn a_step_of_several_radians_is_left_to_the_straight_way() {
 
 #[test]
 fn the_general_tier_is_the_straight_way_with_every_effect() {
-    for effect in gyroscope::EFFECTS {
-        let model = with(std::iter::once(*effect));
+    for effect in effects() {
+        let model = with(std::iter::once(effect));
         assert_agrees(&model, &turns(2.0), Tier::General, &all(&model));
     }
 }
 
 #[test]
 fn the_general_tier_is_the_straight_way_with_all_effects_together() {
-    let model = with(gyroscope::EFFECTS.iter().copied());
+    let model = with(effects());
     assert_agrees(&model, &turns(1.0), Tier::General, &all(&model));
 }
 
 #[test]
 fn linear_effects_are_in_the_affine_tier_alone_and_together() {
-    let linear = || gyroscope::EFFECTS.iter().copied().filter(|e| e.is_linear());
+    let linear = || effects().filter(|e| e.is_linear());
     for effect in linear() {
         let model = with(std::iter::once(effect));
         assert_agrees(&model, &turns(2.0), Tier::Affine, &all(&model));
@@ -141,17 +145,17 @@ fn linear_effects_are_in_the_affine_tier_alone_and_together() {
 
 #[test]
 fn a_mask_removes_columns_and_changes_no_other() {
-    let model = with(gyroscope::EFFECTS.iter().copied());
+    let model = with(effects());
     let free = [1, 5, 11, 14, 20, 21, 30];
     assert_agrees(&model, &turns(2.0), Tier::General, &free);
-    let model = with(gyroscope::EFFECTS.iter().copied().filter(|e| e.is_linear()));
+    let model = with(effects().filter(|e| e.is_linear()));
     assert_agrees(&model, &turns(2.0), Tier::Affine, &free);
     assert_agrees(&model, &turns(2.0), Tier::Affine, &[]);
 }
 
 #[test]
 fn second_derivatives_along_a_direction_are_those_of_the_straight_way() {
-    let linear = || gyroscope::EFFECTS.iter().copied().filter(|e| e.is_linear());
+    let linear = || effects().filter(|e| e.is_linear());
     for model in [gyroscope::model(), with(linear())] {
         let turns = turns(2.0);
         let straight = residual(&model, &turns);
@@ -180,14 +184,7 @@ fn each_model_gets_the_fastest_tier_that_can_express_it() {
         TurnProblem::new(residual).tier()
     };
     let base = gyroscope::model();
-    let named = |name| {
-        with(
-            gyroscope::EFFECTS
-                .iter()
-                .copied()
-                .filter(move |e| e.name() == name),
-        )
-    };
+    let named = |name| with(effects().filter(move |e| e.name() == name));
     let (drift, cubic) = (named("gyro_drift"), named("gyro_cubic"));
     assert_eq!(tier(&base, Integrator::Exponential), Tier::Affine);
     assert_eq!(tier(&drift, Integrator::Exponential), Tier::Affine);
@@ -212,7 +209,7 @@ fn the_bits_do_not_depend_on_the_number_of_threads() {
     let many: Vec<TurnData> = (0..120).map(|k| turn(900 + k, 2.0)).collect();
     let few = turns(2.0);
     let base = gyroscope::model();
-    let all_effects = with(gyroscope::EFFECTS.iter().copied());
+    let all_effects = with(effects());
     let cases = [
         (&base, &many, Tier::Affine),
         (&all_effects, &few, Tier::General),

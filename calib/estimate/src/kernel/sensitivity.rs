@@ -1,7 +1,7 @@
 //! The derivative of the true signal behind a reading, against given vectors.
 
 use nalgebra::{Matrix3, Vector3};
-use sensor::{AnyEffect, BASE_PARAMETERS, Base, Kinematics, Model, PLACES, Sensor, inverse};
+use sensor::{BASE_PARAMETERS, Base, EffectRef, Kinematics, Model, PLACES, Sensor, inverse};
 use solver::scalar::{derivatives, variable};
 use solver::{Jet, LANES, lit};
 
@@ -32,7 +32,7 @@ struct Sums {
 
 /// An effect, its parameters as constants, and which of them are free.
 struct Active<'a> {
-    effect: &'a dyn AnyEffect,
+    effect: &'a EffectRef,
     p: Vec<Jet>,
     lanes: Vec<Lane>,
 }
@@ -57,7 +57,7 @@ impl<'a> Sensitivity<'a> {
             let parameters: Vec<Lane> = wanted.map(|k| Lane::Parameter(k - from)).collect();
             count += parameters.len();
             effects.push(Active {
-                effect: *effect,
+                effect: effect,
                 p: x[all.clone()].iter().map(|&v| lit(v)).collect(),
                 lanes: signal.chain(parameters).collect(),
             });

@@ -7,7 +7,7 @@ use findings::{Finding, Kind};
 use recording::shown::shown_path;
 use recording::toml_place::{at_key, not_toml};
 use recording::{Error, figure};
-use sensor::{Sensor, base_names};
+use sensor::{Param, Sensor, base_names};
 
 use super::Limits;
 
@@ -77,11 +77,11 @@ fn complaint(limits: &Limits) -> Option<(String, Finding)> {
             return Some((key, found));
         }
     }
-    let names: Vec<&str> = catalogue().map(|e| e.name()).collect();
+    let names: Vec<String> = catalogue().map(|e| e.name().to_owned()).collect();
     for name in limits.effects.keys() {
-        if !names.contains(&name.as_str()) {
+        if !names.contains(name) {
             let found = Finding::of(Kind::EffectUnknown);
-            let found = found.or_nearest(name, names.iter().copied());
+            let found = found.or_nearest(name, names.iter().map(String::as_str));
             return Some((format!("effects.{name}"), found));
         }
     }
@@ -120,10 +120,9 @@ fn parameter_names() -> Vec<String> {
     let base = [Sensor::Accelerometer, Sensor::Gyroscope]
         .into_iter()
         .flat_map(base_names);
-    let of = |e: &'static dyn sensor::AnyEffect| {
-        e.params()
-            .iter()
-            .map(move |p| format!("{}.{}", e.name(), p.name))
+    let of = |e: sensor::EffectRef| {
+        let full = |p: &Param| format!("{}.{}", e.name(), p.name);
+        e.params().iter().map(full).collect::<Vec<_>>()
     };
     base.chain(catalogue().flat_map(of)).collect()
 }

@@ -2,10 +2,10 @@
 
 use effects::earth_rotation;
 use gyroscope::EARTH_RATE;
-use sensor::{AnyEffect, Model, Nature};
+use sensor::{EffectRef, Model, Nature};
 
 /// Returns true if the rotation of the earth is among the effects.
-pub fn is_among(effects: &[&'static dyn AnyEffect]) -> bool {
+pub fn is_among(effects: &[EffectRef]) -> bool {
     let mut natures = effects.iter().map(|effect| effect.nature());
     natures.any(|nature| nature == Nature::EarthRotation)
 }

@@ -3,7 +3,7 @@
 use findings::{Finding, Kind};
 use recording::intervals::Segmentation;
 use recording::{Error, Recording};
-use sensor::{AnyEffect, Quantity, Role, Sensor, silent_at_rest};
+use sensor::{EffectRef, Quantity, Role, Sensor, silent_at_rest};
 
 use super::sensing::Models;
 
@@ -15,7 +15,7 @@ pub fn require(
     recording: &Recording,
     intervals: Option<&Segmentation>,
     models: &Models,
-    effect: &dyn AnyEffect,
+    effect: &EffectRef,
 ) -> Result<(), Error> {
     for quantity in effect.needs() {
         if Quantity::signal_of(effect.sensor()) == quantity {
@@ -80,18 +80,18 @@ fn lacking(
 ///
 /// # Errors
 /// [`Error::NotEnough`] with the effect, the parameter, the quantity, and what to do.
-pub fn silent_at_static_intervals(effect: &dyn AnyEffect) -> Result<(), Error> {
+pub fn silent_at_static_intervals(effect: &EffectRef) -> Result<(), Error> {
     if effect.sensor() != Sensor::Accelerometer {
         return Ok(());
     }
-    let Some((place, quantities)) = silent_at_rest(effect).into_iter().next() else {
+    let Some((place, quantities)) = silent_at_rest(&**effect).into_iter().next() else {
         return Ok(());
     };
     let quantities: Vec<String> = quantities.iter().map(ToString::to_string).collect();
     Err(Error::not_enough(
         Finding::of(Kind::EffectSilentAtRest)
             .detail("effect", effect.name())
-            .detail("parameter", effect.params()[place].name)
+            .detail("parameter", &*effect.params()[place].name)
             .detail("quantities", quantities.join(" or the ")),
     ))
 }
@@ -100,13 +100,13 @@ pub fn silent_at_static_intervals(effect: &dyn AnyEffect) -> Result<(), Error> {
 ///
 /// # Errors
 /// [`Error::NotEnough`] with the effect, the parameter and what to do.
-pub fn without_instant(effect: &dyn AnyEffect) -> Result<(), Error> {
+pub fn without_instant(effect: &EffectRef) -> Result<(), Error> {
     let instant = effect.params().iter().find(|p| p.role == Role::Instant);
     instant.map_or(Ok(()), |p| {
         Err(Error::not_enough(
             Finding::of(Kind::EffectNeedsInstant)
                 .detail("effect", effect.name())
-                .detail("parameter", p.name),
+                .detail("parameter", &*p.name),
         ))
     })
 }

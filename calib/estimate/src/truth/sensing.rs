@@ -1,7 +1,7 @@
 //! A sensor's model with its parameters, as far as a fit has come.
 
 use nalgebra::{Matrix3, Vector3};
-use sensor::{AnyEffect, Base, Kinematics, Model, Sensor};
+use sensor::{Base, EffectRef, Kinematics, Model, Sensor};
 
 use crate::calibration::Calibration;
 use crate::methods::first_guess::RawUnit;
@@ -91,10 +91,10 @@ impl Models {
     }
 
     /// The effects of all.
-    pub fn effects(&self) -> impl Iterator<Item = &'static dyn AnyEffect> + '_ {
+    pub fn effects(&self) -> impl Iterator<Item = &EffectRef> {
         [&self.accelerometer, &self.gyroscope, &self.magnetometer]
             .into_iter()
             .flatten()
-            .flat_map(|sensing| sensing.model.effects().iter().copied())
+            .flat_map(|sensing| sensing.model.effects())
     }
 }

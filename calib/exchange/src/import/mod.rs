@@ -84,10 +84,10 @@ fn of_g_sensitivity(g: &Matrix3<f64>) -> EffectValues {
         .iter()
         .zip(rows(g))
         .map(|(param, value)| EffectParameter {
-            name: param.name.into(),
+            name: param.name.to_string(),
             value,
             std: None,
-            unit: param.unit.into(),
+            unit: param.unit.to_string(),
         });
     EffectValues {
         name: effect.name().into(),

@@ -21,7 +21,7 @@ use effects::{
 };
 use findings::{Finding, Kind};
 use gyroscope::EARTH_RATE;
-use sensor::{AnyEffect, Definition, Sensor};
+use sensor::{Definition, EffectRef, Sensor};
 use serde::{Deserialize, Serialize};
 
 use crate::device::Grade;
@@ -243,7 +243,7 @@ impl Spec {
         if looks_at_vibration(name) {
             self.vibration.get_or_insert_default();
         }
-        let mut of_field = catalogue_of(Sensor::Magnetometer).iter();
+        let mut of_field = catalogue_of(Sensor::Magnetometer);
         if of_field.any(|effect| effect.name() == name) {
             self.magnetic_field.get_or_insert_default();
         }
@@ -319,23 +319,16 @@ impl Spec {
     ///
     /// # Errors
     /// The key of what is wrong with a definition, and what.
-    pub(crate) fn catalogue(
-        &self,
-        sensor: Sensor,
-    ) -> Result<Vec<&'static dyn AnyEffect>, Complaint> {
+    pub(crate) fn catalogue(&self, sensor: Sensor) -> Result<Vec<EffectRef>, Complaint> {
         let defined = effects_of(&self.definitions)?;
-        let mut all: Vec<_> = catalogue_of(sensor)
-            .iter()
-            .copied()
-            .chain(defined)
-            .collect();
+        let mut all: Vec<_> = catalogue_of(sensor).chain(defined).collect();
         all.retain(|effect| effect.sensor() == sensor);
         for own in self.own.of(sensor) {
             if all.iter().any(|other| other.name() == own.name()) {
                 let found = Finding::of(Kind::EffectTaken).detail("name", own.name());
                 return Err(Complaint::new(format!("effects.{}", own.name()), found));
             }
-            all.push(own);
+            all.push(own.clone());
         }
         Ok(all)
     }

@@ -2,7 +2,7 @@
 
 use effects::{is_earth_rotation, looks_at_temperature, looks_at_vibration};
 use findings::{Finding, Kind};
-use sensor::{AnyEffect, Param, Role, Sensor, base_names};
+use sensor::{EffectRef, Param, Role, Sensor, base_names};
 
 use super::Spec;
 use super::complaint::{Complaint, number};
@@ -25,7 +25,7 @@ impl Spec {
             };
             for (parameter, value) in wanted {
                 let key = format!("{key}.{parameter}");
-                let own = || effect.params().iter().map(|p| p.name).chain([SIZE]);
+                let own = || effect.params().iter().map(|p| &*p.name).chain([SIZE]);
                 if !own().any(|n| n == parameter) {
                     let known = own().collect::<Vec<_>>().join(", ");
                     let found = Finding::of(Kind::ParameterUnknown)
@@ -34,7 +34,7 @@ impl Spec {
                         .or_nearest(parameter, own());
                     return Err(Complaint::new(key, found));
                 }
-                let own = effect.params().iter().find(|p| p.name == parameter);
+                let own = effect.params().iter().find(|p| p.name == *parameter);
                 let is_shape =
                     |p: &Param| matches!(p.role_by_name(), Role::Shape | Role::TimeConstant);
                 let smallest = if own.is_some_and(is_shape) {
@@ -68,7 +68,7 @@ impl Spec {
         Ok(())
     }
 
-    fn check_parameters(&self, all: &[&'static dyn AnyEffect]) -> Result<(), Complaint> {
+    fn check_parameters(&self, all: &[EffectRef]) -> Result<(), Complaint> {
         let mut known: Vec<String> = Sensor::ALL.into_iter().flat_map(base_names).collect();
         for effect in all.iter().filter(|e| self.effects.contains_key(e.name())) {
             known.extend(

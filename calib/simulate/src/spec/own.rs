@@ -2,11 +2,11 @@
 
 use std::fmt;
 
-use sensor::{AnyEffect, Sensor};
+use sensor::{EffectRef, Sensor};
 
 /// Effects of another crate, in the order in which they were added. They are told apart by their names.
 #[derive(Clone, Default)]
-pub struct OwnEffects(Vec<&'static dyn AnyEffect>);
+pub struct OwnEffects(Vec<EffectRef>);
 
 impl OwnEffects {
     /// These effects.
@@ -16,17 +16,17 @@ impl OwnEffects {
     ///
     /// assert_eq!(OwnEffects::new(&[]), OwnEffects::default());
     /// ```
-    pub fn new(effects: &[&'static dyn AnyEffect]) -> Self {
+    pub fn new(effects: &[EffectRef]) -> Self {
         Self(effects.to_vec())
     }
 
     /// Those of one sensor.
-    pub(super) fn of(&self, sensor: Sensor) -> impl Iterator<Item = &'static dyn AnyEffect> {
-        let all = self.0.iter().copied();
+    pub(super) fn of(&self, sensor: Sensor) -> impl Iterator<Item = &EffectRef> {
+        let all = self.0.iter();
         all.filter(move |effect| effect.sensor() == sensor)
     }
 
-    fn names(&self) -> impl Iterator<Item = &'static str> {
+    fn names(&self) -> impl Iterator<Item = &str> {
         self.0.iter().map(|effect| effect.name())
     }
 }

@@ -39,7 +39,7 @@ pub fn of(args: &Args) -> Result<Options, Failure> {
     let of_prior = prior.iter().flat_map(|p| &p.effects);
     for name in args.effects.iter().chain(of_prior) {
         let effect = effect_named(name).ok_or_else(|| {
-            let names: Vec<&str> = catalogue().map(|e| e.name()).collect();
+            let names: Vec<String> = catalogue().map(|e| e.name().to_owned()).collect();
             Failure::new(
                 USAGE,
                 format!(
@@ -50,7 +50,7 @@ pub fn of(args: &Args) -> Result<Options, Failure> {
         })?;
         if !effects
             .iter()
-            .any(|own: &&dyn sensor::AnyEffect| own.name() == name)
+            .any(|own: &sensor::EffectRef| own.name() == name)
         {
             effects.push(effect);
         }

@@ -7,7 +7,7 @@ use calib::intervals::{Span, read_sections};
 use calib::recording::figure;
 use calib::residuals::Integrator;
 use nalgebra::Vector3;
-use sensor::{AnyEffect, Sensor};
+use sensor::{EffectRef, Sensor};
 
 use super::arguments::{Args, FrameArg, GyroBiasArg, IntegratorArg, Method};
 use super::methods;
@@ -38,7 +38,7 @@ pub(super) fn request(args: &Args) -> Result<Request, Failure> {
             })
         })
         .collect::<Result<Vec<_>, _>>()?;
-    let of_another = |effect: &&&'static dyn AnyEffect| effect.sensor() != Sensor::Accelerometer;
+    let of_another = |effect: &&EffectRef| effect.sensor() != Sensor::Accelerometer;
     if let Some(effect) = effects
         .iter()
         .find(of_another)
@@ -121,10 +121,10 @@ fn refuse_unread(args: &Args) -> Result<(), Failure> {
 }
 
 /// Refuses a file of effects of which none is named.
-fn refuse_unnamed(own: &[&'static dyn AnyEffect], named: &[String]) -> Result<(), Failure> {
-    let is_named = |effect: &&&dyn AnyEffect| named.iter().any(|name| name == effect.name());
+fn refuse_unnamed(own: &[EffectRef], named: &[String]) -> Result<(), Failure> {
+    let is_named = |effect: &EffectRef| named.iter().any(|name| name == effect.name());
     match own.first() {
-        Some(first) if !own.iter().any(|effect| is_named(&effect)) => Err(Failure::new(
+        Some(first) if !own.iter().any(is_named) => Err(Failure::new(
             USAGE,
             format!(
                 "--effect-file: none of its effects is fitted; name it, as in --effects {}",
@@ -135,8 +135,8 @@ fn refuse_unnamed(own: &[&'static dyn AnyEffect], named: &[String]) -> Result<()
     }
 }
 
-fn catalogue_names(own: &[&'static dyn AnyEffect]) -> String {
-    let names: Vec<&str> = catalogue_with(own).map(|e| e.name()).collect();
+fn catalogue_names(own: &[EffectRef]) -> String {
+    let names: Vec<String> = catalogue_with(own).map(|e| e.name().to_owned()).collect();
     names.join(", ")
 }
 

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use calib::discover::Findings;
-use sensor::{AnyEffect, Axis, Covariate, Formula, Sensor, Term, emit_effect};
+use sensor::{Axis, Covariate, EffectRef, Formula, Sensor, Term, emit_effect};
 
 use crate::exit::{BUG, Failure, USAGE};
 use crate::output::{Output, Replace};
@@ -26,7 +26,7 @@ impl Emit {
         path: &Path,
         replace: Replace,
         inputs: &[&Path],
-        catalogue: &[&'static dyn AnyEffect],
+        catalogue: &[EffectRef],
     ) -> Result<Self, Failure> {
         let name = name_in(path).ok_or_else(|| {
             refused(path, "the effect bears the file's name: a name in snake case with the ending .rs expected, such as gyro_proposed.rs")

@@ -229,7 +229,7 @@ fn faults(integrity: &[Integrity]) -> Vec<String> {
     for fault in integrity {
         match kinds.iter_mut().find(|(name, _)| *name == fault.name) {
             Some((_, all)) => all.push(fault),
-            None => kinds.push((fault.name, vec![fault])),
+            None => kinds.push((&fault.name, vec![fault])),
         }
     }
     let recordings: Vec<&str> = integrity
@@ -290,7 +290,7 @@ fn next(args: &Args, findings: &Findings) -> Vec<Step> {
         ));
     }
     let rest = findings.unexplained.as_ref();
-    if let Some(effect) = rest.and_then(|rest| rest.fitted_by) {
+    if let Some(effect) = rest.and_then(|rest| rest.fitted_by.as_ref()) {
         steps.push(Step::new(
             "fit what is not named",
             format!("stillpoint calibrate {inputs}{place} --effects {effect} -o cal.json"),
@@ -304,7 +304,7 @@ fn next(args: &Args, findings: &Findings) -> Vec<Step> {
     let remedy = findings
         .integrity
         .iter()
-        .find_map(|fault| Some((fault.name, remedy_of(fault)?)));
+        .find_map(|fault| Some((&fault.name, remedy_of(fault)?)));
     if let Some((fault, remedy)) = remedy {
         steps.push(Step::words(format!(
             "Against {}: {remedy}.",

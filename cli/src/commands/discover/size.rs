@@ -6,7 +6,7 @@ use calib::calibration::effect_named;
 use calib::discover::EffectFinding;
 use calib::truth::supposed;
 use nalgebra::Vector3;
-use sensor::{AnyEffect, Kinematics, Sensor};
+use sensor::{EffectRef, Kinematics, Sensor};
 
 use super::words::unit_of;
 use crate::show;
@@ -23,11 +23,11 @@ pub fn of(effect: &EffectFinding, gravity: f64) -> String {
     let p: Vec<f64> = effect.parameters.iter().map(|p| p.value).collect();
     let std = effect.parameters.iter().map(|p| p.std.unwrap_or(0.0));
     let known = effect_named(&effect.name).filter(|known| known.params().len() == p.len());
-    let state = known.and_then(|known| at_a_state(known, &p, &std.collect::<Vec<_>>(), gravity));
+    let state = known.and_then(|known| at_a_state(&known, &p, &std.collect::<Vec<_>>(), gravity));
     state.or_else(|| shown(effect)).unwrap_or_default()
 }
 
-fn at_a_state(effect: &dyn AnyEffect, p: &[f64], std: &[f64], gravity: f64) -> Option<String> {
+fn at_a_state(effect: &EffectRef, p: &[f64], std: &[f64], gravity: f64) -> Option<String> {
     let directions = plan::faces_edges_corners();
     // Of parameters that only their sum is known of, each has a large error.
     let uncertainty = |truth: &Kinematics<f64>| {

@@ -82,10 +82,10 @@ pub fn places(findings: &Findings, effect: &EffectFinding) -> Vec<(String, f64, 
 /// The parameters of a named effect.
 pub fn parameters(effect: &EffectFinding) -> Vec<[String; 4]> {
     let known = effect_named(&effect.name);
-    let instant = known.and_then(|known| Some(known.params()[known.instant()?].name));
+    let instant = known.and_then(|known| Some(known.params()[known.instant()?].name.to_string()));
     let row = |p: &EffectParameter| {
         let mut row = parameter(p);
-        if instant == Some(p.name.as_str()) {
+        if instant.as_ref() == Some(&p.name) {
             row[0].push_str(", from the start");
         }
         row
@@ -212,7 +212,7 @@ pub fn faults(findings: &Findings) -> Rows<4> {
             .iter()
             .any(|f| Some(&f.recording) != first);
     let rows = findings.integrity.iter().map(|fault| {
-        let kind = match fault.name {
+        let kind = match &*fault.name {
             "outlying_turn" => "turn ",
             _ => "",
         };
@@ -220,7 +220,7 @@ pub fn faults(findings: &Findings) -> Rows<4> {
             .interval
             .map_or("all".into(), |k| format!("{kind}{k}"));
         [
-            words::or(fault.name, &fault.indistinguishable_from),
+            words::or(&fault.name, &fault.indistinguishable_from),
             match several {
                 true => format!("{}: {interval}", last_part(&fault.recording)),
                 false => interval,

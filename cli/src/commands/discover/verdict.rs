@@ -139,7 +139,7 @@ fn in_units(effect: &EffectFinding) -> String {
 fn faults(findings: &Findings) -> String {
     let mut kinds: Vec<(String, Vec<&Integrity>)> = Vec::new();
     for fault in &findings.integrity {
-        let called = or(fault.name, &fault.indistinguishable_from);
+        let called = or(&fault.name, &fault.indistinguishable_from);
         match kinds.iter_mut().find(|(name, _)| *name == called) {
             Some((_, all)) => all.push(fault),
             None => kinds.push((called, vec![fault])),
@@ -197,7 +197,7 @@ fn unexplained(rest: &Unexplained, is_explained: bool) -> String {
             remains(rest)
         );
     }
-    match rest.fitted_by {
+    match &rest.fitted_by {
         Some(effect) => format!(
             "something remains that is described and not named{by}: {}; `calibrate --effects {effect}` fits it",
             remains(rest)

@@ -12,7 +12,7 @@ use calib::methods::joint::ClockMode;
 use calib::recording::figure;
 use calib::{Calibration, Recording};
 use indicatif::ProgressBar;
-use sensor::AnyEffect;
+use sensor::EffectRef;
 
 use crate::exit::{Failure, USAGE};
 use crate::read_args::ReadArgs;
@@ -354,8 +354,8 @@ pub fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
 }
 
 /// The effects that `--effect-file` defines, each name once.
-pub fn own_effects(files: &[PathBuf]) -> Result<Vec<&'static dyn AnyEffect>, Failure> {
-    let mut own: Vec<&'static dyn AnyEffect> = Vec::new();
+pub fn own_effects(files: &[PathBuf]) -> Result<Vec<EffectRef>, Failure> {
+    let mut own: Vec<EffectRef> = Vec::new();
     for path in files {
         for effect in read_effects(path)? {
             let name = effect.name();

@@ -59,7 +59,7 @@ pub fn error_code(
 
 fn parsed(effect: &dyn AnyEffect, axis: Axis) -> Option<(Vec<Covariate>, Expression)> {
     let text = effect.formula(axis)?;
-    let (covariates, names) = Definition::names(effect.params().iter().map(|p| p.name));
+    let (covariates, names) = Definition::names(effect.params().iter().map(|p| &*p.name));
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     Some((covariates, Expression::parse(&text, &names).ok()?))
 }

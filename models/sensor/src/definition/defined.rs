@@ -1,6 +1,6 @@
 //! A definition that has been read: an effect like those that are compiled.
 
-use std::sync::{Mutex, PoisonError};
+use std::sync::Arc;
 
 use nalgebra::Vector3;
 use solver::{Jet, Jet2, Scalar};
@@ -9,7 +9,7 @@ use super::budget::{Budget, EffectFault};
 use super::{DefinedParam, Definition, DefinitionError, DefinitionFault};
 use crate::axis::Axis;
 use crate::covariate::Covariate;
-use crate::effect::AnyEffect;
+use crate::effect::{AnyEffect, EffectRef};
 use crate::expression::Expression;
 use crate::kinematics::{Kinematics, Sensor};
 use crate::param::Param;
@@ -18,21 +18,13 @@ use crate::quantity::Quantity;
 impl Definition {
     /// The effect that it defines.
     ///
-    /// It lives as long as the program, as those of the catalogue do; the same definition gives the
-    /// same effect.
-    ///
     /// # Errors
     /// [`DefinitionError`] with the entry: a name that is not snake case or taken twice, an expression
     /// that cannot be read (with the column), a number that makes no sense, an effect that is not
     /// silent at its nominal parameters.
-    pub fn effect(&self) -> Result<&'static dyn AnyEffect, DefinitionError> {
-        let mut defined = DEFINED.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(known) = defined.iter().find(|known| known.definition == *self) {
-            return Ok(*known);
-        }
-        let new: &'static Defined = Box::leak(Box::new(self.read()?));
-        defined.push(new);
-        Ok(new)
+    pub fn effect(&self) -> Result<EffectRef, DefinitionError> {
+        let defined: Arc<dyn AnyEffect> = Arc::new(self.read()?);
+        Ok(defined.into())
     }
 
     /// The covariates, and all names of an expression: theirs and those of the parameters.
@@ -81,68 +73,40 @@ impl Definition {
         let params: Vec<Param> = self.parameters.iter().map(parameter).collect();
         let defined = Defined {
             definition: self.clone(),
-            name: leak(&self.name),
-            equation: leak(&self.written_equation()),
+            equation: self.written_equation(),
             params,
             covariates,
             axes,
-            budget: Budget::new(cost),
+            budget: Budget::endless(cost),
         };
         defined.check_silent()?;
         Ok(defined)
     }
 }
 
-fn leak(text: &str) -> &'static str {
-    Box::leak(text.to_owned().into_boxed_str())
-}
-
 fn parameter(p: &DefinedParam) -> Param {
-    Param::new(leak(&p.name), leak(&p.unit), p.nominal).sized(p.typical)
+    let (name, unit) = (p.name.clone().into(), p.unit.clone().into());
+    Param {
+        name,
+        unit,
+        ..Param::new("", "", p.nominal).sized(p.typical)
+    }
 }
 
 /// A definition that has been read.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Defined {
     definition: Definition,
-    name: &'static str,
-    equation: &'static str,
+    equation: String,
     params: Vec<Param>,
     covariates: Vec<Covariate>,
     axes: [Option<Expression>; 3],
     budget: Budget,
 }
 
-/// Every definition that was read, once.
-static DEFINED: Mutex<Vec<&'static Defined>> = Mutex::new(Vec::new());
-
 /// Steps that the expressions of an effect may take together: a second for a hundred thousand readings and a dozen
 /// evaluations of each with derivatives.
 const COSTLIEST: u64 = 160;
-
-/// The definition behind an effect; `None` for a compiled one.
-fn defined(effect: &dyn AnyEffect) -> Option<&'static Defined> {
-    let definition = effect.definition()?;
-    let defined = DEFINED.lock().unwrap_or_else(PoisonError::into_inner);
-    defined
-        .iter()
-        .copied()
-        .find(|known| known.definition == *definition)
-}
-
-/// Grants a defined effect as many steps as fits of `samples` readings need, from now on. Compiled effects are not
-/// counted.
-pub fn grant_steps(effect: &dyn AnyEffect, samples: usize) {
-    if let Some(defined) = defined(effect) {
-        defined.budget.grant(samples);
-    }
-}
-
-/// Returns the fault of a defined effect since [`grant_steps`]: its steps are spent, or its error was not a number at
-/// some instant.
-pub fn fault_of(effect: &dyn AnyEffect) -> Option<EffectFault> {
-    defined(effect)?.budget.fault()
-}
 
 impl Defined {
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
@@ -212,14 +176,14 @@ fn probes() -> [Kinematics<f64>; 3] {
 }
 
 impl AnyEffect for Defined {
-    fn name(&self) -> &'static str {
-        self.name
+    fn name(&self) -> &str {
+        &self.definition.name
     }
     fn sensor(&self) -> Sensor {
         self.definition.sensor
     }
-    fn equation(&self) -> &'static str {
-        self.equation
+    fn equation(&self) -> &str {
+        &self.equation
     }
     fn formula(&self, axis: Axis) -> Option<String> {
         match self.definition.axis(axis).trim() {
@@ -247,6 +211,16 @@ impl AnyEffect for Defined {
     }
     fn definition(&self) -> Option<&Definition> {
         Some(&self.definition)
+    }
+    fn granted(&self, samples: usize) -> Option<EffectRef> {
+        let defined: Arc<dyn AnyEffect> = Arc::new(Self {
+            budget: self.budget.of(samples),
+            ..self.clone()
+        });
+        Some(defined.into())
+    }
+    fn fault(&self) -> Option<EffectFault> {
+        self.budget.fault()
     }
     fn error_f64(&self, truth: &Kinematics<f64>, p: &[f64]) -> Vector3<f64> {
         self.error(truth, p)
@@ -309,15 +283,6 @@ mod tests {
     }
 
     #[test]
-    fn the_same_definition_is_the_same_effect() {
-        let (one, two) = (swirl().effect().unwrap(), swirl().effect().unwrap());
-        assert!(std::ptr::addr_eq(one, two));
-        let mut other = swirl();
-        other.equation = "something".into();
-        assert!(!std::ptr::addr_eq(one, other.effect().unwrap()));
-    }
-
-    #[test]
     fn a_costly_expression_is_refused_and_spent_steps_are_said() {
         let nested = format!("k*{}fx{}", "sin(".repeat(40), ")".repeat(40));
         let (key, fault) = refused(|d| d.y = nested);
@@ -326,27 +291,23 @@ mod tests {
             matches!(fault, DefinitionFault::Costly { cost: 600..700, .. }),
             "{fault:?}"
         );
-        let mut own = swirl();
-        own.name = "gyro_swirl_counted".into();
-        let effect = own.effect().unwrap();
+        let endless = swirl().effect().unwrap();
+        let effect = endless.granted(1).unwrap();
         let truth = Kinematics::at_rest(Vector3::new(0.0, 2.0, 0.0));
         let p = [0.1, 1.0, 60.0];
-        grant_steps(effect, 1);
-        assert_eq!(fault_of(effect), None);
+        assert_eq!(effect.fault(), None);
         let evaluations = (0..1_000_000).take_while(|_| effect.error_f64(&truth, &p).x.is_finite());
         assert!((1000..100_000).contains(&evaluations.count()));
-        assert_eq!(fault_of(effect), Some(EffectFault::StepsSpent));
-        grant_steps(effect, 1);
-        assert_eq!(fault_of(effect), None);
+        assert_eq!(effect.fault(), Some(EffectFault::StepsSpent));
+        assert_eq!(effect.granted(1).unwrap().fault(), None);
+        assert_eq!(endless.fault(), None);
     }
 
     #[test]
     fn where_an_expression_is_no_number_is_remembered() {
         let mut own = swirl();
-        own.name = "gyro_swirl_rooted".into();
         own.x = "k * sqrt(8.5 - fx)".into();
-        let effect = own.effect().unwrap();
-        grant_steps(effect, 100);
+        let effect = own.effect().unwrap().granted(100).unwrap();
         let at = |x: f64| {
             effect.error_f64(
                 &Kinematics::at_rest(Vector3::new(x, 0.0, 0.0)),
@@ -354,14 +315,14 @@ mod tests {
             )
         };
         assert!(at(8.0).x.is_finite());
-        assert_eq!(fault_of(effect), None);
+        assert_eq!(effect.fault(), None);
         assert!(at(9.0).x.is_nan());
         let fault = EffectFault::NoNumber {
             force: [9.0, 0.0, 0.0],
             rate: [0.0; 3],
             parameters: vec![0.1, 1.0, 60.0],
         };
-        assert_eq!(fault_of(effect), Some(fault));
+        assert_eq!(effect.fault(), Some(fault));
     }
 
     #[test]

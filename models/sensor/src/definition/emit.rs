@@ -23,9 +23,9 @@ pub fn emit_effect(formula: &Formula, name: &str) -> Result<String, DefinitionEr
     let effect = formula.effect(name)?;
     let parts = [
         head(formula),
-        doc(formula, effect),
-        implementation(formula, effect),
-        test(formula, effect),
+        doc(formula, &*effect),
+        implementation(formula, &*effect),
+        test(formula, &*effect),
     ];
     Ok(parts.concat())
 }
@@ -83,7 +83,7 @@ fn doc(formula: &Formula, effect: &dyn AnyEffect) -> String {
         signal.to_lowercase()
     );
     for (term, p) in formula.terms.iter().zip(effect.params()) {
-        let unit = if p.unit.is_empty() { "1" } else { p.unit };
+        let unit = if p.unit.is_empty() { "1" } else { &p.unit };
         let axis = term.axis;
         let _ = writeln!(
             text,

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use crate::axis::Axis;
 use crate::covariate::{Covariate, Dimension};
 use crate::definition::{DefinedParam, Definition, DefinitionError, DefinitionFault};
-use crate::effect::AnyEffect;
+use crate::effect::EffectRef;
 use crate::kinematics::Sensor;
 
 /// `eᵢ = Σ cₖ Πⱼ xⱼ^nⱼ`: linear in its coefficients, silent where they are 0.
@@ -171,7 +171,7 @@ impl Formula {
     /// # Errors
     /// [`DefinitionError`] for a name that is not snake case, for no terms, for two terms that are the
     /// same, for a power or a size of 0.
-    pub fn effect(&self, name: &str) -> Result<&'static dyn AnyEffect, DefinitionError> {
+    pub fn effect(&self, name: &str) -> Result<EffectRef, DefinitionError> {
         for (k, term) in self.terms.iter().enumerate() {
             if let Some(zero) = term.factors.iter().find(|factor| factor.power == 0) {
                 let fault = DefinitionFault::PowerOfZero(zero.covariate.name());

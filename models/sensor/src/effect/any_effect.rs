@@ -3,8 +3,9 @@
 use nalgebra::Vector3;
 use solver::{Jet, Jet2, Scalar};
 
+use super::shared::EffectRef;
 use crate::axis::Axis;
-use crate::definition::Definition;
+use crate::definition::{Definition, EffectFault};
 use crate::kinematics::{Kinematics, Sensor};
 use crate::param::{Param, Role};
 use crate::quantity::Quantity;
@@ -25,11 +26,11 @@ pub enum Nature {
 /// An [`Effect`](super::Effect) behind a pointer; derived for every effect.
 pub trait AnyEffect: Send + Sync {
     /// Unique name in snake case.
-    fn name(&self) -> &'static str;
+    fn name(&self) -> &str;
     /// The sensor that has it.
     fn sensor(&self) -> Sensor;
     /// The equation as users read it.
-    fn equation(&self) -> &'static str;
+    fn equation(&self) -> &str;
     /// The error on an axis as an expression, where there is one.
     fn formula(&self, axis: Axis) -> Option<String> {
         let _ = axis;
@@ -69,6 +70,16 @@ pub trait AnyEffect: Send + Sync {
     }
     /// The text that defines it; `None` for what is compiled.
     fn definition(&self) -> Option<&Definition> {
+        None
+    }
+    /// The same effect with the steps that fits of `samples` readings may take, counted from here; `None` for what is compiled, which takes
+    /// what it takes.
+    fn granted(&self, samples: usize) -> Option<EffectRef> {
+        let _ = samples;
+        None
+    }
+    /// Its fault so far: steps that are spent, or an error that was no number.
+    fn fault(&self) -> Option<EffectFault> {
         None
     }
     /// [`Effect::error`](crate::Effect::error) for values.

@@ -115,8 +115,8 @@ mod tests {
             Quantity::LastChange,
         ];
         assert_eq!(effect.needs(), needs);
-        assert_eq!(observed_needs(effect), needs);
-        let silent = silent_at_rest(effect);
+        assert_eq!(observed_needs(&*effect), needs);
+        let silent = silent_at_rest(&*effect);
         assert_eq!(silent, [(0, vec![Quantity::AngularAcceleration])]);
     }
 }

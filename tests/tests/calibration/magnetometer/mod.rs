@@ -4,13 +4,14 @@ mod bound;
 
 use calib::calibrate::{Method, Request, calibrate};
 use calib::calibration::{Calibration, apply, effect_named};
+use calib::effects::catalogue_of;
 use calib::evaluate;
 use calib::intervals::Segmentation;
 use calib::methods::cut;
 use calib::recording::{FieldUnit, Recording};
 use calib::simulate::{HandHeld, MagneticField, Motion, Session, Spec};
 use nalgebra::Matrix3;
-use sensor::{AnyEffect, Base, Sensor};
+use sensor::{Base, EffectRef, Sensor};
 
 fn spec(seed: u64, unevenness: f64) -> Spec {
     Spec {
@@ -149,8 +150,8 @@ fn segmented(recording: &Recording) -> Segmentation {
 
 #[test]
 fn effects_are_estimated_saved_and_applied() {
-    let effects = magnetometer::EFFECTS.to_vec();
-    let all = |spec: Spec, effect: &&'static dyn AnyEffect| spec.with_effect(effect.name(), 3.0);
+    let effects: Vec<EffectRef> = catalogue_of(Sensor::Magnetometer).collect();
+    let all = |spec: Spec, effect: &EffectRef| spec.with_effect(effect.name(), 3.0);
     let session = effects.iter().fold(spec(11, 0.0), all).run().unwrap();
     let asked = Request {
         effects: effects.clone(),
@@ -200,7 +201,7 @@ fn whoever_asks_for_the_accelerometer_alone_gets_no_magnetometer() {
 
 #[test]
 fn an_effect_that_the_model_lacks_is_named() {
-    for effect in magnetometer::EFFECTS {
+    for effect in catalogue_of(Sensor::Magnetometer) {
         let session = spec(12, 0.0).with_effect(effect.name(), 3.0).run().unwrap();
         let bare = calibrated(&session, &request(Method::Stepwise));
         let named = format!("depend on {},", effect.name());
@@ -212,7 +213,7 @@ fn an_effect_that_the_model_lacks_is_named() {
             bare.warnings
         );
         let asked = Request {
-            effects: vec![*effect],
+            effects: vec![effect],
             ..request(Method::Stepwise)
         };
         assert!(!names_an_effect(&calibrated(&session, &asked)));

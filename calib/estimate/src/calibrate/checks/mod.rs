@@ -30,7 +30,7 @@ use ::findings::{Finding, Kind};
 use nalgebra::Vector3;
 use recording::readings::{Quiet, quietest, symptoms};
 use recording::{Error, Recording, Stream};
-use sensor::{AnyEffect, Quantity};
+use sensor::{EffectRef, Quantity};
 
 use crate::methods::Choice;
 use crate::residuals::StaticMean;
@@ -78,7 +78,7 @@ pub(super) fn bare_mean(raw: Vector3<f64>) -> StaticMean {
 }
 
 /// Refuses effects that look at more than the specific force: of means from a file nothing else is known.
-pub(super) fn force_is_all_they_need(effects: &[&'static dyn AnyEffect]) -> Result<(), Error> {
+pub(super) fn force_is_all_they_need(effects: &[EffectRef]) -> Result<(), Error> {
     for effect in effects {
         let all = effect.needs().into_iter();
         if let Some(need) = all.clone().find(|need| *need != Quantity::SpecificForce) {

@@ -46,8 +46,8 @@ pub(super) fn calibrate(
     checks::refuse_unknowable(cut.iter().copied(), &request.effects)?;
     let (mut accelerometer, mut gyroscope) = (accelerometer::model(), gyroscope::model());
     for effect in &request.effects {
-        accelerometer = accelerometer.with(*effect);
-        gyroscope = gyroscope.with(*effect);
+        accelerometer = accelerometer.with(effect.clone());
+        gyroscope = gyroscope.with(effect.clone());
     }
     // Where nobody says the latitude and no effect estimates it, the earth's rotation is uncertainty.
     let earth = request.latitude.is_none() && !earth::is_among(&request.effects);

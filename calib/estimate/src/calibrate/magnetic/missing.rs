@@ -1,7 +1,7 @@
 //! An effect of the magnetometer that the readings go with and the model lacks.
 
 use nalgebra::DVector;
-use sensor::{AnyEffect, Model, Quantity};
+use sensor::{EffectRef, Model, Quantity, Sensor};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use crate::methods::magnetic::MagneticFit;
@@ -23,12 +23,12 @@ pub fn effect(
     found: &MagneticFit,
     has_temperature: bool,
     fit: impl Fn(&Model) -> Option<MagneticFit>,
-) -> Option<(&'static dyn AnyEffect, f64)> {
+) -> Option<(EffectRef, f64)> {
     // An even field leaves nothing to explain.
     if found.unevenness == 0.0 {
         return None;
     }
-    let candidates = magnetometer::EFFECTS.iter().copied().filter(|effect| {
+    let candidates = effects::catalogue_of(Sensor::Magnetometer).filter(|effect| {
         let own = model
             .effects()
             .iter()
@@ -37,11 +37,12 @@ pub fn effect(
         !own && (has_temperature || !thermal)
     });
     let judged = candidates.filter_map(|effect| {
-        let larger = fit(&model.clone().with(effect))?;
+        let larger = fit(&model.clone().with(effect.clone()))?;
         if larger.unevenness >= EXPLAINED * found.unevenness {
             return None;
         }
-        Some((effect, by_chance(&larger, effect.params().len())?))
+        let p = by_chance(&larger, effect.params().len())?;
+        Some((effect, p))
     });
     let (effect, p) = judged.min_by(|a, b| a.1.total_cmp(&b.1))?;
     let p = p * magnetometer::EFFECTS.len() as f64;

@@ -14,7 +14,7 @@ mod write;
 use findings::{Finding, Kind};
 use inertial::Inertial;
 use recording::{Error, FieldUnit, Recording, figure};
-use sensor::{AnyEffect, Quantity, Sensor};
+use sensor::{EffectRef, Quantity, Sensor};
 
 use super::checks::turned_field;
 use super::outcome::Outcome;
@@ -34,7 +34,7 @@ pub(super) fn with_magnetometer(
     recordings: &[&Recording],
     request: &Request,
 ) -> Result<Outcome, Error> {
-    let asked = |effect: &&&'static dyn AnyEffect| effect.sensor() == Sensor::Magnetometer;
+    let asked = |effect: &&EffectRef| effect.sensor() == Sensor::Magnetometer;
     let asked = request.effects.iter().find(asked);
     if recordings.iter().all(|r| r.magnetometer.is_none()) {
         return match asked {
@@ -82,7 +82,9 @@ fn fitted(
         return Err(Error::not_enough(Finding::of(Kind::AttitudeNotSeen)));
     }
     let effects = request.effects.iter();
-    let model = effects.fold(magnetometer::model(), |model, effect| model.with(*effect));
+    let model = effects.fold(magnetometer::model(), |model, effect| {
+        model.with(effect.clone())
+    });
     let inertial = Inertial::of(&outcome.calibration);
     let with_field: Vec<usize> = (0..recordings.len())
         .filter(|&k| recordings[k].magnetometer.is_some())

@@ -3,7 +3,7 @@
 use findings::{Finding, Kind, OptionName, Remedy};
 use nalgebra::{DMatrix, DVector};
 use recording::FieldUnit;
-use sensor::{AnyEffect, Model, Sensor};
+use sensor::{EffectRef, Model, Sensor};
 
 use super::inertial::Inertial;
 use crate::calibrate::assemble;
@@ -27,7 +27,7 @@ pub struct Written<'a> {
     pub unit: Option<FieldUnit>,
     pub strength_given: bool,
     /// An effect that the readings go with and the model lacks, and the probability of so much by chance.
-    pub missing: Option<(&'static dyn AnyEffect, f64)>,
+    pub missing: Option<(EffectRef, f64)>,
     /// True if the magnetometer also corrects accelerometer and gyroscope.
     pub updates_others: bool,
 }
@@ -172,7 +172,7 @@ fn warnings(written: &Written<'_>) -> Vec<Finding> {
                 .number("noise", fit.residual_rms / fit.reduced_chi2.sqrt(), unit),
         );
     }
-    all.extend(written.missing.map(|(effect, p)| {
+    all.extend(written.missing.as_ref().map(|(effect, p)| {
         of(Kind::MagneticEffect)
             .detail("effect", effect.name())
             .detail("p", format!("{p:.0e}"))

@@ -6,7 +6,7 @@ use findings::{Finding, Findings, Kind};
 use nalgebra::Vector3;
 use recording::intervals::Segmentation;
 use recording::{Error, Recording};
-use sensor::{AnyEffect, Model, Quantity};
+use sensor::{EffectRef, Model, Quantity};
 
 use super::cut::Cut;
 use super::outcome::Outcome;
@@ -138,7 +138,7 @@ fn accelerometer(
     }
     let mut fit = fit_accelerometer(&request)?;
     if choices.len() == request.recordings.len()
-        && request.model.effects().iter().any(|e| looks_back(*e))
+        && request.model.effects().iter().any(|e| looks_back(e))
     {
         let shared = request.model.parameter_count();
         for _ in 0..HISTORIES {
@@ -201,7 +201,7 @@ fn gyroscope(
         integrator: request.integrator,
     };
     let mut fit = fit_gyroscope(&asked)?;
-    if asked.model.effects().iter().any(|e| follows_the_fit(*e)) {
+    if asked.model.effects().iter().any(|e| follows_the_fit(e)) {
         let shared = asked.model.parameter_count();
         let p = fit.fitted.parameters.values()[..shared].to_vec();
         let fitted = Sensing::new(asked.model.clone(), p);
@@ -214,13 +214,13 @@ fn gyroscope(
 
 /// Returns true if the effect depends on the force before, or on vibration: the accelerometer's own fit decides whether a
 /// change of force counts.
-fn looks_back(effect: &dyn AnyEffect) -> bool {
+fn looks_back(effect: &EffectRef) -> bool {
     let looks = [Quantity::LastChange, Quantity::Vibration];
     effect.needs().iter().any(|need| looks.contains(need))
 }
 
 /// Returns true if the effect depends on quantities that the gyroscope's own fit provides.
-fn follows_the_fit(effect: &dyn AnyEffect) -> bool {
+fn follows_the_fit(effect: &EffectRef) -> bool {
     let from_rates = [Quantity::AngularAcceleration, Quantity::Attitude];
     effect.needs().iter().any(|need| from_rates.contains(need))
 }
@@ -264,11 +264,15 @@ fn known_means(
 /// The accelerometer's base model with its effects.
 fn accelerometer_model(request: &Request) -> Model {
     let effects = request.effects.iter();
-    effects.fold(accelerometer::model(), |model, effect| model.with(*effect))
+    effects.fold(accelerometer::model(), |model, effect| {
+        model.with(effect.clone())
+    })
 }
 
 /// The gyroscope's base model with its effects.
 fn gyroscope_model(request: &Request) -> Model {
     let effects = request.effects.iter();
-    effects.fold(gyroscope::model(), |model, effect| model.with(*effect))
+    effects.fold(gyroscope::model(), |model, effect| {
+        model.with(effect.clone())
+    })
 }

@@ -1,7 +1,7 @@
 //! Fit, measure the noise, look for disturbances, fit again.
 
 use recording::Error;
-use sensor::{AnyEffect, Quantity, Sensor};
+use sensor::{EffectRef, Quantity, Sensor};
 
 use super::data::{Cut, Data};
 use super::fit::JointFit;
@@ -87,7 +87,7 @@ fn begin(request: &JointRequest<'_>, start: &Start, cuts: &[Cut<'_>]) -> Result<
     let mut data = request
         .before
         .map_or_else(|| cut_up(cuts), |before| before.data.clone());
-    let look = |effect: &&'static dyn AnyEffect| {
+    let look = |effect: &EffectRef| {
         let mut needs = effect.needs().into_iter();
         needs.any(Quantity::is_told_by_intervals)
     };

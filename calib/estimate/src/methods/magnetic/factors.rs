@@ -154,9 +154,8 @@ mod tests {
     use crate::methods::magnetic::placement::tests::at;
 
     fn reading() -> (Model, Placement) {
-        let model = magnetometer::EFFECTS
-            .iter()
-            .fold(magnetometer::model(), |model, effect| model.with(*effect));
+        let model = effects::catalogue_of(sensor::Sensor::Magnetometer)
+            .fold(magnetometer::model(), Model::with);
         let mut placement = at(Vector3::new(0.3, 0.5, 0.8), Vector3::new(20.0, -10.0, 40.0));
         placement.known.temperature = 31.0;
         placement.tilt = vec![Vector3::new(0.1, 0.2, -0.3), Vector3::new(0.0, 0.4, 0.1)];

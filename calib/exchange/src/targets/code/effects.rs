@@ -2,7 +2,7 @@
 
 use calib::effects::force_sensitivity;
 use sensor::expression::Language;
-use sensor::{AnyEffect, Axis, Covariate, REFERENCE_TEMPERATURE, Sensor, error_code};
+use sensor::{Axis, Covariate, EffectRef, REFERENCE_TEMPERATURE, Sensor, error_code};
 
 use crate::source::Source;
 
@@ -40,7 +40,7 @@ impl Effects {
     pub fn of(source: &Source<'_>, language: Language) -> Option<Self> {
         let mut effects = source.calibration.effects.iter();
         let others = effects.find(|values| {
-            let effect = values.effect().ok().filter(|effect| is_code(*effect));
+            let effect = values.effect().ok().filter(|effect| is_code(effect));
             effect.is_some_and(|effect| effect.name() != force_sensitivity().name())
         });
         others?;
@@ -105,12 +105,12 @@ fn sum(
 ) -> String {
     let mut terms = Vec::new();
     for values in &source.calibration.effects {
-        let effect = values.effect().ok().filter(|effect| is_code(*effect));
+        let effect = values.effect().ok().filter(|effect| is_code(effect));
         let Some(effect) = effect.filter(|effect| effect.sensor() == sensor) else {
             continue;
         };
         let p: Vec<f64> = values.parameters.iter().map(|v| v.value).collect();
-        let Some(code) = error_code(effect, &p, axis, language) else {
+        let Some(code) = error_code(&*effect, &p, axis, language) else {
             continue;
         };
         covariates.extend(code.covariates);
@@ -123,7 +123,7 @@ fn sum(
 }
 
 /// Returns true of an effect of the accelerometer or the gyroscope that is a formula of force, rate, time and temperature of one instant.
-pub fn is_code(effect: &dyn AnyEffect) -> bool {
+pub fn is_code(effect: &EffectRef) -> bool {
     let is_known = |covariate: &Covariate| {
         matches!(
             covariate,
@@ -137,7 +137,7 @@ pub fn is_code(effect: &dyn AnyEffect) -> bool {
     let p = vec![1.0; effect.params().len()];
     effect.sensor() != Sensor::Magnetometer
         && Axis::ALL.iter().all(|axis| {
-            let code = error_code(effect, &p, *axis, Language::Rust);
+            let code = error_code(&**effect, &p, *axis, Language::Rust);
             code.is_some_and(|code| code.covariates.iter().all(is_known))
         })
 }

@@ -54,7 +54,7 @@ pub(super) fn distributions(
             number(median(&errors)),
             number(least),
             number(greatest),
-            unit(name).into(),
+            unit(name),
             limit,
         ]);
     }
@@ -74,15 +74,16 @@ pub(super) fn distributions(
 }
 
 /// The unit of a parameter: biases in SI units, scale factors and misalignments without one, coefficients in their own.
-fn unit(name: &str) -> &'static str {
+fn unit(name: &str) -> String {
     let (owner, parameter) = name.split_once('.').unwrap_or(("", name));
     match (owner, parameter) {
-        ("accel", p) if p.starts_with("b_") => "m/s²",
-        ("gyro", p) if p.starts_with("b_") => "rad/s",
+        ("accel", p) if p.starts_with("b_") => "m/s²".to_owned(),
+        ("gyro", p) if p.starts_with("b_") => "rad/s".to_owned(),
         _ => {
-            let params = effect_named(owner).map_or(&[][..], |effect| effect.params());
-            let own = params.iter().find(|p| p.name == parameter);
-            own.map_or("", |p| p.unit)
+            let effect = effect_named(owner);
+            let mut params = effect.iter().flat_map(|effect| effect.params());
+            let own = params.find(|p| p.name == parameter);
+            own.map_or_else(String::new, |p| p.unit.to_string())
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Errors of the joint fit's parameters by an effect that its model leaves out.
 
 use faer::Mat;
-use sensor::AnyEffect;
+use sensor::EffectRef;
 
 use crate::methods::joint::blocks::basis::Basis;
 use crate::methods::joint::blocks::columns::Columns;
@@ -14,16 +14,16 @@ impl JointFit {
     /// its usual size, if the model leaves it out.
     ///
     /// `None` where the data do not determine the parameters.
-    pub fn squares_added_by(&self, effects: &[&dyn AnyEffect]) -> Vec<Option<Vec<f64>>> {
+    pub fn squares_added_by(&self, effects: &[EffectRef]) -> Vec<Option<Vec<f64>>> {
         let m = self.residuals.len();
         let sensitivities = self.sensitivities();
         let others = self.columns_of_others();
         let reduced = self.reduced.to_dense();
         let residuals = Mat::from_fn(m, 1, |i, _| self.residuals[i]);
-        let of = |effect: &&dyn AnyEffect| {
+        let of = |effect: &EffectRef| {
             let count = effect.params().len();
             let (nothing, wanted) = (vec![0.0; count], (0..count).collect::<Vec<_>>());
-            let added = effect_columns(&sensitivities, m, *effect, &nothing, &wanted);
+            let added = effect_columns(&sensitivities, m, effect, &nothing, &wanted);
             let added = Columns::cut(&added, self.whitening.white.groups());
             let mut added = self.whitening.whiten(added);
             // Twice is enough: what the first projection leaves of rounding, the second takes.

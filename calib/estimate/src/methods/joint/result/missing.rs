@@ -1,8 +1,9 @@
 //! An effect that the rows speak for, by a score test.
 
+use effects::catalogue_of;
 use faer::ColRef;
 use recording::Recording;
-use sensor::{AnyEffect, Kinematics, Quantity, Role};
+use sensor::{EffectRef, Kinematics, Quantity, Role, Sensor};
 
 use crate::methods::joint::blocks::basis::Basis;
 use crate::methods::joint::blocks::columns::Columns;
@@ -13,10 +14,10 @@ use crate::methods::joint::rows::sensitivity::Sensitivities;
 use crate::methods::small_sample::by_chance;
 
 /// An effect that the model lacks.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Missing {
     /// The likeliest of those tried.
-    pub effect: &'static dyn AnyEffect,
+    pub effect: EffectRef,
     /// `|P_E r|²`: what its columns explain of the whitened residual beside the model's parameters.
     pub statistic: f64,
     /// Degrees of freedom.
@@ -34,21 +35,20 @@ impl JointFit {
     /// under the model `|P r|²`, `P` onto what `J` leaves of `E`, is `χ²` of the rank of that. It looks at the turns too, which
     /// see most of what changes a direction and not a norm.
     pub fn missing(&self, recordings: &[&Recording]) -> Option<Missing> {
-        let own = |effect: &&'static dyn AnyEffect| {
+        let own = |effect: &EffectRef| {
             let mut own = self.models.iter().flat_map(|model| model.effects());
             own.any(|other| other.name() == effect.name())
         };
         let is_told = recordings.iter().all(|r| r.temperature.is_some());
-        let all = accelerometer::EFFECTS.iter().chain(gyroscope::EFFECTS);
-        let is_tried =
-            |effect: &&'static dyn AnyEffect| goes_by_signal(*effect, is_told) && !own(effect);
-        let tried: Vec<_> = all.copied().filter(is_tried).collect();
+        let all = catalogue_of(Sensor::Accelerometer).chain(catalogue_of(Sensor::Gyroscope));
+        let is_tried = |effect: &EffectRef| goes_by_signal(effect, is_told) && !own(effect);
+        let tried: Vec<_> = all.filter(is_tried).collect();
         let whitening = self.noise_whitening();
         let model = Basis::of(&whitening.finish_columns(self.white_jacobian.clone()));
         let residuals = whitening.finish_column(&self.white_residuals);
         let residuals = ColRef::from_slice(&residuals);
         let sensitivities = self.sensitivities_with_covariates(recordings);
-        let found = tried.iter().filter_map(|&effect| {
+        let found = tried.iter().filter_map(|effect| {
             let p: Vec<f64> = effect.params().iter().map(|p| p.nominal).collect();
             let wanted: Vec<usize> = (0..p.len()).collect();
             let mut columns =
@@ -60,7 +60,7 @@ impl JointFit {
             let statistic = (basis.transpose() * residuals).squared_norm_l2();
             let dof = basis.ncols();
             (dof > 0).then(|| Missing {
-                effect,
+                effect: effect.clone(),
                 statistic,
                 dof,
                 p_value: (by_chance(statistic, dof as f64) * tried.len() as f64).min(1.0),
@@ -97,7 +97,7 @@ impl JointFit {
 
 /// Returns true if an effect goes by the signal of its sensor, alone or with time or, where that `is_told`, temperature, and is linear in
 /// its parameters.
-fn goes_by_signal(effect: &dyn AnyEffect, is_told: bool) -> bool {
+fn goes_by_signal(effect: &EffectRef, is_told: bool) -> bool {
     let (needs, signal) = (effect.needs(), Quantity::signal_of(effect.sensor()));
     let may = |need: &Quantity| match need {
         Quantity::Time => true,

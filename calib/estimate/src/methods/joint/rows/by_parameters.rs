@@ -1,13 +1,13 @@
 //! The derivatives of an effect by its parameters.
 
 use nalgebra::Vector3;
-use sensor::{AnyEffect, Kinematics};
+use sensor::{EffectRef, Kinematics};
 use solver::scalar::{derivatives, variable};
 use solver::{Jet, LANES, lit};
 
 /// The derivatives of an effect by some of its parameters, for many instants.
 pub struct ByParameters<'a> {
-    effect: &'a dyn AnyEffect,
+    effect: &'a EffectRef,
     passes: Passes,
 }
 
@@ -43,7 +43,7 @@ impl Passes {
 
 impl<'a> ByParameters<'a> {
     /// By the parameters `wanted` at their values `p`.
-    pub fn new(effect: &'a dyn AnyEffect, p: &[f64], wanted: &[usize]) -> Self {
+    pub fn new(effect: &'a EffectRef, p: &[f64], wanted: &[usize]) -> Self {
         let passes = if effect.is_linear() {
             Passes::units(p.len(), wanted)
         } else {
@@ -54,7 +54,7 @@ impl<'a> ByParameters<'a> {
 
     /// By all parameters, as of an effect that is not linear in them.
     #[cfg(test)]
-    pub fn by_jets(effect: &'a dyn AnyEffect, p: &[f64]) -> Self {
+    pub fn by_jets(effect: &'a EffectRef, p: &[f64]) -> Self {
         let all: Vec<usize> = (0..p.len()).collect();
         let passes = Passes::jets(p, &all);
         Self { effect, passes }

@@ -2,7 +2,7 @@
 
 use faer::Mat;
 use nalgebra::{Matrix2x3, Vector2, Vector3};
-use sensor::{AnyEffect, Kinematics, Sensor};
+use sensor::{EffectRef, Kinematics, Sensor};
 
 use super::by_parameters::ByParameters;
 use super::sensitivity::{MeanSensitivity, Sensitivities};
@@ -91,7 +91,7 @@ pub fn error_columns(
 pub fn effect_columns(
     sensitivities: &Sensitivities,
     m: usize,
-    effect: &dyn AnyEffect,
+    effect: &EffectRef,
     p: &[f64],
     wanted: &[usize],
 ) -> Mat<f64> {
@@ -110,7 +110,7 @@ pub fn effect_columns(
 pub fn step_columns(
     sensitivities: &Sensitivities,
     m: usize,
-    effect: &dyn AnyEffect,
+    effect: &EffectRef,
     (p, wanted): (&[f64], &[usize]),
     instants: &[f64],
 ) -> Mat<f64> {
@@ -161,7 +161,7 @@ pub fn step_columns(
 
 /// Pushes `∂e/∂p` of the parameters `wanted`.
 pub fn effect_slopes(
-    effect: &dyn AnyEffect,
+    effect: &EffectRef,
     truth: &Kinematics<f64>,
     p: &[f64],
     wanted: &[usize],

@@ -143,9 +143,8 @@ mod tests {
             ..JointRequest::new(vec![(&recording, &segmentation)], 9.80665)
         })
         .unwrap();
-        let by_name = |e: &&&'static dyn sensor::AnyEffect| e.name() == "gyro_quadratic";
-        let quadratic = gyroscope::EFFECTS.iter().find(by_name).unwrap();
-        let model = gyroscope::model().with(*quadratic);
+        let quadratic = effects::effect_named("gyro_quadratic").unwrap();
+        let model = gyroscope::model().with(quadratic);
         let rows = Rows::new(
             &fit.data,
             (&fit.models[0], &model),

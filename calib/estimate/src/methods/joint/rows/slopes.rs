@@ -1,7 +1,7 @@
 //! The effects of a model with their derivatives, by forward mode, a few columns of one effect per pass.
 
 use nalgebra::{Matrix3, Vector3};
-use sensor::{AnyEffect, BASE_PARAMETERS, Kinematics, Model, Sensor};
+use sensor::{BASE_PARAMETERS, EffectRef, Kinematics, Model, Sensor};
 use solver::scalar::{derivatives, variable};
 use solver::{Jet, lit};
 
@@ -23,7 +23,7 @@ pub struct ModelSlopes<'a> {
 }
 
 struct OfEffect<'a> {
-    effect: &'a dyn AnyEffect,
+    effect: &'a EffectRef,
     p: &'a [f64],
     /// `p` without derivatives; `None` of an effect whose error does not depend on the signal.
     constants: Option<Vec<Jet>>,
@@ -34,16 +34,16 @@ impl<'a> ModelSlopes<'a> {
     /// With the model's parameters `p`, by the signal that `by` measures.
     pub fn new(model: &'a Model, p: &'a [f64], by: Sensor) -> Self {
         let mut from = BASE_PARAMETERS;
-        let own = |effect: &&'static dyn AnyEffect| {
+        let own = |effect: &'a EffectRef| {
             let own = &p[from..from + effect.params().len()];
             from += own.len();
             let all: Vec<usize> = (0..own.len()).collect();
             let is_apart = effect.is_linear() && effect.sensor() == by;
             OfEffect {
-                effect: *effect,
+                effect,
                 p: own,
                 constants: (!is_apart).then(|| own.iter().map(|&v| lit(v)).collect()),
-                by_parameters: ByParameters::new(*effect, own, &all),
+                by_parameters: ByParameters::new(effect, own, &all),
             }
         };
         Self {
@@ -116,11 +116,11 @@ mod tests {
             vibration: Vector3::new(0.1, 0.2, 0.3),
             ..Kinematics::at_rest(Vector3::zeros())
         };
-        let all = gyroscope::EFFECTS.iter().copied();
+        let all = effects::catalogue_of(Sensor::Gyroscope);
         let linear: Vec<_> = all.filter(|effect| effect.is_linear()).collect();
         assert!(linear.len() > 5);
         for effect in linear {
-            let model = Model::base(Sensor::Gyroscope).with(effect);
+            let model = Model::base(Sensor::Gyroscope).with(effect.clone());
             let mut p = model.parameters().values().to_vec();
             for (k, value) in p.iter_mut().enumerate().skip(BASE_PARAMETERS) {
                 *value = 1e-3 * (k as f64).sin();
