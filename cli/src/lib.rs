@@ -89,7 +89,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
     };
     cli.terminal.install();
     let result = std::panic::catch_unwind(AssertUnwindSafe(|| {
-        steps::told(|| commands::run(cli.command, Cli::command))
+        commands::run(cli.command, Cli::command)
     }));
     match result {
         Ok(Ok(())) => 0,

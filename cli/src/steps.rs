@@ -2,12 +2,10 @@
 
 use std::io::Write;
 use std::ops::ControlFlow;
-use std::sync::{Arc, Mutex};
+use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
-use calib::watch::{Progress, watched};
-
-use crate::exit::Failure;
+use calib::watch::{Progress, Watch};
 
 /// Asks for the lines where it is set.
 const ASKED: &str = "STILLPOINT_PROGRESS";
@@ -16,13 +14,13 @@ const MARK: &str = "\u{1e}progress";
 /// Shortest time between two lines.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// Runs `work` and returns its result. Prints its steps if the environment asks for it: `\u{1e}progress fitting 34`.
-pub fn told(work: impl FnOnce() -> Result<(), Failure>) -> Result<(), Failure> {
+/// A watch that prints the steps of a command if the environment asks for it: `\u{1e}progress fitting 34`.
+pub fn watch() -> Watch {
     if std::env::var_os(ASKED).is_none() {
-        return work();
+        return Watch::default();
     }
     let last: Mutex<Option<Instant>> = Mutex::new(None);
-    let tell = move |progress: Progress| {
+    Watch::new(move |progress: Progress| {
         if let Ok(mut last) = last.lock()
             && last.is_none_or(|last| last.elapsed() >= PAUSE)
         {
@@ -31,6 +29,5 @@ pub fn told(work: impl FnOnce() -> Result<(), Failure>) -> Result<(), Failure> {
             let _ = writeln!(std::io::stderr(), "{MARK} {stage} {steps}");
         }
         ControlFlow::Continue(())
-    };
-    watched(Arc::new(tell), || Ok(work()))?
+    })
 }

@@ -147,6 +147,7 @@ pub fn follow(tie: &Tie, index: u64) -> Result<Option<Outcome>, Error> {
             timing: Timing::default(),
             warmed: tie.warmed,
             catalogue: request.catalogue.clone(),
+            watch: request.watch.clone(),
         },
     )?;
     let planning = start.elapsed().as_secs_f64();

@@ -57,7 +57,9 @@ pub fn discover<R: Borrow<Recording>>(
         catalogue: own_effects::granted(&request.catalogue, recordings.iter().copied()),
         ..request.clone()
     };
-    let mut discovery = discover_in(&mut Session::new(&recordings, request)?, request)?;
+    let mut discovery = request
+        .watch
+        .over(|| discover_in(&mut Session::new(&recordings, request)?, request))?;
     let warnings = &mut discovery.findings.calibration.warnings;
     warnings.extend(own_effects::left_out(&request.catalogue));
     Ok(discovery)

@@ -13,6 +13,7 @@ use estimate::methods::joint::{
 use estimate::methods::{Choice, cut, cut_several};
 use recording::intervals::Detector;
 use recording::readings::swings;
+use recording::watch::{Stage, Watch};
 use recording::{Error, Recording};
 use sensor::{EffectRef, Nature, Role, Sensor};
 
@@ -45,6 +46,8 @@ pub struct Request {
     pub flicker: bool,
     /// The effects that may be missing.
     pub catalogue: Vec<EffectRef>,
+    /// Told of every step.
+    pub watch: Watch,
 }
 
 impl Request {
@@ -84,6 +87,7 @@ impl Request {
             catalogue: catalogue_of(Sensor::Accelerometer)
                 .chain(catalogue_of(Sensor::Gyroscope))
                 .collect(),
+            watch: Watch::default(),
         }
     }
 }
@@ -124,6 +128,8 @@ pub struct Session<'a> {
     /// Findings about the recordings: what reading them said, what was done to make them ready, and the static intervals in use
     /// where there are more than the joint problem takes.
     pub remarks: ::findings::Findings,
+    /// Told of every step.
+    pub watch: Watch,
 }
 
 impl<'a> Session<'a> {
@@ -144,6 +150,7 @@ impl<'a> Session<'a> {
         let ready = Prepared::of(recordings.iter().map(R::borrow));
         let all = ready.all();
         let mut choices = cut_several(all.len(), &detector, |k, detector| {
+            request.watch.step(Stage::Cutting)?;
             cut(all[k], detector, choose, request.gravity)
         })?;
         let mut remarks = ready.remarks.clone();
@@ -163,6 +170,7 @@ impl<'a> Session<'a> {
             clock: request.clock,
             clocks: None,
             base: None,
+            watch: request.watch.clone(),
         })
     }
 
@@ -222,6 +230,7 @@ impl<'a> Session<'a> {
             before: self.base.as_deref(),
             from_its_minimum: self.begins_at_the_base(),
             covariates: true,
+            watch: self.watch.clone(),
             ..JointRequest::new(
                 self.recordings
                     .iter()

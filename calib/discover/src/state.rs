@@ -9,7 +9,7 @@ use estimate::methods::joint::{
 };
 use faer::{Mat, MatMut};
 use recording::Error;
-use recording::watch::{Stage, step};
+use recording::watch::Stage;
 
 use super::extension::Extension;
 use super::gap::channel::Channel;
@@ -51,7 +51,7 @@ impl State {
     /// # Errors
     /// As [`fit_joint`].
     pub fn fit(session: &Session<'_>, extension: Extension) -> Result<Self, Error> {
-        step(Stage::Searching)?;
+        session.watch.step(Stage::Searching)?;
         let fit = fit_joint(&session.joint(&extension))?;
         let sensitivities = fit.sensitivities();
         let projected = projected(&fit, (&fit.components, &fit.levels));

@@ -3,9 +3,9 @@
 use calib::calibrate::calibrate as calibrate_all;
 use calib::limits::built_in;
 use calib::methods::six_position;
+use calib::watch::Stage;
 use findings::{Finding, Kind, Level};
 
-use crate::watch::under;
 use crate::{Calibration, Error, Method, Recording, Request};
 
 /// Calibrates both sensors from recordings of one device: scale factors, misalignments and biases with standard errors.
@@ -44,16 +44,13 @@ pub fn calibrate(recordings: &[Recording], request: &Request) -> Result<Calibrat
     if let Method::SixPosition { first_order } = request.method {
         refuse_for_six_positions(request)?;
         let gravity = request.local_gravity()?;
-        let mut solved = under(request.watch.as_ref(), || {
-            six_position::calibrate(&all, &how.detector, gravity, first_order)
-        })?;
+        how.watch.step(Stage::Fitting)?;
+        let mut solved = six_position::calibrate(&all, &how.detector, gravity, first_order)?;
         let limits = built_in(&solved.calibration);
         solved.calibration.state_limits(limits);
         return Ok(Calibration::of(solved.calibration));
     }
-    let mut outcome = under(request.watch.as_ref(), || {
-        calibrate_all(&all, &turned, &how)
-    })?;
+    let mut outcome = calibrate_all(&all, &turned, &how)?;
     if let Some(own) = outcome.calibration.not_calibrated.first() {
         let found = Finding::of(Kind::NotCalibrated)
             .of_sensor(own.sensor)

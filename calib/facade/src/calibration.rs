@@ -10,7 +10,6 @@ use calib::document::to_json;
 use nalgebra::Vector3;
 use sensor::{PLACES, Sensor, base_names};
 
-use crate::watch::under;
 use crate::{Catalogue, Error, Recording, Watch};
 
 /// A parameter of a calibration.
@@ -376,12 +375,14 @@ pub fn apply_watched(
     watch: Option<&Watch>,
 ) -> Result<Recording, Error> {
     let (own, raw) = (calibration.as_ref(), recording.as_ref());
-    under(watch, || {
+    let watch = watch.map_or_else(Watch::default, Watch::anew);
+    let corrected = watch.over(|| {
         check_units(own, raw)?;
         let mut doubts = doubts(own, raw)?;
         doubts.extend(own.edited().map(|edited| edited.finding()));
-        let mut corrected = calib::calibration::apply(own, raw)?;
+        let mut corrected = calib::calibration::apply_under(&watch, own, raw)?;
         corrected.warnings.extend(doubts);
-        Ok(corrected.into())
-    })
+        Ok(corrected)
+    });
+    Ok(corrected?.into())
 }

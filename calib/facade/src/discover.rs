@@ -7,7 +7,6 @@ use calib::discover::{Discovery, EffectFinding, Verdict, discover as look, valid
 use calib::document::to_json;
 use calib::limits::built_in;
 
-use crate::watch::under;
 use crate::{Calibration, Error, Recording, Request};
 
 /// Result of an effect search, with the content of `findings.json`.
@@ -128,7 +127,7 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Findings,
     if let Some(validation) = validation {
         refuse_seen(validation, &all)?;
     }
-    let discovery = under(request.watch.as_ref(), || {
+    let discovery = how.watch.over(|| {
         let mut discovery = look(&all, &how)?;
         if let Some(validation) = validation {
             let validated = validate(validation, &how, &discovery)?;

@@ -3,8 +3,8 @@
 use calib::calibration::{check_units, doubts};
 use calib::gravity::GravitySource;
 use calib::methods::cut;
+use calib::watch::Stage;
 
-use crate::watch::under;
 use crate::{Calibration, Error, Evaluation, Recording, Request};
 
 /// Measures a calibration on a recording, or the raw readings with `None`: the norm of specific force over static
@@ -36,7 +36,8 @@ pub fn evaluate(
     let how = request.for_calibration(1)?;
     let recording = recording.at_hand_speed();
     let (recording, calibration) = (recording.as_ref(), calibration.map(AsRef::as_ref));
-    under(request.watch.as_ref(), || {
+    how.watch.step(Stage::Cutting)?;
+    let evaluated = || {
         if let Some(calibration) = calibration.filter(|_| !request.force_device) {
             check_units(calibration, recording)?;
             doubts(calibration, recording)?;
@@ -47,5 +48,6 @@ pub fn evaluate(
         };
         let choice = cut(recording, &how.detector, how.choose_multiplier, gravity)?;
         calib::evaluate(recording, &choice.segmentation, calibration, gravity)
-    })
+    };
+    Ok(evaluated()?)
 }

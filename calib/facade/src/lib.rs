@@ -45,7 +45,6 @@ pub mod guided;
 mod recording;
 mod request;
 mod simulate;
-mod watch;
 
 pub use allan::{Noise, allan};
 pub use calib::Evaluation;
@@ -57,7 +56,7 @@ pub use calib::recording::{
     AccelUnit, ColumnMap, FieldUnit, GyroUnit, ReadOptions, Rows, TimeUnit,
 };
 pub use calib::residuals::Integrator;
-pub use calib::watch::{Progress, Stage};
+pub use calib::watch::{Progress, Stage, Watch};
 pub use calibrate::calibrate;
 pub use calibration::{Calibration, Parameter, apply, apply_watched};
 pub use catalogue::Catalogue;
@@ -69,7 +68,6 @@ pub use recording::Recording;
 pub use request::{Method, Request};
 pub use sensor::Sensor;
 pub use simulate::{Simulated, simulate, simulate_with};
-pub use watch::Watch;
 
 /// Findings of recordings and calibrations as data, and the verdict made of them.
 pub mod finding {

@@ -157,6 +157,7 @@ impl Request {
                 Method::Stepwise | Method::SixPosition { .. } => calib::calibrate::Method::Stepwise,
             },
             gravity: gravity.value,
+            watch: self.steps(),
             gravity_source: gravity.source,
             detector,
             choose_multiplier,
@@ -195,6 +196,7 @@ impl Request {
             detector,
             choose_multiplier,
             gravity_source: gravity.source,
+            watch: self.steps(),
             ..DiscoverRequest::new(gravity.value)
         };
         request
@@ -238,6 +240,11 @@ impl Request {
             })
         };
         self.left_out.iter().map(instant).collect()
+    }
+
+    /// The watch over one call: its steps count from the call.
+    fn steps(&self) -> Watch {
+        self.watch.as_ref().map_or_else(Watch::default, Watch::anew)
     }
 
     fn named_effects(&self) -> Result<Vec<EffectRef>, Error> {

@@ -1,9 +1,8 @@
 //! Recordings with known truth.
 
 use calib::document::to_json;
-use calib::simulate::{OwnEffects, Spec, Truth};
+use calib::simulate::{OwnEffects, Simulation, Spec, Truth};
 
-use crate::watch::under;
 use crate::{Catalogue, Error, ErrorKind, Recording, Watch};
 
 /// A simulated recording and the truth behind it.
@@ -99,7 +98,9 @@ pub fn simulate_with(
     };
     let own = OwnEffects::new(catalogue.own());
     let spec = Spec::from_toml_with(spec, "spec", own).map_err(|error| usage(error.into()))?;
-    let session = under(watch, || spec.run()).map_err(usage)?;
+    let watch = watch.map_or_else(Watch::default, Watch::anew);
+    let run = Simulation::new(&spec).and_then(|simulation| simulation.run_under(&watch));
+    let session = run.map_err(|error| usage(error.into()))?;
     Ok(Simulated {
         recording: session.recording.into(),
         truth: session.truth,

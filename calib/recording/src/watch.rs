@@ -1,11 +1,11 @@
 //! Progress of long work, and its end on request.
 //!
-//! A watch belongs to the thread that calls [`watched`]. The work reports to it between its steps and ends at the next
-//! step once it is told to: thirty functions lie between a call and its steps, and none of them has a word to say about it.
+//! A request holds a watch and hands it to the work, which reports its steps to it and ends at the next one once it is told to.
 
-use std::cell::RefCell;
+use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use crate::error::Error;
 
@@ -47,104 +47,105 @@ pub struct Progress {
     pub steps: usize,
 }
 
-/// Is told of every step; `Break` ends the work.
-pub type Callback = Arc<dyn Fn(Progress) -> ControlFlow<()> + Send + Sync>;
-
-struct Watch {
-    callback: Callback,
-    steps: usize,
-    ended: bool,
-}
-
-thread_local! {
-    static WATCH: RefCell<Option<Watch>> = const { RefCell::new(None) };
-}
-
-/// Puts the watch before back, however the work ends.
-struct Restored(Option<Watch>);
-
-impl Drop for Restored {
-    fn drop(&mut self) {
-        WATCH.with(|watch| *watch.borrow_mut() = self.0.take());
-    }
-}
-
-/// Runs `work` and reports its steps to `callback`.
-///
-/// # Errors
-/// [`Error::Cancelled`] if the callback ended the work; otherwise the error of `work`.
+/// Watch over long work; by default nobody watches. Clones share it.
 ///
 /// # Examples
 /// ```
 /// use std::ops::ControlFlow;
-/// use std::sync::Arc;
-/// use stillpoint_recording::watch::{Stage, step, watched};
+/// use stillpoint_recording::watch::{Stage, Watch};
 ///
-/// let never = Arc::new(|_| ControlFlow::Break(()));
-/// let ended = watched(never, || (0..100).try_for_each(|_| step(Stage::Fitting)));
+/// let never = Watch::new(|_| ControlFlow::Break(()));
+/// let ended = never.over(|| (0..100).try_for_each(|_| never.step(Stage::Fitting)));
 /// assert!(ended.unwrap_err().to_string().contains("cancelled"));
 /// ```
-pub fn watched<T>(callback: Callback, work: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
-    let watch = Watch {
-        callback,
-        steps: 0,
-        ended: false,
-    };
-    let _restored = Restored(WATCH.with(|own| own.borrow_mut().replace(watch)));
-    let result = work();
-    // Where a step may fail and others are tried its error is not handed on.
-    let ended = WATCH.with(|watch| watch.borrow().as_ref().is_some_and(|watch| watch.ended));
-    if ended { Err(Error::Cancelled) } else { result }
+#[derive(Clone, Default)]
+pub struct Watch(Option<Arc<Watched>>);
+
+struct Watched {
+    told: Box<dyn Fn(Progress) -> ControlFlow<()> + Send + Sync>,
+    steps: AtomicUsize,
+    ended: AtomicBool,
 }
 
-/// Between two steps of the work.
-///
-/// # Errors
-/// [`Error::Cancelled`] once the work is to end.
-pub fn step(stage: Stage) -> Result<(), Error> {
-    // The callback may do such work itself.
-    let told = WATCH.with(|watch| {
-        let mut watch = watch.borrow_mut();
-        let watch = watch.as_mut()?;
-        let steps = watch.steps;
-        watch.steps += 1;
-        Some((Arc::clone(&watch.callback), steps, watch.ended))
-    });
-    let Some((callback, steps, ended)) = told else {
-        return Ok(());
-    };
-    if !ended && callback(Progress { stage, steps }).is_continue() {
-        return Ok(());
+impl Watch {
+    /// A watch that tells `told` of every step; `Break` ends the work.
+    pub fn new(told: impl Fn(Progress) -> ControlFlow<()> + Send + Sync + 'static) -> Self {
+        Self(Some(Arc::new(Watched {
+            told: Box::new(told),
+            steps: AtomicUsize::new(0),
+            ended: AtomicBool::new(false),
+        })))
     }
-    WATCH.with(|watch| {
-        if let Some(watch) = watch.borrow_mut().as_mut() {
-            watch.ended = true;
+
+    /// The same watch over work that has not begun: its steps are counted anew.
+    #[must_use]
+    pub fn anew(&self) -> Self {
+        match self.0.clone() {
+            Some(watched) => Self::new(move |progress| (watched.told)(progress)),
+            None => Self::default(),
         }
-    });
-    Err(Error::Cancelled)
+    }
+
+    /// Between two steps of the work.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`] once the work is to end.
+    pub fn step(&self, stage: Stage) -> Result<(), Error> {
+        let Some(watched) = &self.0 else {
+            return Ok(());
+        };
+        let steps = watched.steps.fetch_add(1, Ordering::Relaxed);
+        let goes_on = || (watched.told)(Progress { stage, steps }).is_continue();
+        if !watched.ended.load(Ordering::Relaxed) && goes_on() {
+            return Ok(());
+        }
+        watched.ended.store(true, Ordering::Relaxed);
+        Err(Error::Cancelled)
+    }
+
+    /// Runs `work`, which takes its steps under this watch, and returns its result.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`] if the work was ended, also where it took that for the failure of one way of many; otherwise the error of
+    /// `work`.
+    pub fn over<T>(&self, work: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
+        let result = work();
+        let ended = self.0.as_ref();
+        match ended.is_some_and(|watched| watched.ended.load(Ordering::Relaxed)) {
+            true => Err(Error::Cancelled),
+            false => result,
+        }
+    }
+}
+
+impl fmt::Debug for Watch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Watch")
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use std::sync::atomic::{AtomicUsize, Ordering};
-
     use super::*;
 
     #[test]
     fn work_that_is_to_end_ends_at_the_next_step_and_swallows_nothing() {
         let seen = Arc::new(AtomicUsize::new(0));
         let count = Arc::clone(&seen);
-        let third: Callback = Arc::new(move |_| match count.fetch_add(1, Ordering::Relaxed) {
+        let third = Watch::new(move |_| match count.fetch_add(1, Ordering::Relaxed) {
             2 => ControlFlow::Break(()),
             _ => ControlFlow::Continue(()),
         });
-        let ended = watched(third, || {
+        let ended = third.over(|| {
             // One step's failure is another's chance: the end is none of these.
-            let done = (0..10).filter(|_| step(Stage::Fitting).is_ok()).count();
+            let done = (0..10)
+                .filter(|_| third.step(Stage::Fitting).is_ok())
+                .count();
             Ok(done)
         });
         assert!(matches!(ended, Err(Error::Cancelled)));
         assert_eq!(seen.load(Ordering::Relaxed), 3);
-        assert!(step(Stage::Fitting).is_ok());
+        assert!(Watch::default().step(Stage::Fitting).is_ok());
+        assert!(third.anew().step(Stage::Fitting).is_ok());
     }
 }

@@ -1,7 +1,7 @@
 //! A simulation that was run, in memory.
 
 use findings::{Finding, Kind};
-use recording::watch::{Stage, step};
+use recording::watch::{Stage, Watch};
 use recording::{Error, Magnetometer, Recording, Stream};
 use sensor::Sensor;
 
@@ -37,6 +37,14 @@ impl Simulation {
     /// [`Error::Usage`] where it has more than [`MOST_SAMPLES`]: [`Simulation::samples`] and
     /// [`Simulation::write`] need no memory.
     pub fn run(&self) -> Result<Session, Error> {
+        self.run_under(&Watch::default())
+    }
+
+    /// The same under a watch.
+    ///
+    /// # Errors
+    /// As [`Simulation::run`]; that the watch ended it.
+    pub fn run_under(&self, watch: &Watch) -> Result<Session, Error> {
         for sensor in Sensor::ALL.into_iter().filter(|&sensor| self.has(sensor)) {
             let rate = self
                 .spec()
@@ -55,7 +63,7 @@ impl Simulation {
             let mut stream = Stream::default();
             for sample in self.samples(sensor) {
                 if stream.len() % BETWEEN_STEPS == 0 {
-                    step(Stage::Simulating)?;
+                    watch.step(Stage::Simulating)?;
                 }
                 drift.add(sensor, sample.true_time, &sample.drift);
                 stream.t.push(sample.t);

@@ -4,14 +4,14 @@ use ::findings::Front;
 use std::path::{Path, PathBuf};
 
 use calib::Recording;
-use calib::calibration::apply;
+use calib::calibration::apply_under;
 use calib::recording::{field_names, stream_to_csv, to_csv, to_parquet};
 
 use crate::commands::shared::inputs::{DeviceArgs, load, read};
 use crate::exit::{Failure, USAGE};
 use crate::output::{Filled, Folder, Output, Replace};
 use crate::read_args::ReadArgs;
-use crate::show;
+use crate::{show, steps};
 
 /// Corrects a recording: base model plus effects, each sensor on its own clock.
 #[derive(Debug, clap::Args)]
@@ -48,7 +48,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let calibration = load(&args.calibration)?;
     let recording = read(&args.recording, &args.read)?;
     args.device.check(&calibration, &[&recording])?;
-    let mut corrected: Recording = apply(&calibration, &recording)?;
+    let mut corrected: Recording = apply_under(&steps::watch(), &calibration, &recording)?;
     let written = target.write(&mut corrected);
     for warning in &corrected.warnings {
         show::warn(&warning.text(Front::CommandLine));

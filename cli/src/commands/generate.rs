@@ -80,8 +80,7 @@ fn manual(dir: &Path, mut command: clap::Command, replace: Replace) -> Result<()
         .filter(|c| !c.is_hide_set() && c.get_name() != "help");
     pages.extend(commands.map(|c| {
         let name = format!("stillpoint-{}", c.get_name());
-        // The parser wants names that live as long as itself.
-        (name.clone(), c.clone().name(&*name.leak()))
+        (name.clone(), c.clone().name(name))
     }));
     let folder = Folder::make(dir)?;
     let mut claimed = Vec::new();

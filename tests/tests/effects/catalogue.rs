@@ -286,9 +286,9 @@ fn all_effects_of_a_sensor_at_once_can_be_undone() {
             .into_iter()
             .filter(|e| e.sensor() == sensor)
             .collect();
-        let model = own
-            .iter()
-            .fold(Model::base(sensor), |model, effect| model.with(effect.clone()));
+        let model = own.iter().fold(Model::base(sensor), |model, effect| {
+            model.with(effect.clone())
+        });
         let mut p = model.parameters().values()[..BASE_PARAMETERS].to_vec();
         own.iter()
             .enumerate()

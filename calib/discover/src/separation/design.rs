@@ -3,6 +3,7 @@
 use estimate::methods::joint::BiasNoise;
 use nalgebra::Vector3;
 use plan::{Timing, Turn};
+use recording::watch::Watch;
 use sensor::EffectRef;
 use simulate::{Grade, Motion, Planned, PlannedStep, Sampling, SensorSpec, Spec, Temperature};
 
@@ -34,6 +35,8 @@ pub struct Conditions {
     pub warmed: bool,
     /// The effects.
     pub catalogue: Vec<EffectRef>,
+    /// Told of every step.
+    pub watch: Watch,
 }
 
 /// A recording to make.

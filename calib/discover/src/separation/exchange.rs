@@ -9,7 +9,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use recording::Error;
-use recording::watch::{Stage, step};
+use recording::watch::Stage;
 
 use super::aim::{Aim, SETTLED, Separated};
 use super::design::{Conditions, Design};
@@ -169,7 +169,7 @@ fn exchanged(
     let candidates = tilts();
     let mut random = ChaCha8Rng::seed_from_u64(seed as u64);
     for _ in 0..ROUNDS {
-        step(Stage::Searching)?;
+        conditions.watch.step(Stage::Searching)?;
         if best.is_enough() {
             break;
         }

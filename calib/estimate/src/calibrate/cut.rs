@@ -2,6 +2,7 @@
 
 use findings::{Finding, Findings};
 use recording::intervals::{Detector, Segmentation};
+use recording::watch::Stage;
 use recording::{Error, Recording};
 use sensor::Quantity;
 
@@ -29,6 +30,7 @@ impl<'a> Cut<'a> {
         request: &Request,
     ) -> Result<(Self, Findings), Error> {
         let mut choices = cut_several(recordings.len(), &request.detector, |k, detector| {
+            request.watch.step(Stage::Cutting)?;
             let request = Request {
                 detector: *detector,
                 ..request.clone()
@@ -60,7 +62,10 @@ impl<'a> Cut<'a> {
         recordings: Vec<&'a Recording>,
         request: &Request,
     ) -> Result<(Self, Findings), Error> {
-        let choices = recordings.iter().map(|r| cut(r, request, None));
+        let choices = recordings.iter().map(|r| {
+            request.watch.step(Stage::Cutting)?;
+            cut(r, request, None)
+        });
         let cut = Self {
             choices: choices.collect::<Result<_, _>>()?,
             recordings,

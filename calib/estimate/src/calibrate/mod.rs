@@ -68,7 +68,9 @@ pub fn calibrate<R: Borrow<Recording>>(
     magnetic::refuse_alone(&recordings)?;
     let all = recordings.iter().chain(&gyro_recordings);
     request.effects = own_effects::granted(&request.effects, all.copied());
-    let outcome = in_steps(&recordings, &gyro_recordings, &request);
+    let outcome = request
+        .watch
+        .over(|| in_steps(&recordings, &gyro_recordings, &request));
     own_effects::blamed(&request.effects, outcome)
 }
 

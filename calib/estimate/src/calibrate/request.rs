@@ -5,6 +5,7 @@ use std::borrow::Borrow;
 use findings::{Finding, Kind, OptionName, Remedy};
 use nalgebra::Vector3;
 use recording::intervals::{Detector, Span};
+use recording::watch::Watch;
 use recording::{Error, Recording};
 use sensor::EffectRef;
 use serde::{Deserialize, Serialize};
@@ -98,6 +99,8 @@ pub struct Request {
     pub field: Option<f64>,
     /// Means to use for the accelerometer instead of those of the recordings.
     pub static_means: Vec<Vector3<f64>>,
+    /// Told of every step.
+    pub watch: Watch,
 }
 
 impl Request {
@@ -177,6 +180,7 @@ impl Default for Request {
             clock: ClockMode::default(),
             field: None,
             static_means: Vec::new(),
+            watch: Watch::default(),
         }
     }
 }

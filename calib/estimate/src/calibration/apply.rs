@@ -2,7 +2,7 @@
 
 use findings::{Finding, Kind};
 use recording::intervals::{Detector, Segmentation, StaticInterval, segment};
-use recording::watch::{Stage, step};
+use recording::watch::{Stage, Watch};
 use recording::{Error, Recording, Stream, figure};
 use sensor::{Base, Quantity, Role, Sensor};
 
@@ -25,7 +25,19 @@ const AT_GRAVITY: f64 = 0.03;
 /// # Errors
 /// [`Error::NotEnough`] where an effect needs what cannot be known of this recording; it names both.
 pub fn apply(calibration: &Calibration, recording: &Recording) -> Result<Recording, Error> {
-    apply_with(calibration, recording, None)
+    apply_under(&Watch::default(), calibration, recording)
+}
+
+/// [`apply`] under a watch.
+///
+/// # Errors
+/// As [`apply`]; that the watch ended it.
+pub fn apply_under(
+    watch: &Watch,
+    calibration: &Calibration,
+    recording: &Recording,
+) -> Result<Recording, Error> {
+    corrected(calibration, recording, None, watch)
 }
 
 /// [`apply`] with static intervals that are known already.
@@ -36,6 +48,15 @@ pub fn apply_with(
     calibration: &Calibration,
     recording: &Recording,
     intervals: Option<&Segmentation>,
+) -> Result<Recording, Error> {
+    corrected(calibration, recording, intervals, &Watch::default())
+}
+
+fn corrected(
+    calibration: &Calibration,
+    recording: &Recording,
+    intervals: Option<&Segmentation>,
+    watch: &Watch,
 ) -> Result<Recording, Error> {
     calibration.knows_its_effects()?;
     let doubt = belongs_to(calibration, recording)?;
@@ -72,7 +93,7 @@ pub fn apply_with(
                 let base = Base::from_parameters(&sensing.parameters);
                 stream.values.iter_mut().for_each(|v| *v = base.correct(v));
             }
-            Some(_) => correct(stream, sensor, &truth, &models)?,
+            Some(_) => correct(stream, sensor, &truth, &models, watch)?,
             None => {
                 let found = Finding::of(Kind::LeftAsRead).of_sensor(sensor);
                 let why = calibration.why_not(sensor);
@@ -91,13 +112,14 @@ fn correct(
     sensor: Sensor,
     truth: &Truth<'_>,
     models: &Models,
+    watch: &Watch,
 ) -> Result<(), Error> {
     let Some(sensing) = models.get(sensor) else {
         return Ok(());
     };
     for (k, (t, value)) in stream.t.iter().zip(&mut stream.values).enumerate() {
         if k % BETWEEN_STEPS == 0 {
-            step(Stage::Correcting)?;
+            watch.step(Stage::Correcting)?;
         }
         *value = sensing.correct(value, &truth.at(*t));
     }

@@ -17,7 +17,7 @@ mod provenance;
 mod units;
 mod values;
 
-pub use apply::{apply, apply_with};
+pub use apply::{apply, apply_under, apply_with};
 pub use check::FINDINGS_SCHEMA;
 pub use check::refuse_newer;
 pub use check::{load, load_with, read_calibration};

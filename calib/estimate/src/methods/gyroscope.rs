@@ -5,7 +5,6 @@ use findings::{Finding, Kind};
 use nalgebra::Vector3;
 use recording::Error;
 use recording::averages::root_mean_square;
-use recording::watch::{Stage, step};
 use sensor::{Base, Model};
 use solver::{Mask, Options, Parameters, Problem, Report, solve};
 
@@ -93,7 +92,6 @@ impl GyroscopeFit {
 /// # Errors
 /// No sound turn, and what the solver refuses.
 pub fn fit_gyroscope(request: &GyroscopeRequest) -> Result<GyroscopeFit, Error> {
-    step(Stage::Fitting)?;
     // One copy of all readings, changed in place: a long recording has no room for more.
     let mut turns: Vec<TurnData> = request.recordings.iter().flat_map(without_bias).collect();
     if turns.is_empty() {

@@ -3,7 +3,6 @@
 use findings::{Finding, Kind};
 use nalgebra::Matrix3;
 use recording::Error;
-use recording::watch::{Stage, step};
 use sensor::{Base, Model};
 use solver::{Options, Report, Variant, solve};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
@@ -76,7 +75,6 @@ impl AccelerometerFit {
 /// # Errors
 /// Means that lie on no sphere, and what the solver refuses.
 pub fn fit_accelerometer(request: &AccelerometerRequest) -> Result<AccelerometerFit, Error> {
-    step(Stage::Fitting)?;
     let all: Vec<_> = request.recordings.iter().flatten().map(|m| m.raw).collect();
     let unit = accelerometer_unit(&all, request.gravity).ok_or_else(|| {
         Error::not_enough(

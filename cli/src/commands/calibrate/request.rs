@@ -13,6 +13,7 @@ use super::arguments::{Args, FrameArg, GyroBiasArg, IntegratorArg, Method};
 use super::methods;
 use crate::commands::shared::inputs::own_effects;
 use crate::exit::{Failure, USAGE};
+use crate::steps;
 
 /// The request to the library.
 pub(super) fn request(args: &Args) -> Result<Request, Failure> {
@@ -77,6 +78,7 @@ pub(super) fn request(args: &Args) -> Result<Request, Failure> {
             Method::Stepwise | Method::SixPosition => calib::calibrate::Method::Stepwise,
         },
         gravity: gravity.value,
+        watch: steps::watch(),
         gravity_source: gravity.source,
         detector,
         choose_multiplier,

@@ -34,7 +34,7 @@ use crate::commands::shared::inputs::{as_paths, own_effects, read, spinner};
 use crate::commands::shared::names::Names;
 use crate::exit::{Failure, USAGE};
 use crate::output::Output;
-use crate::show;
+use crate::{show, steps};
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
@@ -160,6 +160,7 @@ fn request(args: &Args) -> Result<Request, Failure> {
         detector,
         choose_multiplier,
         gravity_source: gravity.source,
+        watch: steps::watch(),
         ..Request::new(gravity.value)
     };
     request.catalogue.extend(own_effects(&args.effect_file)?);

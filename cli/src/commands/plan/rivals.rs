@@ -9,6 +9,7 @@ use serde_json::Value;
 use super::args::Args;
 use crate::commands::shared::inputs::spinner;
 use crate::exit::{Failure, INPUT};
+use crate::steps;
 
 /// From here on a tie is told apart in 95 of 100 recordings, if not 20 to 1.
 const LIKELY: f64 = 10.8;
@@ -124,6 +125,7 @@ impl Rivals {
             timing: *timing,
             warmed: args.temperature,
             catalogue,
+            watch: steps::watch(),
         };
         let spinner = spinner("trying recordings");
         let aim = separate(&ties, args.next, &conditions)?;

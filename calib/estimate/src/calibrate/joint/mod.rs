@@ -65,6 +65,7 @@ pub(super) fn calibrate(
         held,
         clock: request.clock,
         earth,
+        watch: request.watch.clone(),
         ..JointRequest::new(cut, request.gravity)
     })?;
     let choices = recordings.choices.iter().chain(&turning.choices);

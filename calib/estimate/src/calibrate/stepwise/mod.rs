@@ -5,6 +5,7 @@ mod gyro_data;
 use findings::{Finding, Findings, Kind};
 use nalgebra::Vector3;
 use recording::intervals::Segmentation;
+use recording::watch::Stage;
 use recording::{Error, Recording};
 use sensor::{EffectRef, Model, Quantity};
 
@@ -125,7 +126,7 @@ fn accelerometer(
         }
         checks::the_norm_tells_them(&model, &means, &unit, request.gravity)?;
     }
-    let force_device = request.force_device;
+    let (force_device, watch) = (request.force_device, &request.watch);
     let mut request = AccelerometerRequest {
         recordings: means,
         names,
@@ -136,6 +137,7 @@ fn accelerometer(
         let celsius: Vec<_> = recordings.iter().map(|r| celsius(r)).collect();
         warnings.extend(same_accelerometer(&request, &celsius)?);
     }
+    watch.step(Stage::Fitting)?;
     let mut fit = fit_accelerometer(&request)?;
     if choices.len() == request.recordings.len()
         && request.model.effects().iter().any(|e| looks_back(e))
@@ -152,6 +154,7 @@ fn accelerometer(
                 .into_iter()
                 .all(|(a, b)| a.rest.last_change == b.rest.last_change);
             request.recordings = again;
+            watch.step(Stage::Fitting)?;
             fit = fit_accelerometer(&request)?;
             if same {
                 break;
@@ -200,12 +203,14 @@ fn gyroscope(
         model,
         integrator: request.integrator,
     };
+    request.watch.step(Stage::Fitting)?;
     let mut fit = fit_gyroscope(&asked)?;
     if asked.model.effects().iter().any(|e| follows_the_fit(e)) {
         let shared = asked.model.parameter_count();
         let p = fit.fitted.parameters.values()[..shared].to_vec();
         let fitted = Sensing::new(asked.model.clone(), p);
         asked.recordings = gyro_data::collect_by(&sources, &fitted);
+        request.watch.step(Stage::Fitting)?;
         fit = fit_gyroscope(&asked)?;
     }
     checks::gyroscope_is_determined(&checks::RateEvidence::of(&fit), warnings)?;

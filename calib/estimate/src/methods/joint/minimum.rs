@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use recording::Error;
-use recording::watch::{Stage, step};
+use recording::watch::Stage;
 use sensor::{Base, Sensor};
 use solver::{Mask, Parameters};
 
@@ -70,7 +70,7 @@ impl Run<'_> {
 
     /// Near the minimum under these weights: by few Gauss–Newton steps, and by the solver where those lead nowhere.
     pub fn approach(&self, weights: &Weights, before: Option<&Point>) -> Result<Point, Error> {
-        step(Stage::Fitting)?;
+        self.request.watch.step(Stage::Fitting)?;
         let columns = weights.columns();
         let rows = self.rows(&columns);
         let mut parameters = self.begin_at(&rows);

@@ -2,6 +2,7 @@
 
 use recording::Recording;
 use recording::intervals::Segmentation;
+use recording::watch::Watch;
 use sensor::Model;
 
 use super::clock::{ClockMode, DecidedClock};
@@ -56,6 +57,8 @@ pub struct JointRequest<'a> {
     /// True if the readings contain a rotation of the earth that is not given: its direction is then estimated as far
     /// as the data determine it, and uncertain as far as they do not.
     pub earth: bool,
+    /// Told of every step.
+    pub watch: Watch,
 }
 
 impl<'a> JointRequest<'a> {
@@ -79,6 +82,7 @@ impl<'a> JointRequest<'a> {
             before: None,
             from_its_minimum: false,
             earth: false,
+            watch: Watch::default(),
         }
     }
 }

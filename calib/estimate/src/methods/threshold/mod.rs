@@ -17,7 +17,6 @@ use findings::{Finding, Kind};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 use recording::intervals::{Detector, Rejected, Segmentation, Span, Survey};
-use recording::watch::{Stage, step};
 use recording::{Error, Recording};
 use sensor::Base;
 
@@ -147,7 +146,6 @@ struct Attempt<'a> {
 
 impl<'a> Attempt<'a> {
     fn of(recording: &'a Recording, detector: &Detector, gravity: f64) -> Result<Self, Error> {
-        step(Stage::Cutting)?;
         let survey = Survey::of(recording, detector)?;
         let (mut trials, mut bases) = trials_at(&survey, &MULTIPLIERS, gravity);
         let (mut multiplier, mut chosen) = choice(&trials, detector.multiplier);
