@@ -219,15 +219,17 @@ impl<'a> Tried<'a> {
     /// `ln p` of the hypothesis: of two tests the one that says more, each at half the level. Where the noise is known they are one.
     ///
     /// Few static intervals show how a bias walks. What looks like a walk, as a drift does, is seen best by a ratio of likelihoods over
-    /// all walks; what does not, as an error of orientation, by the mean of `p` over them.
+    /// all walks; what does not, as an error of orientation, by the mean of `p` over them. That mean is no less than the `p` of the
+    /// likelihood ratio: many columns that go by time or temperature leave little that shows a walk, and are likeliest beside none.
     pub fn log_p(&self) -> f64 {
         match (self.all.as_slice(), &self.likeliest) {
             (_, None) => 0.0,
             ([known], _) => known.log_p,
-            (_, Some((_, _, score))) => {
+            (_, Some((_, ratio, score))) => {
                 let dof = score.dof as f64 + self.shape_dof;
                 let integrated = log_tail(self.integrated(), dof) + PRICE_OF_INTEGRATION;
-                (integrated.min(self.averaged()) + LN_2).min(0.0)
+                let averaged = self.averaged().max(log_tail(*ratio, dof));
+                (integrated.min(averaged) + LN_2).min(0.0)
             }
         }
     }
@@ -275,4 +277,36 @@ pub fn shared(
     let predicted = &mine * &change;
     let whole = predicted.squared_norm_l2();
     (whole > 0.0).then(|| score(theirs.as_ref(), &predicted).statistic / whole)
+}
+
+#[cfg(test)]
+mod tests {
+    use estimate::methods::joint::RowGroups;
+    use nalgebra::DMatrix;
+
+    use super::*;
+
+    #[test]
+    fn walks_that_are_unlikely_without_an_effect_make_it_no_more_evident_than_its_likelihood_ratio()
+    {
+        let rows = RowGroups::whole(9);
+        let one = Columns::cut(&Mat::from_fn(9, 1, |i, _| i as f64), &rows);
+        let projected = Projected::new(&[0.1; 9], &one, (&[], &[]));
+        let level = Level::at(&projected, (BiasNoise::default(), 1.0), None, 0.0).unwrap();
+        let score = |statistic: f64| Score {
+            statistic,
+            dof: 6,
+            change: vec![0.0; 6],
+            covariance: DMatrix::identity(6, 6),
+            log_determinant: 0.0,
+        };
+        // Columns that take a walk for themselves: much is explained where there is none, which is unlikely without them.
+        let mut tried = Tried::default();
+        tried.add(&level, 0.0, score(20.0), 0.0);
+        tried.add(&level, -10.0, score(45.0), 0.0);
+        assert!(tried.averaged() < log_tail(40.0, 6.0));
+        let ratio = tried.likeliest.as_ref().unwrap().1;
+        assert_eq!(ratio, 25.0);
+        assert!((tried.log_p() - LN_2 - log_tail(ratio, 6.0)).abs() < 0.2);
+    }
 }

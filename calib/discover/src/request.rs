@@ -56,9 +56,9 @@ impl Request {
         0.25 * self.alpha
     }
 
-    /// The evidence that the name of an effect needs.
+    /// The evidence that the name of an effect needs: it has paid for the half of [`Request::alpha`] that is not its own.
     pub fn threshold(&self) -> f64 {
-        -(0.5 * self.alpha).ln()
+        -self.alpha.ln()
     }
 
     /// The effects that may be missing from the base model.

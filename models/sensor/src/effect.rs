@@ -2,7 +2,6 @@
 
 mod any_effect;
 mod needs;
-mod shared;
 
 use nalgebra::{Matrix3, Vector3};
 use solver::{Jet, Jet2, Scalar, lit};
@@ -11,9 +10,8 @@ use crate::axis::Axis;
 use crate::kinematics::{Kinematics, Sensor};
 use crate::param::Param;
 use crate::quantity::Quantity;
-pub use any_effect::{AnyEffect, ModelScalar, Nature};
+pub use any_effect::{AnyEffect, EffectRef, ModelScalar, Nature};
 pub use needs::{observed_needs, silent_at_rest};
-pub use shared::EffectRef;
 
 /// An error that a sensor adds to the true signal: `raw = base⁻¹(truth + Σ effect(truth))`.
 ///
@@ -131,6 +129,12 @@ impl<E: Effect> AnyEffect for E {
     }
     fn error_jet2(&self, truth: &Kinematics<Jet2>, p: &[Jet2]) -> Vector3<Jet2> {
         self.error(truth, p)
+    }
+}
+
+impl<E: Effect> From<&'static E> for EffectRef {
+    fn from(effect: &'static E) -> Self {
+        Self::from(effect as &'static dyn AnyEffect)
     }
 }
 

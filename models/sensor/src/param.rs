@@ -98,7 +98,7 @@ impl Param {
 /// use stillpoint_sensor::{Param, params};
 ///
 /// const PARAMS: &[Param] = &params("rad/s/K", ["x", "y", "z"]);
-/// assert_eq!((PARAMS[2].name, PARAMS[2].unit, PARAMS[2].nominal), ("z", "rad/s/K", 0.0));
+/// assert_eq!((&*PARAMS[2].name, &*PARAMS[2].unit, PARAMS[2].nominal), ("z", "rad/s/K", 0.0));
 /// ```
 pub const fn params<const N: usize>(unit: &'static str, names: [&'static str; N]) -> [Param; N] {
     let mut all = [const { Param::new("", "", 0.0) }; N];

@@ -28,7 +28,7 @@ pub struct ErrorCode {
 ///     parameters: vec![DefinedParam::new("k", "1/(m/s^2)", 1e-4)],
 ///     ..Definition::silent(Sensor::Accelerometer)
 /// };
-/// let code = error_code(swirl.effect()?, &[0.25], Axis::X, Language::Rust).unwrap();
+/// let code = error_code(&*swirl.effect()?, &[0.25], Axis::X, Language::Rust).unwrap();
 /// assert_eq!(code.text, "0.25_f64 * fy * fz");
 /// assert_eq!(code.covariates.len(), 2);
 /// # Ok::<(), stillpoint_sensor::DefinitionError>(())
