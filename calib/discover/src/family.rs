@@ -172,7 +172,7 @@ pub(super) fn effect_family(state: &State, effect: &EffectRef, catalogue: &[Effe
     let role = shape.map(|k| effect.params()[k].role_by_name());
     let is_instant = role == Some(Role::Instant);
     let mut parts = if is_instant {
-        vec![steps(state, &effect, &linear, &values)]
+        vec![steps(state, effect, &linear, &values)]
     } else {
         Vec::new()
     };
@@ -186,8 +186,8 @@ pub(super) fn effect_family(state: &State, effect: &EffectRef, catalogue: &[Effe
             if let Some((k, value)) = shape {
                 p[k] = value;
             }
-            let mut own = scaled(state, &effect, &p, &linear);
-            let of_heading = references(&effect);
+            let mut own = scaled(state, effect, &p, &linear);
+            let of_heading = references(effect);
             if of_heading > 0 {
                 own = by_heading(state, own, of_heading);
                 count = own.ncols();

@@ -44,12 +44,12 @@ pub fn follows_turns(effect: &EffectRef) -> bool {
 
 /// The effect of a field that stands in the room.
 pub fn room_field(sensor: Sensor) -> Option<EffectRef> {
-    catalogue_of(sensor).find(|effect| stands_in_the_room(effect))
+    catalogue_of(sensor).find(stands_in_the_room)
 }
 
 /// The effect of a bias that relaxes after a turn.
 pub fn relaxation(sensor: Sensor) -> Option<EffectRef> {
-    catalogue_of(sensor).find(|effect| follows_turns(effect))
+    catalogue_of(sensor).find(follows_turns)
 }
 
 /// The effect that is the sensitivity of the rate to specific force.

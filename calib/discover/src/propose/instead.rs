@@ -58,7 +58,7 @@ pub(super) fn outside(
 ) -> Vec<Product> {
     let spans = catalogue
         .iter()
-        .filter(|effect| may_be_missing(base, *effect) && coefficients(*effect).1.is_none())
+        .filter(|effect| may_be_missing(base, effect) && coefficients(effect).1.is_none())
         .map(|effect| {
             let family = effect_family(base, effect, catalogue);
             orthonormal(&base.projected.columns(family.columns_of(0).as_ref()))

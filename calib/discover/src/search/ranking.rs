@@ -109,7 +109,7 @@ pub(super) fn as_the_earth(family: &Family, ranked: &Ranked) -> Earth {
     if ranked.score.dof < 3 || covariance[(VERTICAL, VERTICAL)] < UNSEEN {
         return Earth::Yes;
     }
-    let own = places_by_heading(ranked.score.change.len(), VERTICAL + 1, references(&earth));
+    let own = places_by_heading(ranked.score.change.len(), VERTICAL + 1, references(earth));
     let known = own.into_iter().min_by(|a, b| {
         let of = |places: &[usize]| places.iter().map(|k| covariance[(*k, *k)]).sum::<f64>();
         seen_first(of(a)).total_cmp(&seen_first(of(b)))

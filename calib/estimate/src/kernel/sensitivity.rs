@@ -57,7 +57,7 @@ impl<'a> Sensitivity<'a> {
             let parameters: Vec<Lane> = wanted.map(|k| Lane::Parameter(k - from)).collect();
             count += parameters.len();
             effects.push(Active {
-                effect: effect,
+                effect,
                 p: x[all.clone()].iter().map(|&v| lit(v)).collect(),
                 lanes: signal.chain(parameters).collect(),
             });

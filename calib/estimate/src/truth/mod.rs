@@ -72,7 +72,7 @@ impl<'a> Truth<'a> {
         models: Models,
     ) -> Result<Self, Error> {
         for effect in models.effects() {
-            require(recording, intervals, &models, &effect)?;
+            require(recording, intervals, &models, effect)?;
         }
         let attitude = models
             .effects()

@@ -139,9 +139,7 @@ fn accelerometer(
     }
     watch.step(Stage::Fitting)?;
     let mut fit = fit_accelerometer(&request)?;
-    if choices.len() == request.recordings.len()
-        && request.model.effects().iter().any(|e| looks_back(e))
-    {
+    if choices.len() == request.recordings.len() && request.model.effects().iter().any(looks_back) {
         let shared = request.model.parameter_count();
         for _ in 0..HISTORIES {
             let by = |k: usize| Sensing::new(request.model.clone(), fit.fitted.local(shared, k));
@@ -205,7 +203,7 @@ fn gyroscope(
     };
     request.watch.step(Stage::Fitting)?;
     let mut fit = fit_gyroscope(&asked)?;
-    if asked.model.effects().iter().any(|e| follows_the_fit(e)) {
+    if asked.model.effects().iter().any(follows_the_fit) {
         let shared = asked.model.parameter_count();
         let p = fit.fitted.parameters.values()[..shared].to_vec();
         let fitted = Sensing::new(asked.model.clone(), p);

@@ -40,7 +40,7 @@ impl Effects {
     pub fn of(source: &Source<'_>, language: Language) -> Option<Self> {
         let mut effects = source.calibration.effects.iter();
         let others = effects.find(|values| {
-            let effect = values.effect().ok().filter(|effect| is_code(effect));
+            let effect = values.effect().ok().filter(is_code);
             effect.is_some_and(|effect| effect.name() != force_sensitivity().name())
         });
         others?;
@@ -105,7 +105,7 @@ fn sum(
 ) -> String {
     let mut terms = Vec::new();
     for values in &source.calibration.effects {
-        let effect = values.effect().ok().filter(|effect| is_code(effect));
+        let effect = values.effect().ok().filter(is_code);
         let Some(effect) = effect.filter(|effect| effect.sensor() == sensor) else {
             continue;
         };
