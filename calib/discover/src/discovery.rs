@@ -53,10 +53,7 @@ pub fn discover<R: Borrow<Recording>>(
     request: &Request,
 ) -> Result<Discovery, Error> {
     let recordings: Vec<&Recording> = recordings.iter().map(R::borrow).collect();
-    let request = &Request {
-        catalogue: own_effects::granted(&request.catalogue, recordings.iter().copied()),
-        ..request.clone()
-    };
+    let request = &request.granted(&recordings);
     let mut discovery = request
         .watch
         .over(|| discover_in(&mut Session::new(&recordings, request)?, request))?;

@@ -4,7 +4,7 @@ use std::borrow::{Borrow, Cow};
 use std::sync::Arc;
 
 use effects::{catalogue_of, follows_turns, stands_in_the_room};
-use estimate::calibrate::Prepared;
+use estimate::calibrate::{Prepared, own_effects};
 use estimate::gravity::GravitySource;
 use estimate::methods::earth::on_the_earth;
 use estimate::methods::joint::{
@@ -59,6 +59,14 @@ impl Request {
     /// The evidence that the name of an effect needs: it has paid for the half of [`Request::alpha`] that is not its own.
     pub fn threshold(&self) -> f64 {
         -self.alpha.ln()
+    }
+
+    /// The same for one run over these recordings: effects that a user wrote have the steps that its fits need.
+    pub(crate) fn granted<R: Borrow<Recording>>(&self, recordings: &[R]) -> Self {
+        Self {
+            catalogue: own_effects::granted(&self.catalogue, recordings.iter().map(R::borrow)),
+            ..self.clone()
+        }
     }
 
     /// The effects that may be missing from the base model.

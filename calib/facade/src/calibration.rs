@@ -375,14 +375,10 @@ pub fn apply_watched(
     watch: Option<&Watch>,
 ) -> Result<Recording, Error> {
     let (own, raw) = (calibration.as_ref(), recording.as_ref());
-    let watch = watch.map_or_else(Watch::default, Watch::anew);
-    let corrected = watch.over(|| {
-        check_units(own, raw)?;
-        let mut doubts = doubts(own, raw)?;
-        doubts.extend(own.edited().map(|edited| edited.finding()));
-        let mut corrected = calib::calibration::apply_under(&watch, own, raw)?;
-        corrected.warnings.extend(doubts);
-        Ok(corrected)
-    });
-    Ok(corrected?.into())
+    check_units(own, raw)?;
+    let mut doubts = doubts(own, raw)?;
+    doubts.extend(own.edited().map(|edited| edited.finding()));
+    let mut corrected = calib::calibration::apply_under(&Watch::of_call(watch), own, raw)?;
+    corrected.warnings.extend(doubts);
+    Ok(corrected.into())
 }

@@ -113,6 +113,7 @@ impl Catalogue {
     /// "#;
     /// let catalogue = stillpoint::Catalogue::default().with_definitions(toml)?;
     /// assert!(catalogue.names().contains(&"gyro_swirl".to_owned()));
+    /// assert!(catalogue.with_definitions(toml).is_ok()); // the same once more
     /// # Ok::<(), stillpoint::Error>(())
     /// ```
     pub fn with_definitions(mut self, toml: &str) -> Result<Self, Error> {

@@ -37,17 +37,15 @@ pub fn evaluate(
     let recording = recording.at_hand_speed();
     let (recording, calibration) = (recording.as_ref(), calibration.map(AsRef::as_ref));
     how.watch.step(Stage::Cutting)?;
-    let evaluated = || {
-        if let Some(calibration) = calibration.filter(|_| !request.force_device) {
-            check_units(calibration, recording)?;
-            doubts(calibration, recording)?;
-        }
-        let gravity = match (how.gravity_source, calibration) {
-            (GravitySource::Assumed, Some(calibration)) => calibration.gravity,
-            _ => how.gravity,
-        };
-        let choice = cut(recording, &how.detector, how.choose_multiplier, gravity)?;
-        calib::evaluate(recording, &choice.segmentation, calibration, gravity)
+    if let Some(calibration) = calibration.filter(|_| !request.force_device) {
+        check_units(calibration, recording)?;
+        doubts(calibration, recording)?;
+    }
+    let gravity = match (how.gravity_source, calibration) {
+        (GravitySource::Assumed, Some(calibration)) => calibration.gravity,
+        _ => how.gravity,
     };
-    Ok(evaluated()?)
+    let choice = cut(recording, &how.detector, how.choose_multiplier, gravity)?;
+    let evaluated = calib::evaluate(recording, &choice.segmentation, calibration, gravity)?;
+    Ok(evaluated)
 }

@@ -89,7 +89,24 @@ pub struct Request {
     pub walks: Option<[f64; 2]>,
     /// `discover`: another recording of the device, to show the gap on.
     pub validation: Option<Recording>,
-    /// Is told of progress and may end the work.
+    /// Is told of every step of the work and may end it at the next. Steps are milliseconds apart on recordings of minutes, and seconds
+    /// on ten million samples; each call counts its own.
+    ///
+    /// # Examples
+    /// ```
+    /// use std::ops::ControlFlow;
+    /// use stillpoint::{ErrorKind, Recording, Request, Watch, calibrate};
+    ///
+    /// let (t, accel, gyro, _) = stillpoint::example::session();
+    /// let recording = Recording::from_arrays(&t, &accel, &gyro, None)?;
+    /// let patience = Watch::new(|progress| match progress.steps {
+    ///     0..2 => ControlFlow::Continue(()),
+    ///     _ => ControlFlow::Break(()),
+    /// });
+    /// let request = Request { watch: Some(patience), ..Request::default() };
+    /// assert_eq!(calibrate(&[recording], &request).unwrap_err().kind, ErrorKind::Cancelled);
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
     pub watch: Option<Watch>,
 }
 
@@ -157,7 +174,7 @@ impl Request {
                 Method::Stepwise | Method::SixPosition { .. } => calib::calibrate::Method::Stepwise,
             },
             gravity: gravity.value,
-            watch: self.steps(),
+            watch: Watch::of_call(self.watch.as_ref()),
             gravity_source: gravity.source,
             detector,
             choose_multiplier,
@@ -196,7 +213,7 @@ impl Request {
             detector,
             choose_multiplier,
             gravity_source: gravity.source,
-            watch: self.steps(),
+            watch: Watch::of_call(self.watch.as_ref()),
             ..DiscoverRequest::new(gravity.value)
         };
         request
@@ -240,11 +257,6 @@ impl Request {
             })
         };
         self.left_out.iter().map(instant).collect()
-    }
-
-    /// The watch over one call: its steps count from the call.
-    fn steps(&self) -> Watch {
-        self.watch.as_ref().map_or_else(Watch::default, Watch::anew)
     }
 
     fn named_effects(&self) -> Result<Vec<EffectRef>, Error> {

@@ -98,7 +98,7 @@ pub fn simulate_with(
     };
     let own = OwnEffects::new(catalogue.own());
     let spec = Spec::from_toml_with(spec, "spec", own).map_err(|error| usage(error.into()))?;
-    let watch = watch.map_or_else(Watch::default, Watch::anew);
+    let watch = Watch::of_call(watch);
     let run = Simulation::new(&spec).and_then(|simulation| simulation.run_under(&watch));
     let session = run.map_err(|error| usage(error.into()))?;
     Ok(Simulated {

@@ -77,10 +77,9 @@ impl Watch {
         })))
     }
 
-    /// The same watch over work that has not begun: its steps are counted anew.
-    #[must_use]
-    pub fn anew(&self) -> Self {
-        match self.0.clone() {
+    /// The watch over one call, where there is one: its steps count from the call, whatever became of those before.
+    pub fn of_call(watch: Option<&Self>) -> Self {
+        match watch.and_then(|watch| watch.0.clone()) {
             Some(watched) => Self::new(move |progress| (watched.told)(progress)),
             None => Self::default(),
         }
@@ -146,6 +145,6 @@ mod tests {
         assert!(matches!(ended, Err(Error::Cancelled)));
         assert_eq!(seen.load(Ordering::Relaxed), 3);
         assert!(Watch::default().step(Stage::Fitting).is_ok());
-        assert!(third.anew().step(Stage::Fitting).is_ok());
+        assert!(Watch::of_call(Some(&third)).step(Stage::Fitting).is_ok());
     }
 }

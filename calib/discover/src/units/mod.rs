@@ -18,7 +18,6 @@ mod unit;
 use std::borrow::Borrow;
 
 use ::findings::{Finding, Kind};
-use estimate::calibrate::own_effects;
 use recording::{Error, Recording};
 use sensor::EffectRef;
 
@@ -55,10 +54,7 @@ pub fn discover_units<R: Borrow<Recording>>(
     if recordings.len() < 2 {
         return Err(Error::not_enough(Finding::of(Kind::OneUnitOnly)));
     }
-    let request = &Request {
-        catalogue: own_effects::granted(&request.catalogue, recordings.iter().map(R::borrow)),
-        ..request.clone()
-    };
+    let request = &request.granted(recordings);
     let each: Vec<[&Recording; 1]> = recordings.iter().map(|r| [r.borrow()]).collect();
     let units = each.iter().map(|recording| Unit::new(recording, request));
     let mut units = units.collect::<Result<Vec<Unit<'_>>, Error>>()?;

@@ -129,7 +129,7 @@ fn correct(
 /// Refuses effects with an instant or a heading of another recording. What to say where the calibration does not tell
 /// from which recordings it is.
 fn belongs_to(calibration: &Calibration, recording: &Recording) -> Result<Option<Finding>, Error> {
-    let mut own = Vec::new();
+    let mut first = None;
     for values in &calibration.effects {
         let effect = values.effect().map_err(Error::input)?;
         for (param, value) in effect.params().iter().zip(&values.parameters) {
@@ -138,12 +138,12 @@ fn belongs_to(calibration: &Calibration, recording: &Recording) -> Result<Option
                 Role::Reference => value.value != 0.0,
                 Role::Coefficient | Role::Shape | Role::TimeConstant => false,
             };
-            if bound {
-                own.push((effect.clone(), param.clone(), value.value));
+            if bound && first.is_none() {
+                first = Some((effect.clone(), param.clone(), value.value));
             }
         }
     }
-    let Some((effect, param, value)) = own.into_iter().next() else {
+    let Some((effect, param, value)) = first else {
         return Ok(None);
     };
     let made_from = calibration.was_made_from(recording);

@@ -40,16 +40,6 @@ pub(crate) struct Budget {
     no_number: OnceLock<EffectFault>,
 }
 
-impl Clone for Budget {
-    /// As much as was granted, with nothing spent.
-    fn clone(&self) -> Self {
-        Self {
-            granted: self.granted,
-            ..Self::endless(self.cost)
-        }
-    }
-}
-
 impl Budget {
     /// Without end.
     pub fn endless(cost: u64) -> Self {

@@ -94,7 +94,7 @@ fn parameter(p: &DefinedParam) -> Param {
 }
 
 /// A definition that has been read.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Defined {
     definition: Definition,
     equation: String,
@@ -214,8 +214,12 @@ impl AnyEffect for Defined {
     }
     fn granted(&self, samples: usize) -> Option<EffectRef> {
         let defined: Arc<dyn AnyEffect> = Arc::new(Self {
+            definition: self.definition.clone(),
+            equation: self.equation.clone(),
+            params: self.params.clone(),
+            covariates: self.covariates.clone(),
+            axes: self.axes.clone(),
             budget: self.budget.of(samples),
-            ..self.clone()
         });
         Some(defined.into())
     }

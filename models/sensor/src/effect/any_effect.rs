@@ -126,9 +126,15 @@ enum Owner {
 }
 
 impl EffectRef {
-    /// Returns true if both are the same object.
+    /// Returns true if both have the same definition, or are the same object where they have none.
     pub fn is(&self, other: &Self) -> bool {
-        std::ptr::addr_eq(&raw const **self, &raw const **other) && self.name() == other.name()
+        match (self.definition(), other.definition()) {
+            (None, None) => {
+                std::ptr::addr_eq(&raw const **self, &raw const **other)
+                    && self.name() == other.name()
+            }
+            (own, of_other) => own == of_other,
+        }
     }
 }
 
