@@ -160,6 +160,22 @@ fn first_damping_and_first_radius_are_heeded() {
 }
 
 #[test]
+fn dogleg_follows_the_steepest_descent_where_the_newton_step_is_too_long() {
+    // Rosenbrock's valley: from its usual start the Gauss–Newton step is 4.8 long.
+    let valley = from_fn(|x: &[Jet], out: &mut Vec<Jet>| {
+        out.extend([(x[1] - x[0].powi(2)) * 10.0, x[0] - 1.0]);
+    });
+    let options = Options {
+        variant: Variant::Dogleg,
+        first_radius: 0.01,
+        ..Options::default()
+    };
+    let report = fit(&valley, &[-1.2, 1.0], &options);
+    assert!(report.termination.converged(), "{report}");
+    assert!(report.cost < 1e-20, "{report}");
+}
+
+#[test]
 fn dogleg_and_gauss_newton_keep_to_constraints() {
     // min (x − 2)² + (y − 2)² with x + y ≤ 1, x ≥ 0.6: at (0.6, 0.4).
     let target = from_fn(|x: &[Jet], out: &mut Vec<Jet>| {

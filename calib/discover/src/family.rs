@@ -1,5 +1,7 @@
 //! Families of hypotheses about terms that the model of a recording may lack.
 
+use std::f64::consts::LN_2;
+
 use estimate::methods::joint::{Column, Columns, FAULTS, FaultRef, effect_columns, step_columns};
 use faer::Mat;
 use sensor::{EffectRef, Nature, Param, Role, Sensor};
@@ -61,6 +63,12 @@ impl Claim {
             (Self::Shape(one, a), Self::Shape(two, b)) => one == two && a == b,
             _ => false,
         }
+    }
+
+    /// The evidence that it needs where an effect needs `threshold`: a fault of the recording may be claimed by chance half as often.
+    pub fn needed(&self, threshold: f64) -> f64 {
+        let is_fault = matches!(self, Self::Disturbed(_));
+        threshold + if is_fault { LN_2 } else { 0.0 }
     }
 
     /// The sensor whose bias walk can be taken for it.

@@ -1,12 +1,16 @@
 //! A search under noise that flickers, where the biases do.
 
 use recording::Error;
+use sensor::Sensor;
 
 use super::extension::Extension;
+use super::family::Claim;
 use super::remainder::described::Described;
 use super::remainder::unexplained::{Unexplained, unexplained};
+use super::remainder::withdrawn::withdraw;
 use super::request::{Request, Session};
-use super::search::{Search, search};
+use super::score::{log_tail, score};
+use super::search::{Name, Search, search};
 use super::state::State;
 
 /// Axes that flicker at least where the biases do, and by how much each makes the data likelier (log). In eleven clean
@@ -18,6 +22,9 @@ const LIKELIER: f64 = 3.0;
 /// And by how much more (log) the shape of what remains has to make them likelier to be no flicker: it is the best of many. Of a
 /// clean session with flicker it was 5, of harmonics in the force on every axis 10.
 const MUCH_LIKELIER: f64 = 9.0;
+
+/// What the flicker of an axis gains (log) on average where there is none and its variance comes out above zero: ½ χ²₁.
+const BY_CHANCE: f64 = 0.5;
 
 /// Result of one search.
 pub struct Found {
@@ -82,14 +89,68 @@ fn look(session: &Session<'_>, request: &Request, base: State) -> Result<Found, 
 /// shape of the remainder does. It cannot be decided where turns miss motion between the samples.
 fn flickers(session: &Session<'_>, first: &Found) -> bool {
     let model = &first.search.last;
-    let is_knocked = model.fit.data.misses_something_between_samples();
-    if session.flicker || session.noise.is_some() || is_knocked {
+    if !may_flicker(session, model) {
         return false;
     }
     let flicker = ByFlicker::of(model);
     let evident = flicker.by_axis.iter().filter(|gain| **gain > LIKELIER);
     let shape = first.gained_by_shape();
     evident.count() >= FLICKERING && shape.is_none_or(|shape| shape < flicker.whole + MUCH_LIKELIER)
+}
+
+/// Withdraws the effects and faults that a bias which flickers explains as well: whether there were any.
+///
+/// The evidence for a name is asked for once more where both hypotheses may have flicker of its sensor's bias. Its likelihood ratio is
+/// then the larger of `s − 2 g` and `s′`: `s` that under walks alone, `g` the gain in log-likelihood by flicker without the name beyond
+/// what chance gives, `s′` the score of the name under flicker.
+pub(crate) fn without_flickering(
+    session: &Session<'_>,
+    request: &Request,
+    search: &mut Search,
+) -> Result<bool, Error> {
+    if !may_flicker(session, &search.last) {
+        return Ok(false);
+    }
+    let mut less = search.last.extension.clone();
+    for name in &search.names {
+        let needed = name.claim.needed(request.threshold());
+        if beside_flicker(name).is_none_or(|evidence| evidence > needed) {
+            continue;
+        }
+        match &name.claim {
+            Claim::Effect(effect) => less.effects.retain(|(own, _)| own.name() != effect.name()),
+            Claim::Disturbed(fault) => less
+                .disturbed
+                .retain(|own| own.fault != *fault || Some(own.place) != name.hypothesis.place),
+            Claim::Shape(..) => {}
+        }
+    }
+    withdraw(session, search, less)
+}
+
+/// The evidence for a name where its sensor's bias may flicker with it and without it; `None` where that cannot be worked out.
+fn beside_flicker(name: &Name) -> Option<f64> {
+    let (without, sensor) = (&name.without, name.claim.sensor());
+    let (projected, flickering) = without.flickering();
+    let noise = without.noise.with_bias_of(sensor, &flickering);
+    let at = projected.at(noise)?;
+    let axes = noise.flicker[usize::from(sensor == Sensor::Gyroscope)];
+    let by_chance = BY_CHANCE * axes.iter().filter(|b| **b > 0.0).count() as f64;
+    let walking = projected.at(without.noise)?.log_likelihood();
+    let gain = (at.log_likelihood() - walking - by_chance).max(0.0);
+    let columns = at.columns(&projected.columns(name.columns.as_ref()));
+    let score = score(columns.as_ref(), &at.z);
+    let (own, dof) = (&name.ranked, name.ranked.dof);
+    let lost = log_tail(own.statistic - 2.0 * gain, dof) - log_tail(own.statistic, dof);
+    let search_cost = -own.log_p - own.evidence;
+    let flickering = -log_tail(score.statistic, dof) - search_cost;
+    Some(flickering.max(own.evidence - lost))
+}
+
+/// Returns true if the biases are taken to walk alone and the recordings can show that they flicker.
+fn may_flicker(session: &Session<'_>, model: &State) -> bool {
+    let is_knocked = model.fit.data.misses_something_between_samples();
+    !(session.flicker || session.noise.is_some() || is_knocked)
 }
 
 /// By how much the data are likelier (log) with biases that flicker.
@@ -130,6 +191,8 @@ mod tests {
     use simulate::Spec;
 
     use super::*;
+    use crate::rank::Ranked;
+    use crate::search::Ranking;
 
     #[test]
     fn biases_that_flicker_on_all_axes_lack_nothing() {
@@ -154,5 +217,29 @@ mod tests {
             let flicker = found.search.last.noise.flicker[0];
             assert!(!lacks || flicker.iter().all(|b| *b > 1e-4), "{seed}");
         }
+    }
+
+    /// The evidence for the first of a ranking at the base model, alone and beside flicker.
+    fn evidence(spec: &Spec, claims: &str) -> [f64; 2] {
+        let recordings = [spec.run().unwrap().recording];
+        let request = Request::new(spec.gravity);
+        let session = Session::new(&recordings, &request).unwrap();
+        let base = State::fit(&session, Extension::default()).unwrap();
+        let ranking = Ranking::of(&base, &request.candidates(), request.threshold());
+        let own = |r: &&Ranked| ranking.families[r.family].claim.name().starts_with(claims);
+        let ranked = ranking.ranked.iter().find(own).unwrap();
+        let name = Name::of(&ranking.families, ranked, base, Vec::new());
+        [ranked.evidence, beside_flicker(&name).unwrap()]
+    }
+
+    #[test]
+    fn flicker_takes_the_evidence_for_what_it_may_be_and_none_of_a_drift() {
+        let mut flickers = Spec::hand_held(48);
+        flickers.accelerometer.instability = 1e-3;
+        let [alone, beside] = evidence(&flickers, "accel_");
+        assert!(alone > 0.0 && beside < alone - 2.0, "{alone} {beside}");
+        let drifts = Spec::hand_held(41).with_effect("gyro_drift", 2.0);
+        let [alone, beside] = evidence(&drifts, "gyro_drift");
+        assert!(alone > 8.0 && beside > alone - 0.5, "{alone} {beside}");
     }
 }

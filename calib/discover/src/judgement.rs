@@ -3,7 +3,7 @@
 use recording::Error;
 
 use super::fault::mixed::{explain_disturbed, leave_out_mixed, take_back};
-use super::flicker::names_and_rest;
+use super::flicker::{names_and_rest, without_flickering};
 use super::propose::{Proposed, instead_of_names};
 use super::remainder::unexplained::{Unexplained, rest_of};
 use super::remainder::withdrawn::{
@@ -39,7 +39,8 @@ impl Judged {
 type Review = fn(&Session<'_>, &Request, &mut Search, Option<&Unexplained>) -> Result<bool, Error>;
 
 /// The reviews, each of what those before it have left.
-const REVIEWS: [Review; 6] = [
+const REVIEWS: [Review; 7] = [
+    |session, request, search, _| without_flickering(session, request, search),
     // An interval that is off beside a step is none of the step's.
     |session, _, search, _| leave_out_mixed(session, search),
     // Beside a rest of several times the noise every likelihood ratio is too large.

@@ -76,7 +76,7 @@ fn of_effect(name: &Name, finding: &EffectFinding, last: &State) -> Vec<Picture>
     let rows = [
         left(without, noise, residuals(without)),
         left(last, noise, residuals(last)),
-        left(without, noise, name.predicted.clone()),
+        left(without, noise, name.predicted()),
     ];
     let goes_with = GoesWith::of(&name.claim, &finding.parameters);
     let goes_with = goes_with.as_ref();

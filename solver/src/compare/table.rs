@@ -194,3 +194,53 @@ impl fmt::Display for Table {
         write!(f, "\n{}", self.summary())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ended_at(cost: f64) -> ComparedRun {
+        ComparedRun {
+            problem: "valley".to_owned(),
+            start: 1,
+            variant: "automatic".to_owned(),
+            success: false,
+            converged: true,
+            residuals: 4,
+            jacobians: 3,
+            second_derivatives: 0,
+            seconds: 0.1,
+            cost,
+            first_cost: 100.0,
+            digits: f64::NAN,
+            reason: String::new(),
+        }
+    }
+
+    #[test]
+    fn digits_are_those_by_which_the_cost_agrees_with_the_least() {
+        for (cost, success, digits) in [
+            (2.0, true, 16.0),
+            (2.0 + 2e-8, true, 8.0),
+            (2.2, false, 1.0),
+        ] {
+            let mut run = ended_at(cost);
+            run.judge(2.0);
+            assert_eq!(run.success, success, "{cost}");
+            assert!((run.digits - digits).abs() < 1e-6, "{cost}: {}", run.digits);
+        }
+        // A cost of nothing is compared with that at the start.
+        let mut run = ended_at(1e-11);
+        run.judge(0.0);
+        assert!(run.success);
+        assert_eq!(run.digits, 0.0);
+    }
+
+    #[test]
+    fn words_with_commas_are_quoted() {
+        let mut run = ended_at(2.0);
+        run.reason = "slow, \"far\"".to_owned();
+        let table = Table { runs: vec![run] };
+        assert!(table.to_csv().contains("\"slow, \"\"far\"\"\""));
+    }
+}

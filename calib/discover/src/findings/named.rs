@@ -64,7 +64,7 @@ fn finding(name: &Name, last: &Final<'_>) -> EffectFinding {
     let without = &name.without;
     let noise = last.noise;
     let sequence = Sequence::of(without, noise);
-    let channel = channel_of(&sequence.of_column(name.predicted.col_as_slice(0)));
+    let channel = channel_of(&sequence.of_column(name.predicted().col_as_slice(0)));
     let held = |misfits: &Option<[Misfit; 3]>| misfits.map_or(1.0, |m| gap_of(&m, channel));
     let parameters = parameters_of(name.claim.name(), last.calibration);
     let rivals = last.rivals.iter();

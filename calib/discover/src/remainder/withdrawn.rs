@@ -37,7 +37,7 @@ pub(crate) fn without_weak(
         let Claim::Effect(effect) = &name.claim else {
             return true;
         };
-        let parts = Sequence::of(&name.without, noise).of_column(name.predicted.col_as_slice(0));
+        let parts = Sequence::of(&name.without, noise).of_column(name.predicted().col_as_slice(0));
         let gap = gap_of(&left, channel_of(&parts)).max(1.0);
         let ranked = &name.ranked;
         let search_cost = -ranked.log_p - ranked.evidence;
@@ -77,9 +77,14 @@ pub(crate) fn without_doubtful_steps(
     withdraw(session, search, less)
 }
 
-/// Goes on with fewer effects, where `less` has fewer; whether it has.
-fn withdraw(session: &Session<'_>, search: &mut Search, less: Extension) -> Result<bool, Error> {
-    let has_fewer = less.effects.len() < search.last.extension.effects.len();
+/// Goes on with fewer effects and faults, where `less` has fewer; whether it has.
+pub(crate) fn withdraw(
+    session: &Session<'_>,
+    search: &mut Search,
+    less: Extension,
+) -> Result<bool, Error> {
+    let of = |own: &Extension| own.effects.len() + own.disturbed.len();
+    let has_fewer = of(&less) < of(&search.last.extension);
     if has_fewer {
         search.withdraw_to(session, less)?;
     }

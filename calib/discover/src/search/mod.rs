@@ -11,7 +11,6 @@ mod review;
 mod together;
 
 use std::cell::{Cell, RefCell};
-use std::f64::consts::LN_2;
 use std::rc::Rc;
 
 pub use either::Either;
@@ -71,8 +70,29 @@ pub struct Name {
     pub ties: Vec<Tie>,
     /// The model with everything else that is named.
     pub without: State,
-    /// Contribution of the estimate to the rows (`m × 1`), white-whitened.
-    pub predicted: Mat<f64>,
+    /// Its columns (`m × k`), white-whitened.
+    pub columns: Mat<f64>,
+}
+
+impl Name {
+    /// The best of a family's hypotheses, beside the model `without` it.
+    pub(crate) fn of(families: &[Family], ranked: &Ranked, without: State, ties: Vec<Tie>) -> Self {
+        let family = &families[ranked.family];
+        Self {
+            claim: family.claim.clone(),
+            hypothesis: family.hypotheses[ranked.hypothesis].clone(),
+            columns: family.columns_of(ranked.hypothesis),
+            ranked: ranked.clone(),
+            ties,
+            without,
+        }
+    }
+
+    /// `E β`: the contribution of the estimate to the rows (`m × 1`), white-whitened.
+    pub fn predicted(&self) -> Mat<f64> {
+        let change = &self.ranked.score.change;
+        &self.columns * Mat::from_fn(self.columns.ncols(), 1, |i, _| change[i])
+    }
 }
 
 /// A claim that explains the data about as well as the named one.
@@ -322,12 +342,6 @@ impl Finder<'_> {
         ranking
     }
 
-    /// The evidence that a claim needs: a fault of the recording may be claimed by chance half as often as an effect.
-    fn needed(&self, claim: &Claim) -> f64 {
-        let is_fault = matches!(claim, Claim::Disturbed(_));
-        self.threshold + if is_fault { LN_2 } else { 0.0 }
-    }
-
     /// The claim with the most evidence, where that is enough.
     fn next(&self, families: &[Family], ranked: &[Ranked], unfit: &[Claim]) -> Option<Held> {
         let may = |r: &&Ranked| {
@@ -335,7 +349,7 @@ impl Finder<'_> {
             !unfit.iter().any(|claim| claim.is_same(own))
         };
         let mut open = ranked.iter().filter(may);
-        let top = open.find(|r| r.evidence > self.needed(&families[r.family].claim))?;
+        let top = open.find(|r| r.evidence > families[r.family].claim.needed(self.threshold))?;
         let chosen = self.simpler(families, ranked, top).unwrap_or(top);
         Some(Held::of(families, chosen))
     }

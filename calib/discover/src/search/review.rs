@@ -2,7 +2,6 @@
 
 use effects::room_field;
 use estimate::methods::joint::Known;
-use faer::Mat;
 use recording::Error;
 use sensor::Sensor;
 
@@ -81,14 +80,10 @@ impl Finder<'_> {
                         held[k] = better;
                         changed = true;
                     }
-                    Verdict::Stays(ranked_own) => names.push(Name {
-                        claim: own.claim,
-                        hypothesis: own.hypothesis,
-                        ties: self.ties(&without, families, ranked, &ranked_own),
-                        predicted: predicted(families, &ranked_own),
-                        ranked: ranked_own,
-                        without,
-                    }),
+                    Verdict::Stays(own) => {
+                        let ties = self.ties(&without, families, ranked, &own);
+                        names.push(Name::of(families, &own, without, ties));
+                    }
                 }
                 if changed {
                     break;
@@ -149,7 +144,7 @@ impl Finder<'_> {
         if top.evidence > mine.evidence + APART && !self.is_simpler(families, top, mine) {
             return Verdict::Other(Held::of(families, top));
         }
-        if mine.evidence <= self.needed(&own.claim) {
+        if mine.evidence <= own.claim.needed(self.threshold) {
             return Verdict::Gone;
         }
         let found = &families[mine.family].hypotheses[mine.hypothesis];
@@ -190,11 +185,4 @@ impl Finder<'_> {
             _ => false,
         }
     }
-}
-
-/// `E β` of the estimate, white-whitened (`m × 1`).
-fn predicted(families: &[Family], ranked: &Ranked) -> Mat<f64> {
-    let columns = families[ranked.family].columns_of(ranked.hypothesis);
-    let change = Mat::from_fn(columns.ncols(), 1, |i, _| ranked.score.change[i]);
-    columns * change
 }

@@ -23,8 +23,8 @@ const P_OF_WALKS: &str = "p averages over what the random walk of the biases may
                           column allows for the effects and places that were tried.\n";
 
 /// Explanation of the criterion for naming an effect.
-const NAMED_WHERE: &str = "Each on its own. An effect is named where p stays below --alpha beside all else that is named, and no shape \
-                           of the remainder explains more.\n";
+const NAMED_WHERE: &str = "Each on its own. An effect is named where p stays below --alpha beside all else that is named, and neither a \
+                           shape of the remainder nor a bias that flickers explains as much.\n";
 
 /// The tables for people.
 pub fn text(discovery: &Discovery, names: &Names) -> String {

@@ -14,6 +14,7 @@ pub(crate) mod missing;
 mod noise_levels;
 pub(crate) mod over_time;
 pub(crate) mod prediction;
+mod time_constant;
 
 use nalgebra::DMatrix;
 use sensor::{BASE_PARAMETERS, Sensor};
@@ -56,9 +57,11 @@ impl JointFit {
         let errors = (&self.carried, &self.of_place);
         let mut uncertainty = marginal(&self.reduced, &places, kept, errors);
         let widening = [Sensor::Accelerometer, Sensor::Gyroscope].map(|s| self.widening(s));
+        let beyond_linear = self.beyond_linear();
         let of = |k: usize| {
             let gyroscope = self.of_gyroscope(self.free[keep[k]]);
-            widening[usize::from(gyroscope)]
+            let own = beyond_linear.iter().find(|(column, _)| *column == keep[k]);
+            widening[usize::from(gyroscope)] * own.map_or(1.0, |(_, factor)| *factor)
         };
         for (i, row) in uncertainty.covariance.iter_mut().enumerate() {
             for (k, entry) in row.iter_mut().enumerate() {

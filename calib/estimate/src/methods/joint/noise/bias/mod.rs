@@ -100,6 +100,15 @@ impl BiasNoise {
         noise
     }
 
+    /// The noise of one sensor's bias as in `other`.
+    #[must_use]
+    pub fn with_bias_of(mut self, sensor: Sensor, other: &Self) -> Self {
+        let place = usize::from(sensor == Sensor::Gyroscope);
+        self.walk[place] = other.walk[place];
+        self.flicker[place] = other.flicker[place];
+        self
+    }
+
     /// Returns true if the bias of a sensor flickers on some axis.
     pub fn flickers(&self, sensor: Sensor) -> bool {
         let own = self.flicker[usize::from(sensor == Sensor::Gyroscope)];

@@ -1,0 +1,227 @@
+//! Errors of effects whose time constant is fitted, beyond the linear ones.
+
+use faer::Mat;
+use nalgebra::{DMatrix, DVector};
+use sensor::{EffectRef, Role};
+
+use crate::methods::joint::blocks::basis::Basis;
+use crate::methods::joint::blocks::columns::Columns;
+use crate::methods::joint::fit::JointFit;
+use crate::methods::joint::rows::error_columns::effect_columns;
+use crate::methods::joint::rows::sensitivity::Sensitivities;
+
+/// Time constants are looked at up to so many times the fitted one, and down to its inverse.
+const SPAN: f64 = 10.0;
+
+/// Distance of neighbours, in linear standard errors of `ln τ`, and at most.
+const STEP: f64 = 0.5;
+const WIDEST: f64 = 0.2;
+
+/// A likelihood below this share of the greatest ends the way.
+const NOTHING: f64 = 1e-4;
+
+/// An effect with its coefficients and its time constant.
+struct Shaped<'a> {
+    effect: &'a EffectRef,
+    /// Places of its coefficients in the effect, and among the columns of the Jacobian.
+    linear: Vec<usize>,
+    columns: Vec<usize>,
+    /// The same of the time constant.
+    shape: usize,
+    shape_column: usize,
+    /// All its parameters at the fit.
+    values: Vec<f64>,
+}
+
+impl JointFit {
+    /// Columns of the Jacobian whose standard errors are larger than the linear ones, with the factor.
+    ///
+    /// The likelihood of a time constant `τ` falls slowly towards long ones, with which an effect looks like a line, and steeply towards
+    /// short ones: its curvature at the maximum does not tell. With the profile likelihood `L(τ)`, taken for the density of `ln τ`, and
+    /// the coefficients `β(τ)` that maximise it with their covariance `C(τ)`, the mean squares about the estimate are
+    ///
+    /// ```text
+    /// τ:   ∫ L (τ − τ̂)² d ln τ / ∫ L d ln τ          β_k:   ∫ L [(β_k(τ) − β̂_k)² + C_kk(τ)] d ln τ / ∫ L d ln τ
+    /// ```
+    pub(super) fn beyond_linear(&self) -> Vec<(usize, f64)> {
+        let shaped: Vec<Shaped<'_>> = self
+            .models
+            .iter()
+            .flat_map(|m| m.effects())
+            .filter_map(|e| self.shaped(e))
+            .collect();
+        if shaped.is_empty() {
+            return Vec::new();
+        }
+        let sensitivities = self.sensitivities();
+        let factors = shaped
+            .iter()
+            .filter_map(|own| self.factors(own, &sensitivities));
+        factors.flatten().collect()
+    }
+
+    /// An effect of one fitted time constant.
+    fn shaped<'a>(&self, effect: &'a EffectRef) -> Option<Shaped<'a>> {
+        let params = effect.params();
+        let place = |k: usize| {
+            self.parameters
+                .index(&format!("{}.{}", effect.name(), params[k].name))
+        };
+        let column = |k: usize| {
+            let place = place(k)?;
+            self.free.iter().position(|free| *free == place)
+        };
+        let shape = params
+            .iter()
+            .position(|p| p.role_by_name() == Role::TimeConstant)?;
+        let linear: Vec<usize> = (0..params.len())
+            .filter(|&k| params[k].role_by_name() == Role::Coefficient)
+            .collect();
+        let values = self.parameters.values();
+        Some(Shaped {
+            effect,
+            columns: linear.iter().map(|&k| column(k)).collect::<Option<_>>()?,
+            shape_column: column(shape)?,
+            values: (0..params.len())
+                .map(|k| Some(values[place(k)?]))
+                .collect::<Option<_>>()?,
+            linear,
+            shape,
+        })
+    }
+
+    fn factors(
+        &self,
+        own: &Shaped<'_>,
+        sensitivities: &Sensitivities,
+    ) -> Option<Vec<(usize, f64)>> {
+        let count = own.linear.len();
+        let all = [own.columns.as_slice(), &[own.shape_column]].concat();
+        let others = (0..self.jacobian.ncols()).filter(|k| !all.contains(k));
+        let others: Vec<usize> = others.collect();
+        let model = Basis::of(&self.jacobian.select(&others));
+        let linear = linear_variances(&model.without(&self.jacobian.select(&all)).to_dense())?;
+        let (fitted, tau) = (own.coefficients(), own.values[own.shape]);
+        let columns = |tau: f64| {
+            let mut p = own.values.clone();
+            p[own.shape] = tau;
+            let rows = self.residuals.len();
+            let mut columns = effect_columns(sensitivities, rows, own.effect, &p, &own.linear);
+            self.whitening.white.apply(columns.as_mut());
+            let columns = Columns::cut(&columns, self.whitening.white.groups());
+            model
+                .without(&self.whitening.finish_columns(columns))
+                .to_dense()
+        };
+        let of_effect = columns(tau) * Mat::from_fn(count, 1, |k, _| fitted[k]);
+        let residuals = model.without_column(&self.residuals);
+        let without = Mat::from_fn(residuals.len(), 1, |i, _| residuals[i] - of_effect[(i, 0)]);
+        let greatest = At::of(&columns(tau), &without)?.log_likelihood;
+        let mut weight = 0.0;
+        let mut squares = vec![0.0; all.len()];
+        let mut add = |other: f64| -> Option<f64> {
+            let at = At::of(&columns(other), &without)?;
+            let w = (at.log_likelihood - greatest).exp();
+            weight += w;
+            for k in 0..count {
+                squares[k] += w * ((at.coefficients[k] - fitted[k]).powi(2) + at.variances[k]);
+            }
+            squares[count] += w * (other - tau).powi(2);
+            Some(w)
+        };
+        add(tau)?;
+        let step = (STEP * linear[count].sqrt() / tau).min(WIDEST);
+        for step in [-step, step] {
+            let ways = (1..).map(|k| step * f64::from(k));
+            for way in ways.take_while(|way| way.abs() < SPAN.ln()) {
+                if add(tau * way.exp())? < NOTHING {
+                    break;
+                }
+            }
+        }
+        let factors = (0..all.len()).map(|k| (squares[k] / (weight * linear[k])).sqrt().max(1.0));
+        Some(all.into_iter().zip(factors).collect())
+    }
+}
+
+/// Variances of parameters by what the model leaves of their whitened columns.
+fn linear_variances(left: &Mat<f64>) -> Option<Vec<f64>> {
+    let gram = left.transpose() * left;
+    let gram = DMatrix::from_fn(left.ncols(), left.ncols(), |i, k| gram[(i, k)]);
+    Some(
+        gram.cholesky()?
+            .inverse()
+            .diagonal()
+            .iter()
+            .copied()
+            .collect(),
+    )
+}
+
+/// The fit at one time constant.
+struct At {
+    /// Up to a constant.
+    log_likelihood: f64,
+    coefficients: DVector<f64>,
+    /// Of the coefficients.
+    variances: DVector<f64>,
+}
+
+impl At {
+    /// `columns` and the residuals `without` the effect, less what the model takes of both.
+    fn of(columns: &Mat<f64>, without: &Mat<f64>) -> Option<Self> {
+        let n = columns.ncols();
+        let (gram, moved) = (columns.transpose() * columns, columns.transpose() * without);
+        let gram = DMatrix::from_fn(n, n, |i, k| gram[(i, k)]);
+        let moved = DVector::from_fn(n, |i, _| moved[(i, 0)]);
+        let covariance = gram.cholesky()?.inverse();
+        let coefficients = -(&covariance * &moved);
+        let log_likelihood = -0.5 * coefficients.dot(&moved);
+        log_likelihood.is_finite().then(|| Self {
+            log_likelihood,
+            coefficients,
+            variances: covariance.diagonal(),
+        })
+    }
+}
+
+impl Shaped<'_> {
+    /// The coefficients at the fit.
+    fn coefficients(&self) -> Vec<f64> {
+        self.linear.iter().map(|&k| self.values[k]).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use recording::intervals::{Detector, segment};
+    use simulate::Spec;
+
+    use crate::methods::joint::{JointRequest, fit_joint};
+
+    /// Factors on the standard errors of a warm-up of so many typical sizes, the time constant's last.
+    fn factors(size: f64) -> Vec<f64> {
+        let spec = Spec::hand_held(3).with_effect("gyro_warmup", size);
+        let recording = spec.run().unwrap().recording;
+        let segmentation = segment(&recording, &Detector::default()).unwrap();
+        let request = JointRequest::new(vec![(&recording, &segmentation)], spec.gravity);
+        let warmup = effects::effect_named("gyro_warmup").unwrap();
+        let gyroscope = gyroscope::model().with(warmup);
+        let fit = fit_joint(&JointRequest {
+            gyroscope,
+            ..request
+        })
+        .unwrap();
+        fit.beyond_linear()
+            .into_iter()
+            .map(|(_, factor)| factor)
+            .collect()
+    }
+
+    #[test]
+    fn a_time_constant_that_is_little_known_has_larger_errors_than_the_linear_ones() {
+        let (sure, unsure) = (factors(40.0), factors(2.0));
+        assert!(sure.len() == 4 && sure.iter().all(|f| *f < 1.1), "{sure:?}");
+        assert!(unsure[3] > 1.1, "{unsure:?}");
+    }
+}
