@@ -56,18 +56,15 @@ pub fn discover<R: Borrow<Recording>>(
     let request = &request.granted(&recordings);
     let mut discovery = request
         .watch
-        .over(|| discover_in(&mut Session::new(&recordings, request)?, request))?;
+        .over(|| discover_in(&mut Session::new(&recordings, request)?))?;
     let warnings = &mut discovery.findings.calibration.warnings;
     warnings.extend(own_effects::left_out(&request.catalogue));
     Ok(discovery)
 }
 
 /// The same in a session, which knows its clocks and whether its biases flicker afterwards.
-pub(super) fn discover_in(
-    session: &mut Session<'_>,
-    request: &Request,
-) -> Result<Discovery, Error> {
-    let base = base(session, request)?;
+pub(super) fn discover_in(session: &mut Session<'_>) -> Result<Discovery, Error> {
+    let base = base(session)?;
     let mut faults = integrity(session, &base);
     let is_spoilt = faults.iter().any(|fault| SPOILT.contains(&&*fault.name));
     let Judged {
@@ -77,37 +74,37 @@ pub(super) fn discover_in(
     } = match is_spoilt {
         true => Judged::nothing_looked_for(base),
         // A formula whose parameters these recordings do not determine takes no name's place.
-        false => judged(session, request, base, |session, state| {
-            calibration(session, state, request).is_ok()
+        false => judged(session, base, |session, state| {
+            calibration(session, state).is_ok()
         })?,
     };
-    if let Some(latitude) = request.latitude
+    if let Some(latitude) = session.request.latitude
         && let Some((doubt, name)) = instead_of_a_name(&search.names, latitude)
     {
         let instead = doubt.finding().detail("instead", name);
-        return at_latitude(doubt.shown(), instead, session, request);
+        return at_latitude(doubt.shown(), instead, session);
     }
     let stamps = match is_spoilt {
         true => LateStamps::default(),
-        false => LateStamps::of(session, request, &mut search)?,
+        false => LateStamps::of(session, &mut search)?,
     };
     let held = settle(session, &mut search.last);
     let formula = match &rest {
-        Some(rest) => proposed(session, request, &mut search, rest, instead)?,
+        Some(rest) => proposed(session, &mut search, rest, instead)?,
         None => None,
     };
     let (proposed, with_formula) = formula.unzip();
-    let mut calibration = calibrated(session, request, &mut search, held)?;
-    let mut effects = named::findings(&search, &calibration, request);
+    let mut calibration = calibrated(session, &mut search, held)?;
+    let mut effects = named::findings(&search, &calibration, &session.request);
     let (rest, is_of_a_room) = described(&mut effects, &mut search, rest);
     if is_of_a_room {
         let warnings = std::mem::take(&mut calibration.warnings);
-        calibration = calibration_that(true, session, &search.last, request)?;
+        calibration = calibration_that(true, session, &search.last)?;
         calibration.warnings = warnings;
     }
     if let Some((effect, late)) = stamps.together {
         let again = delay(&search.last);
-        let late = late_finding(&effect, &late, again, request, &mut calibration);
+        let late = late_finding(&effect, &late, again, &session.request, &mut calibration);
         effects.push(late);
     }
     let lasting = disturbed(&search.last, &faults, &search.either);
@@ -129,20 +126,10 @@ pub(super) fn discover_in(
 }
 
 /// The same at the latitude that the recordings show, with the doubt about the one that was given.
-fn at_latitude(
-    shown: f64,
-    doubt: Finding,
-    session: &mut Session<'_>,
-    request: &Request,
-) -> Result<Discovery, Error> {
-    let latitude = Some(shown);
-    session.latitude = latitude;
+fn at_latitude(shown: f64, doubt: Finding, session: &mut Session<'_>) -> Result<Discovery, Error> {
+    session.request.latitude = Some(shown);
     session.base = None;
-    let request = Request {
-        latitude,
-        ..request.clone()
-    };
-    let mut discovery = discover_in(session, &request)?;
+    let mut discovery = discover_in(session)?;
     discovery.findings.calibration.warnings.push(doubt);
     Ok(discovery)
 }
@@ -158,10 +145,12 @@ struct LateStamps {
 
 impl LateStamps {
     /// Those of the final model, which holds what is late by the same afterwards.
-    fn of(session: &Session<'_>, request: &Request, search: &mut Search) -> Result<Self, Error> {
-        let apart = late_apart(&search.last, request, LATE_APART);
+    fn of(session: &Session<'_>, search: &mut Search) -> Result<Self, Error> {
+        let apart = late_apart(&search.last, &session.request, LATE_APART);
         let looks = apart.is_empty();
-        let together = looks.then(|| late(&search.last, request)).flatten();
+        let together = looks
+            .then(|| late(&search.last, &session.request))
+            .flatten();
         if let Some((effect, late)) = &together {
             let mut extension = search.last.extension.clone();
             extension

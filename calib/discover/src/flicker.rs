@@ -8,7 +8,7 @@ use super::family::Claim;
 use super::remainder::described::Described;
 use super::remainder::unexplained::{Unexplained, unexplained};
 use super::remainder::withdrawn::withdraw;
-use super::request::{Request, Session};
+use super::request::Session;
 use super::score::{log_tail, score};
 use super::search::{Name, Search, search};
 use super::state::State;
@@ -59,23 +59,19 @@ impl Found {
 /// A search takes the noise of the biases for walks: flicker beside them would take some of what depends on the
 /// placement. Of biases that flicker a walk leaves what looks like a wandering, a fine pattern or a small effect. Sensors do
 /// that, and nothing is missing: what was found is then looked for again.
-pub fn names_and_rest(
-    session: &mut Session<'_>,
-    request: &Request,
-    base: State,
-) -> Result<Found, Error> {
-    let first = look(session, request, base)?;
+pub fn names_and_rest(session: &mut Session<'_>, base: State) -> Result<Found, Error> {
+    let first = look(session, base)?;
     if first.is_nothing() || !flickers(session, &first) {
         return Ok(first);
     }
-    session.flicker = true;
+    session.request.flicker = true;
     let base = State::fit(session, Extension::default())?;
-    look(session, request, base)
+    look(session, base)
 }
 
-fn look(session: &Session<'_>, request: &Request, base: State) -> Result<Found, Error> {
-    let mut search = search(session, request, base)?;
-    let (rest, of_base) = unexplained(&mut search, request.alpha_of_rest());
+fn look(session: &Session<'_>, base: State) -> Result<Found, Error> {
+    let mut search = search(session, base)?;
+    let (rest, of_base) = unexplained(&mut search, session.request.alpha_of_rest());
     Ok(Found {
         search,
         rest,
@@ -105,7 +101,6 @@ fn flickers(session: &Session<'_>, first: &Found) -> bool {
 /// what chance gives, `s′` the score of the name under flicker.
 pub(crate) fn without_flickering(
     session: &Session<'_>,
-    request: &Request,
     search: &mut Search,
 ) -> Result<bool, Error> {
     if !may_flicker(session, &search.last) {
@@ -113,7 +108,7 @@ pub(crate) fn without_flickering(
     }
     let mut less = search.last.extension.clone();
     for name in &search.names {
-        let needed = name.claim.needed(request.threshold());
+        let needed = name.claim.needed(session.request.threshold());
         if beside_flicker(name).is_none_or(|evidence| evidence > needed) {
             continue;
         }
@@ -150,7 +145,7 @@ fn beside_flicker(name: &Name) -> Option<f64> {
 /// Returns true if the biases are taken to walk alone and the recordings can show that they flicker.
 fn may_flicker(session: &Session<'_>, model: &State) -> bool {
     let is_knocked = model.fit.data.misses_something_between_samples();
-    !(session.flicker || session.noise.is_some() || is_knocked)
+    !(session.request.flicker || session.request.noise.is_some() || is_knocked)
 }
 
 /// By how much the data are likelier (log) with biases that flicker.
@@ -192,6 +187,7 @@ mod tests {
 
     use super::*;
     use crate::rank::Ranked;
+    use crate::request::Request;
     use crate::search::Ranking;
 
     #[test]
@@ -205,11 +201,11 @@ mod tests {
             let request = Request::new(spec.gravity);
             let mut session = Session::new(&recordings, &request).unwrap();
             let base = State::fit(&session, Extension::default()).unwrap();
-            let mut walking = search(&session, &request, base.clone()).unwrap();
+            let mut walking = search(&session, base.clone()).unwrap();
             let (rest, _) = unexplained(&mut walking, request.alpha_of_rest());
             let lacks = rest.is_some() || !walking.names.is_empty();
             assert!(lacks || seed == 54, "{seed}");
-            let found = names_and_rest(&mut session, &request, base).unwrap();
+            let found = names_and_rest(&mut session, base).unwrap();
             assert!(
                 found.rest.is_none() && found.search.names.is_empty(),
                 "{seed}"

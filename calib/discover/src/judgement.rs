@@ -10,7 +10,7 @@ use super::remainder::withdrawn::{
     weigh_beside_shape, without_doubtful_steps, without_steps_of, without_undetermined,
     without_weak,
 };
-use super::request::{Request, Session};
+use super::request::Session;
 use super::search::Search;
 use super::state::State;
 
@@ -36,26 +36,26 @@ impl Judged {
 }
 
 /// A look at the names beside what they leave: true where some were taken back, and the rest is another.
-type Review = fn(&Session<'_>, &Request, &mut Search, Option<&Unexplained>) -> Result<bool, Error>;
+type Review = fn(&Session<'_>, &mut Search, Option<&Unexplained>) -> Result<bool, Error>;
 
 /// The reviews, each of what those before it have left.
 const REVIEWS: [Review; 7] = [
-    |session, request, search, _| without_flickering(session, request, search),
+    |session, search, _| without_flickering(session, search),
     // An interval that is off beside a step is none of the step's.
-    |session, _, search, _| leave_out_mixed(session, search),
+    |session, search, _| leave_out_mixed(session, search),
     // Beside a rest of several times the noise every likelihood ratio is too large.
-    |session, request, search, rest| Ok(rest.is_some() && without_weak(session, search, request)?),
+    |session, search, rest| Ok(rest.is_some() && without_weak(session, search)?),
     // A step that a wandering explains as well.
-    |session, _, search, _| without_doubtful_steps(session, search),
-    |session, _, search, rest| match rest.and_then(|found| found.wandering) {
+    |session, search, _| without_doubtful_steps(session, search),
+    |session, search, rest| match rest.and_then(|found| found.wandering) {
         Some((sensor, _)) => without_steps_of(session, search, sensor),
         None => Ok(false),
     },
     // Coefficients that are zero within their errors, unless nothing else explains what they do.
-    |session, request, search, rest| {
+    |session, search, rest| {
         let mut fewer = search.clone();
         let is_needed = |fewer: &Search| {
-            rest.is_none() && rest_of(&fewer.last, request.alpha_of_rest()).is_some()
+            rest.is_none() && rest_of(&fewer.last, session.request.alpha_of_rest()).is_some()
         };
         let goes = without_undetermined(session, &mut fewer)? && !is_needed(&fewer);
         if goes {
@@ -64,7 +64,7 @@ const REVIEWS: [Review; 7] = [
         Ok(goes)
     },
     // Rows that were left out for a step that has gone.
-    |session, _, search, _| take_back(session, search),
+    |session, search, _| take_back(session, search),
 ];
 
 /// Looks for names, and takes those back that do not stand beside all that was found; a formula may take their place where
@@ -74,14 +74,13 @@ const REVIEWS: [Review; 7] = [
 /// As the joint fit.
 pub fn judged(
     session: &mut Session<'_>,
-    request: &Request,
     base: State,
     may_replace: impl Fn(&Session<'_>, &State) -> bool,
 ) -> Result<Judged, Error> {
-    let alpha = request.alpha_of_rest();
-    let found = names_and_rest(session, request, base)?;
+    let alpha = session.request.alpha_of_rest();
+    let found = names_and_rest(session, base)?;
     let (mut search, mut rest) = (found.search, found.rest);
-    let instead = instead_of_names(session, request, &search, found.of_base);
+    let instead = instead_of_names(session, &search, found.of_base);
     let instead = instead.filter(|(formula, _)| may_replace(session, &formula.state));
     let instead = instead.map(|(formula, mut whole)| {
         whole.instead_of = search.withdraw_all();
@@ -89,13 +88,13 @@ pub fn judged(
         formula
     });
     for review in REVIEWS {
-        if review(session, request, &mut search, rest.as_ref())? {
+        if review(session, &mut search, rest.as_ref())? {
             rest = rest_of(&search.last, alpha);
         }
     }
     explain_disturbed(session, &mut search)?;
     if let Some(found) = rest.as_mut() {
-        weigh_beside_shape(session, request, &mut search, found)?;
+        weigh_beside_shape(session, &mut search, found)?;
     }
     Ok(Judged {
         search,

@@ -119,16 +119,8 @@ pub struct Session<'a> {
     pub recordings: Vec<(Cow<'a, Recording>, Choice)>,
     /// The same as they were read.
     pub originals: Vec<&'a Recording>,
-    /// Local gravity, m/s².
-    pub gravity: f64,
-    /// Noise of the biases, where it is known.
-    pub noise: Option<BiasNoise>,
-    /// True if flicker of the biases is estimated.
-    pub flicker: bool,
-    /// Latitude, degrees north.
-    pub latitude: Option<f64>,
-    /// By which clock the turns are integrated.
-    pub clock: ClockMode,
+    /// What is asked of them, with the flicker and the latitude that the search has found since.
+    pub request: Request,
     /// The clocks, once the base models have shown them: models that are compared have noise of the same kind.
     pub clocks: Option<Vec<DecidedClock>>,
     /// A fit that others begin at: that of the base models, once it is there.
@@ -136,8 +128,6 @@ pub struct Session<'a> {
     /// Findings about the recordings: what reading them said, what was done to make them ready, and the static intervals in use
     /// where there are more than the joint problem takes.
     pub remarks: ::findings::Findings,
-    /// Told of every step.
-    pub watch: Watch,
 }
 
 impl<'a> Session<'a> {
@@ -171,14 +161,9 @@ impl<'a> Session<'a> {
             remarks,
             originals: ready.originals,
             recordings: ready.recordings.into_iter().zip(choices).collect(),
-            gravity: request.gravity,
-            noise: request.noise,
-            flicker: request.flicker,
-            latitude: request.latitude,
-            clock: request.clock,
+            request: request.clone(),
             clocks: None,
             base: None,
-            watch: request.watch.clone(),
         })
     }
 
@@ -200,7 +185,7 @@ impl<'a> Session<'a> {
     pub fn joint<'b>(&'b self, extension: &Extension) -> JointRequest<'b> {
         let (mut accelerometer, mut gyroscope) = (accelerometer::model(), gyroscope::model());
         let (mut held, mut starts) = (Vec::new(), Vec::new());
-        if let Some(latitude) = self.latitude {
+        if let Some(latitude) = self.request.latitude {
             let (with_it, vertical) = on_the_earth(gyroscope, latitude);
             gyroscope = with_it;
             held.push(vertical);
@@ -226,25 +211,25 @@ impl<'a> Session<'a> {
         JointRequest {
             accelerometer,
             gyroscope,
-            bias_noise: self.noise,
-            flicker: self.flicker,
+            bias_noise: self.request.noise,
+            flicker: self.request.flicker,
             disturbances: false,
             known: extension.disturbed.clone(),
             held,
             starts,
-            clock: self.clock,
+            clock: self.request.clock,
             clocks: self.clocks.clone(),
             compared: self.base.is_some(),
             before: self.base.as_deref(),
             from_its_minimum: self.begins_at_the_base(),
             covariates: true,
-            watch: self.watch.clone(),
+            watch: self.request.watch.clone(),
             ..JointRequest::new(
                 self.recordings
                     .iter()
                     .map(|(r, c)| (r.as_ref(), &c.segmentation))
                     .collect(),
-                self.gravity,
+                self.request.gravity,
             )
         }
     }

@@ -51,7 +51,7 @@ impl State {
     /// # Errors
     /// As [`fit_joint`].
     pub fn fit(session: &Session<'_>, extension: Extension) -> Result<Self, Error> {
-        session.watch.step(Stage::Searching)?;
+        session.request.watch.step(Stage::Searching)?;
         let fit = fit_joint(&session.joint(&extension))?;
         let sensitivities = fit.sensitivities();
         let projected = projected(&fit, (&fit.components, &fit.levels));
@@ -62,7 +62,7 @@ impl State {
             sensitivities: Arc::new(sensitivities),
             projected: Arc::new(projected),
             noise,
-            noise_given: session.noise.is_some(),
+            noise_given: session.request.noise.is_some(),
             levels: OnceLock::new(),
             walks: OnceLock::new(),
             suspects: OnceLock::new(),

@@ -95,3 +95,36 @@ fn pressed(sides: &[OneSided], rows: &[Row]) -> Vec<Active> {
         .map(|i| sides[i].active)
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A side at least `distance` away along `normal`, the `row`-th.
+    fn side(row: usize, normal: [f64; 2], distance: f64) -> (OneSided, Row) {
+        let active = Active {
+            row,
+            side: Side::Lower,
+        };
+        let (a, normal) = (normal.map(|v| -v).to_vec(), normal.to_vec());
+        let room = -distance;
+        (OneSided { a, room, active }, Row { normal, distance })
+    }
+
+    #[test]
+    fn sides_press_that_the_nearest_point_touches_at_any_distance() {
+        for unit in [1e-9, 1.0, 1e9] {
+            // The nearest point with x ≥ 1, y ≥ 2 and x + y ≥ 2 touches the first two.
+            let slanted = 0.5_f64.sqrt();
+            let all = [
+                side(0, [1.0, 0.0], unit),
+                side(1, [0.0, 1.0], 2.0 * unit),
+                side(2, [slanted, slanted], 2.0 * slanted * unit),
+            ];
+            let (sides, rows): (Vec<OneSided>, Vec<Row>) = all.into_iter().unzip();
+            let pressed = pressed(&sides, &rows);
+            let touched: Vec<usize> = pressed.iter().map(|active| active.row).collect();
+            assert_eq!(touched, [0, 1], "{unit}");
+        }
+    }
+}

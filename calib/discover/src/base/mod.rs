@@ -13,32 +13,32 @@ use estimate::methods::static_means;
 use recording::Error;
 
 use super::extension::Extension;
-use super::request::{Request, Session};
+use super::request::Session;
 use super::state::State;
 
 /// The base models; the session knows its clocks and the fit afterwards.
 ///
 /// # Errors
 /// Too few rests, rests in one plane, parameters that they do not determine, recordings of different devices, and those of the joint fit.
-pub(super) fn base(session: &mut Session<'_>, request: &Request) -> Result<State, Error> {
+pub(super) fn base(session: &mut Session<'_>) -> Result<State, Error> {
     enough_rests(session)?;
     let cuts = session.recordings.iter();
     let means: Vec<_> = cuts
         .map(|(r, choice)| static_means(r, &choice.segmentation))
         .collect();
     not_in_one_plane(&means)?;
-    if !request.force_device {
+    if !session.request.force_device {
         let cut = session.recordings.iter();
         let cut = cut.map(|(recording, choice)| (recording.as_ref(), &choice.segmentation));
-        of_one_recording_each(cut, request.gravity)?;
-        of_one_device(&session.ready(), &means, request.gravity)?;
+        of_one_recording_each(cut, session.request.gravity)?;
+        of_one_device(&session.ready(), &means, session.request.gravity)?;
     }
     let base = State::fit(session, Extension::default())?;
     session.clocks = Some(base.fit.data.decided_clocks());
     session.base = Some(Arc::clone(&base.fit));
     refuse_unobservable(&base.fit)?;
     enough_to_compare(session, &base)?;
-    if !request.force_device {
+    if !session.request.force_device {
         gyroscope_of_one_device(&base.fit, &session.ready(), false)?;
     }
     Ok(base)

@@ -10,7 +10,7 @@ use sensor::EffectRef;
 pub(crate) use settle::{HeldShape, settle};
 
 use self::settle::say_held;
-use super::request::{Request, Session};
+use super::request::Session;
 use super::search::Search;
 use super::state::State;
 
@@ -21,11 +21,10 @@ use super::state::State;
 /// A model whose parameters these recordings do not determine, however few names are left.
 pub(super) fn calibrated(
     session: &Session<'_>,
-    request: &Request,
     search: &mut Search,
     held: Vec<HeldShape>,
 ) -> Result<Calibration, Error> {
-    let (mut calibration, held) = determined(session, request, search, held)?;
+    let (mut calibration, held) = determined(session, search, held)?;
     say_held(&mut calibration, &held);
     let warnings = &mut calibration.warnings;
     warnings.extend(unknown_temperature(&search.last));
@@ -39,12 +38,8 @@ pub(super) fn calibrated(
 }
 
 /// The calibration of a model.
-pub(super) fn calibration(
-    session: &Session<'_>,
-    last: &State,
-    request: &Request,
-) -> Result<Calibration, Error> {
-    calibration_that(request.latitude.is_some(), session, last, request)
+pub(super) fn calibration(session: &Session<'_>, last: &State) -> Result<Calibration, Error> {
+    calibration_that(session.request.latitude.is_some(), session, last)
 }
 
 /// The same, which may keep the earth's rotation in corrected rates though no latitude is given.
@@ -52,15 +47,14 @@ pub(super) fn calibration_that(
     keeps_the_earth: bool,
     session: &Session<'_>,
     last: &State,
-    request: &Request,
 ) -> Result<Calibration, Error> {
     let recordings: Vec<&Recording> = session.ready();
     let choices: Vec<_> = session.recordings.iter().map(|(_, c)| c).collect();
     let mut warnings = session.remarks.clone();
     let account = Account {
-        gravity: request.gravity,
-        gravity_source: request.gravity_source,
-        latitude: request.latitude,
+        gravity: session.request.gravity,
+        gravity_source: session.request.gravity_source,
+        latitude: session.request.latitude,
         keeps_the_earth,
         frame: Frame::default(),
         names_what_is_missing: true,
@@ -70,7 +64,7 @@ pub(super) fn calibration_that(
         warnings,
         ..calibration
     };
-    calibration.carry_gravity(request.gravity_source);
+    calibration.carry_gravity(session.request.gravity_source);
     Ok(calibration)
 }
 
@@ -78,12 +72,11 @@ pub(super) fn calibration_that(
 /// the one goes without which they do not, that with the most parameters first, or else the least evident one.
 fn determined(
     session: &Session<'_>,
-    request: &Request,
     search: &mut Search,
     mut held: Vec<HeldShape>,
 ) -> Result<(Calibration, Vec<HeldShape>), Error> {
     loop {
-        let refused = match calibration(session, &search.last, request) {
+        let refused = match calibration(session, &search.last) {
             Ok(calibration) => return Ok((calibration, held)),
             Err(Error::Cancelled) => return Err(Error::Cancelled),
             Err(refused) => refused,
@@ -103,7 +96,7 @@ fn determined(
         effects.sort_by_key(|effect| std::cmp::Reverse(effect.params().len()));
         let helps = |effect: &&EffectRef| {
             let state = search.fit(session, less(effect));
-            state.is_ok_and(|state| calibration(session, &state, request).is_ok())
+            state.is_ok_and(|state| calibration(session, &state).is_ok())
         };
         let gone = effects.iter().find(helps).cloned().unwrap_or(weakest);
         search.withdraw_to(session, less(&gone))?;

@@ -12,7 +12,7 @@ use crate::family::{coefficients, effect_family, may_be_missing};
 use crate::rank::APART;
 use crate::remainder::described::Described;
 use crate::remainder::unexplained::{Unexplained, rest_beside};
-use crate::request::{Request, Session};
+use crate::request::Session;
 use crate::search::Search;
 use crate::state::State;
 
@@ -27,7 +27,6 @@ const SEVERAL: usize = 2;
 /// base models, where that is known.
 pub fn instead_of_names(
     session: &Session<'_>,
-    request: &Request,
     search: &Search,
     of_base: Option<Described>,
 ) -> Option<(Proposed, Unexplained)> {
@@ -37,15 +36,15 @@ pub fn instead_of_names(
         return None;
     }
     let base = &search.base;
-    let products = outside(base, &request.candidates(), dictionary(base), OWN);
+    let products = outside(base, &session.request.candidates(), dictionary(base), OWN);
     let screened = screen(base, &products)?;
     let needed = search.evidence + APART;
     if most_evidence(&screened, &products, base.levels()) <= needed {
         return None;
     }
     let described = of_base.unwrap_or_else(|| Described::of(base));
-    let whole = rest_beside(base, &described, request.alpha_of_rest())?;
-    let found = propose_of(session, request, base, &whole, (&products, &screened))?;
+    let whole = rest_beside(base, &described, session.request.alpha_of_rest())?;
+    let found = propose_of(session, base, &whole, (&products, &screened))?;
     (found.ranked.by_ratio() > needed).then_some((found, whole))
 }
 

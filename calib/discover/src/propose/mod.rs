@@ -34,7 +34,7 @@ use super::gap::held_out::{held_out, held_out_as_after};
 use super::gap::sequence::Misfit;
 use super::rank::{APART, Ranked, rank};
 use super::remainder::unexplained::Unexplained;
-use super::request::{Request, Session};
+use super::request::Session;
 use super::state::State;
 
 /// Formulas that are tried, at most, of those that are less likely than the first by so many times [`APART`].
@@ -115,21 +115,15 @@ impl Proposed {
 
 /// Looks for a formula for the rest that `last` leaves; `None` where none is selected time and again, is
 /// significant among all formulas of as many terms, and closes the gap on intervals that the fit did not see.
-pub fn propose(
-    session: &Session<'_>,
-    request: &Request,
-    last: &State,
-    rest: &Unexplained,
-) -> Option<Proposed> {
+pub fn propose(session: &Session<'_>, last: &State, rest: &Unexplained) -> Option<Proposed> {
     let products = dictionary(last);
     let screened = screen(last, &products)?;
-    propose_of(session, request, last, rest, (&products, &screened))
+    propose_of(session, last, rest, (&products, &screened))
 }
 
 /// The same among some products. Where the likeliest formula does not close the gap, what is like it and less likely may.
 fn propose_of(
     session: &Session<'_>,
-    request: &Request,
     last: &State,
     rest: &Unexplained,
     (products, screened): (&[Product], &Screened),
@@ -147,7 +141,7 @@ fn propose_of(
     for _ in 0..nearly.count().min(MOST_TRIED) {
         let chosen = left.chosen();
         let taken = chosen.first()?.place;
-        match tried(session, request, last, rest, (screened, products, &chosen))? {
+        match tried(session, last, rest, (screened, products, &chosen))? {
             Tried::Closes(proposed) => return Some(*proposed),
             Tried::Open => left.places.retain(|&place| place != taken),
         }
@@ -165,7 +159,6 @@ enum Tried {
 /// One formula, of the products that were chosen; `None` where it is not evident.
 fn tried(
     session: &Session<'_>,
-    request: &Request,
     last: &State,
     rest: &Unexplained,
     (screened, products, chosen): (&Screened, &[Product], &[Chosen<'_>]),
@@ -176,7 +169,7 @@ fn tried(
     let effect = formula.effect(name_of(sensor)).ok()?;
     let tried = log_formulas(products, found.products, found.terms.len());
     let ranked = evidence(last, &effect, tried)?;
-    if ranked.evidence <= request.threshold() {
+    if ranked.evidence <= session.request.threshold() {
         return None;
     }
     let mut extension = last.extension.clone();

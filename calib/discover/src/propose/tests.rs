@@ -4,6 +4,7 @@ use sensor::Axis;
 use simulate::{Hidden, Periodic, Spec};
 
 use super::*;
+use crate::request::Request;
 use crate::{Extension, Verdict, discover, validate};
 
 /// A force of third order in a rate, most of which a linear one explains as well.
@@ -168,7 +169,7 @@ fn asked_of(spec: &Spec, channel: Channel) -> Option<Formula> {
         columns: None,
         wandering: None,
     };
-    propose(&session, &request, &state, &rest).map(|p| p.formula)
+    propose(&session, &state, &rest).map(|p| p.formula)
 }
 
 #[test]

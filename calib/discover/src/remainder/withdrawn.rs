@@ -13,7 +13,7 @@ use crate::family::Claim;
 use crate::gap::held_out::gap_of;
 use crate::gap::sequence::{Sequence, channel_of};
 use crate::rank::APART;
-use crate::request::{Request, Session};
+use crate::request::Session;
 use crate::score::log_tail;
 use crate::search::Search;
 use crate::state::State;
@@ -23,12 +23,8 @@ const BY_CHANCE: f64 = 0.05;
 
 /// Withdraws the effects that are not evident against what remains unexplained: a rest of `g` times the noise
 /// makes all likelihood ratios `g²` times too large.
-pub(crate) fn without_weak(
-    session: &Session<'_>,
-    found: &mut Search,
-    request: &Request,
-) -> Result<bool, Error> {
-    let threshold = request.threshold();
+pub(crate) fn without_weak(session: &Session<'_>, found: &mut Search) -> Result<bool, Error> {
+    let threshold = session.request.threshold();
     let noise = found.last.noise;
     let left = Sequence::of(&found.last, noise).misfits(&found.last);
     let mut extension = found.last.extension.clone();
@@ -156,14 +152,13 @@ pub(crate) fn without_undetermined(
 /// Withdraws what is no longer evident beside the shape of what remains.
 pub(crate) fn weigh_beside_shape(
     session: &Session<'_>,
-    request: &Request,
     search: &mut Search,
     found: &mut Unexplained,
 ) -> Result<(), Error> {
     let Some(shape) = &found.columns else {
         return Ok(());
     };
-    let Some(less) = weighed_again(search, request, &shape.columns, shape.noise) else {
+    let Some(less) = weighed_again(search, &session.request, &shape.columns, shape.noise) else {
         return Ok(());
     };
     let withdrawn = search.withdraw_to(session, less)?;

@@ -28,7 +28,7 @@ use crate::extension::Extension;
 use crate::extension::with_companions;
 use crate::family::{Claim, Family, Hypothesis};
 use crate::rank::Ranked;
-use crate::request::{Request, Session};
+use crate::request::Session;
 use crate::separation::Rivalry;
 use crate::state::State;
 
@@ -201,13 +201,13 @@ impl Search {
 ///
 /// # Errors
 /// As the joint fit.
-pub fn search(session: &Session<'_>, request: &Request, base: State) -> Result<Search, Error> {
-    let candidates = request.candidates();
+pub fn search(session: &Session<'_>, base: State) -> Result<Search, Error> {
+    let candidates = session.request.candidates();
     let most = MOST_WORK / cost_of_fit(&base.fit.data).max(1.0);
     let finder = Finder {
         session,
         catalogue: &candidates,
-        threshold: request.threshold(),
+        threshold: session.request.threshold(),
         most_fits: (most as usize).max(FEWEST_FITS),
         fits: Cell::new(0),
         linearised: Cell::new(0),

@@ -130,12 +130,7 @@ impl Together<'_> {
         for (k, unit) in units.iter_mut().enumerate() {
             let says = top.units[k].as_ref().filter(|_| wanted[k]);
             if let Some(says) = says {
-                own[k] = unit.take_in(
-                    top.effect.clone(),
-                    says.shape,
-                    self.request,
-                    &self.candidates,
-                )?;
+                own[k] = unit.take_in(top.effect.clone(), says.shape, &self.candidates)?;
             }
         }
         Ok(own)
@@ -241,7 +236,7 @@ impl Together<'_> {
                 unit: unit.name.clone(),
                 p_value: says.map(|says| says.log_p.exp()),
                 parameters: match held.units[k] {
-                    true => unit.parameters(&held.effect, self.request)?,
+                    true => unit.parameters(&held.effect)?,
                     false => Vec::new(),
                 },
                 channel,

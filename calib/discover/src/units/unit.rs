@@ -35,7 +35,7 @@ impl<'a> Unit<'a> {
     pub fn new(recording: &'a [&'a Recording; 1], request: &Request) -> Result<Self, Error> {
         let mut session = Session::new(recording, request)?;
         let [recording] = recording;
-        let discovery = discover_in(&mut session, request)?;
+        let discovery = discover_in(&mut session)?;
         let faults = Extension {
             disturbed: discovery.search.last.extension.disturbed.clone(),
             ..Extension::default()
@@ -72,7 +72,6 @@ impl<'a> Unit<'a> {
         &mut self,
         effect: EffectRef,
         shape: Option<(usize, f64)>,
-        request: &Request,
         catalogue: &[EffectRef],
     ) -> Result<bool, Error> {
         let mut extension = self.state.extension.clone();
@@ -83,7 +82,7 @@ impl<'a> Unit<'a> {
             // A claim that the data do not hold together with is none.
             Err(_) => return Ok(false),
         };
-        let is_determined = calibration(&self.session, &state, request).is_ok();
+        let is_determined = calibration(&self.session, &state).is_ok();
         if is_determined {
             self.state = state;
         }
@@ -109,12 +108,8 @@ impl<'a> Unit<'a> {
     ///
     /// # Errors
     /// A calibration that the recording does not determine.
-    pub fn parameters(
-        &self,
-        effect: &EffectRef,
-        request: &Request,
-    ) -> Result<Vec<EffectParameter>, Error> {
-        let calibration = calibration(&self.session, &self.state, request)?;
+    pub fn parameters(&self, effect: &EffectRef) -> Result<Vec<EffectParameter>, Error> {
+        let calibration = calibration(&self.session, &self.state)?;
         Ok(parameters_of(effect.name(), &calibration))
     }
 
