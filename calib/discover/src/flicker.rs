@@ -1,7 +1,6 @@
 //! A search under noise that flickers, where the biases do.
 
 use recording::Error;
-use sensor::Sensor;
 
 use super::extension::Extension;
 use super::family::Claim;
@@ -9,7 +8,7 @@ use super::remainder::described::Described;
 use super::remainder::unexplained::{Unexplained, unexplained};
 use super::remainder::withdrawn::withdraw;
 use super::request::Session;
-use super::score::{log_tail, score};
+use super::score::score;
 use super::search::{Name, Search, search};
 use super::state::State;
 
@@ -129,16 +128,15 @@ fn beside_flicker(name: &Name) -> Option<f64> {
     let (projected, flickering) = without.flickering();
     let noise = without.noise.with_bias_of(sensor, &flickering);
     let at = projected.at(noise)?;
-    let axes = noise.flicker[usize::from(sensor == Sensor::Gyroscope)];
-    let by_chance = BY_CHANCE * axes.iter().filter(|b| **b > 0.0).count() as f64;
+    let axes = noise.flicker_of(sensor).into_iter().filter(|b| *b > 0.0);
+    let by_chance = BY_CHANCE * axes.count() as f64;
     let walking = projected.at(without.noise)?.log_likelihood();
     let gain = (at.log_likelihood() - walking - by_chance).max(0.0);
     let columns = at.columns(&projected.columns(name.columns.as_ref()));
     let score = score(columns.as_ref(), &at.z);
-    let (own, dof) = (&name.ranked, name.ranked.dof);
-    let lost = log_tail(own.statistic - 2.0 * gain, dof) - log_tail(own.statistic, dof);
-    let search_cost = -own.log_p - own.evidence;
-    let flickering = -log_tail(score.statistic, dof) - search_cost;
+    let own = &name.ranked;
+    let lost = own.by_ratio() - own.evidence_at(own.statistic - 2.0 * gain);
+    let flickering = own.evidence_at(score.statistic);
     Some(flickering.max(own.evidence - lost))
 }
 

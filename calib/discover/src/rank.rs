@@ -173,7 +173,12 @@ impl Ranked {
     /// The evidence by the likelihood ratio alone, as if the densities were known to be the likeliest: what shapes and wandering
     /// biases are held against, which are judged so.
     pub fn by_ratio(&self) -> f64 {
-        self.evidence + self.log_p - log_tail(self.statistic, self.dof)
+        self.evidence_at(self.statistic)
+    }
+
+    /// The same, were the likelihood ratio this one.
+    pub fn evidence_at(&self, statistic: f64) -> f64 {
+        self.evidence + self.log_p - log_tail(statistic, self.dof)
     }
 }
 

@@ -36,9 +36,7 @@ pub(crate) fn without_weak(session: &Session<'_>, found: &mut Search) -> Result<
         let parts = Sequence::of(&name.without, noise).of_column(name.predicted().col_as_slice(0));
         let gap = gap_of(&left, channel_of(&parts)).max(1.0);
         let ranked = &name.ranked;
-        let search_cost = -ranked.log_p - ranked.evidence;
-        let evident =
-            -log_tail(ranked.statistic / (gap * gap), ranked.dof) - search_cost > threshold;
+        let evident = ranked.evidence_at(ranked.statistic / (gap * gap)) > threshold;
         if !evident {
             extension.effects.retain(|(e, _)| e.name() != effect.name());
         }

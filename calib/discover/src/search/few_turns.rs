@@ -56,7 +56,7 @@ impl Turns {
             (least, w, z) = best;
         }
         let statistic = ranked.statistic - ranked.score.statistic + least;
-        let without = ranked.evidence + ranked.log_p - log_tail(statistic, ranked.dof);
+        let without = ranked.evidence_at(statistic);
         without.min(ranked.evidence)
     }
 }

@@ -57,7 +57,7 @@ impl JointFit {
         let errors = (&self.carried, &self.of_place);
         let mut uncertainty = marginal(&self.reduced, &places, kept, errors);
         let widening = [Sensor::Accelerometer, Sensor::Gyroscope].map(|s| self.widening(s));
-        let beyond_linear = self.beyond_linear();
+        let beyond_linear = self.beyond_linear(&keep);
         let of = |k: usize| {
             let gyroscope = self.of_gyroscope(self.free[keep[k]]);
             let own = beyond_linear.iter().find(|(column, _)| *column == keep[k]);

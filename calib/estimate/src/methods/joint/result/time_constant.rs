@@ -17,6 +17,9 @@ const SPAN: f64 = 10.0;
 const STEP: f64 = 0.5;
 const WIDEST: f64 = 0.2;
 
+/// Most of them each way: where the curvature says nothing of the likelihood, as of a column that is all but nothing.
+const MOST: u32 = 50;
+
 /// A likelihood below this share of the greatest ends the way.
 const NOTHING: f64 = 1e-4;
 
@@ -43,21 +46,35 @@ impl JointFit {
     /// ```text
     /// τ:   ∫ L (τ − τ̂)² d ln τ / ∫ L d ln τ          β_k:   ∫ L [(β_k(τ) − β̂_k)² + C_kk(τ)] d ln τ / ∫ L d ln τ
     /// ```
-    pub(super) fn beyond_linear(&self) -> Vec<(usize, f64)> {
-        let shaped: Vec<Shaped<'_>> = self
-            .models
-            .iter()
-            .flat_map(|m| m.effects())
-            .filter_map(|e| self.shaped(e))
-            .collect();
+    ///
+    /// Of effects that have one of the columns `wanted`.
+    pub(super) fn beyond_linear(&self, wanted: &[usize]) -> Vec<(usize, f64)> {
+        let effects = self.models.iter().flat_map(|model| model.effects());
+        let shaped = effects.filter_map(|effect| self.shaped(effect));
+        let is_wanted = |own: &Shaped<'_>| own.all().iter().any(|k| wanted.contains(k));
+        let shaped: Vec<Shaped<'_>> = shaped.filter(is_wanted).collect();
         if shaped.is_empty() {
             return Vec::new();
         }
         let sensitivities = self.sensitivities();
+        let linear = self.variances_of_weights();
         let factors = shaped
             .iter()
-            .filter_map(|own| self.factors(own, &sensitivities));
+            .filter_map(|own| self.factors(own, &sensitivities, &linear));
         factors.flatten().collect()
+    }
+
+    /// Variances of the shared parameters by the weights, at their columns of the Jacobian.
+    fn variances_of_weights(&self) -> Vec<f64> {
+        let covariance = self.covariance_of_weights();
+        let mut of_shared = covariance.iter().enumerate().map(|(k, row)| row[k]);
+        let columns = self.free.iter();
+        columns
+            .map(|place| match *place < self.shared {
+                true => of_shared.next().unwrap_or(f64::NAN),
+                false => f64::NAN,
+            })
+            .collect()
     }
 
     /// An effect of one fitted time constant.
@@ -94,14 +111,12 @@ impl JointFit {
         &self,
         own: &Shaped<'_>,
         sensitivities: &Sensitivities,
+        linear: &[f64],
     ) -> Option<Vec<(usize, f64)>> {
-        let count = own.linear.len();
-        let all = [own.columns.as_slice(), &[own.shape_column]].concat();
+        let all = own.all();
         let others = (0..self.jacobian.ncols()).filter(|k| !all.contains(k));
         let others: Vec<usize> = others.collect();
         let model = Basis::of(&self.jacobian.select(&others));
-        let linear = linear_variances(&model.without(&self.jacobian.select(&all)).to_dense())?;
-        let (fitted, tau) = (own.coefficients(), own.values[own.shape]);
         let columns = |tau: f64| {
             let mut p = own.values.clone();
             p[own.shape] = tau;
@@ -113,52 +128,45 @@ impl JointFit {
                 .without(&self.whitening.finish_columns(columns))
                 .to_dense()
         };
-        let of_effect = columns(tau) * Mat::from_fn(count, 1, |k, _| fitted[k]);
+        let (fitted, tau) = (own.coefficients(), own.values[own.shape]);
+        let count = fitted.len();
+        let here = columns(tau);
+        let of_effect = &here * Mat::from_fn(count, 1, |k, _| fitted[k]);
         let residuals = model.without_column(&self.residuals);
         let without = Mat::from_fn(residuals.len(), 1, |i, _| residuals[i] - of_effect[(i, 0)]);
-        let greatest = At::of(&columns(tau), &without)?.log_likelihood;
-        let mut weight = 0.0;
-        let mut squares = vec![0.0; all.len()];
-        let mut add = |other: f64| -> Option<f64> {
-            let at = At::of(&columns(other), &without)?;
-            let w = (at.log_likelihood - greatest).exp();
-            weight += w;
-            for k in 0..count {
-                squares[k] += w * ((at.coefficients[k] - fitted[k]).powi(2) + at.variances[k]);
-            }
-            squares[count] += w * (other - tau).powi(2);
-            Some(w)
-        };
-        add(tau)?;
-        let step = (STEP * linear[count].sqrt() / tau).min(WIDEST);
+        let here = At::of(&here, &without)?;
+        let weight = |at: &At| (at.log_likelihood - here.log_likelihood).exp();
+        let step = (STEP * linear[own.shape_column].sqrt() / tau).min(WIDEST);
+        let mut profile = Vec::new();
         for step in [-step, step] {
-            let ways = (1..).map(|k| step * f64::from(k));
+            let ways = (1..=MOST).map(|k| step * f64::from(k));
             for way in ways.take_while(|way| way.abs() < SPAN.ln()) {
-                if add(tau * way.exp())? < NOTHING {
+                let other = tau * way.exp();
+                let at = At::of(&columns(other), &without)?;
+                let is_nothing = weight(&at) < NOTHING;
+                profile.push((other, at));
+                if is_nothing {
                     break;
                 }
             }
         }
-        let factors = (0..all.len()).map(|k| (squares[k] / (weight * linear[k])).sqrt().max(1.0));
-        Some(all.into_iter().zip(factors).collect())
+        profile.push((tau, here.clone()));
+        let whole: f64 = profile.iter().map(|(_, at)| weight(at)).sum();
+        let square = |k: usize, (other, at): &(f64, At)| match fitted.get(k) {
+            Some(fitted) => (at.coefficients[k] - fitted).powi(2) + at.variances[k],
+            None => (other - tau).powi(2),
+        };
+        let factor = |(k, column): (usize, usize)| {
+            let squares = profile.iter().map(|own| weight(&own.1) * square(k, own));
+            let variance = squares.sum::<f64>() / whole;
+            (column, (variance / linear[column]).sqrt().max(1.0))
+        };
+        Some(all.into_iter().enumerate().map(factor).collect())
     }
 }
 
-/// Variances of parameters by what the model leaves of their whitened columns.
-fn linear_variances(left: &Mat<f64>) -> Option<Vec<f64>> {
-    let gram = left.transpose() * left;
-    let gram = DMatrix::from_fn(left.ncols(), left.ncols(), |i, k| gram[(i, k)]);
-    Some(
-        gram.cholesky()?
-            .inverse()
-            .diagonal()
-            .iter()
-            .copied()
-            .collect(),
-    )
-}
-
 /// The fit at one time constant.
+#[derive(Clone)]
 struct At {
     /// Up to a constant.
     log_likelihood: f64,
@@ -186,6 +194,11 @@ impl At {
 }
 
 impl Shaped<'_> {
+    /// Its columns of the Jacobian, the time constant's last.
+    fn all(&self) -> Vec<usize> {
+        [self.columns.as_slice(), &[self.shape_column]].concat()
+    }
+
     /// The coefficients at the fit.
     fn coefficients(&self) -> Vec<f64> {
         self.linear.iter().map(|&k| self.values[k]).collect()
@@ -212,7 +225,8 @@ mod tests {
             ..request
         })
         .unwrap();
-        fit.beyond_linear()
+        let all: Vec<usize> = (0..fit.free.len()).collect();
+        fit.beyond_linear(&all)
             .into_iter()
             .map(|(_, factor)| factor)
             .collect()

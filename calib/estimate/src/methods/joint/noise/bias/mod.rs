@@ -111,8 +111,12 @@ impl BiasNoise {
 
     /// Returns true if the bias of a sensor flickers on some axis.
     pub fn flickers(&self, sensor: Sensor) -> bool {
-        let own = self.flicker[usize::from(sensor == Sensor::Gyroscope)];
-        own.iter().any(|b| *b > 0.0)
+        self.flicker_of(sensor).iter().any(|b| *b > 0.0)
+    }
+
+    /// The flicker of a sensor's bias, by axis.
+    pub fn flicker_of(&self, sensor: Sensor) -> [f64; 3] {
+        self.flicker[usize::from(sensor == Sensor::Gyroscope)]
     }
 
     /// Mean square of the slope of a line through a window of `length` seconds, of one axis of one sensor (0 or 1).
