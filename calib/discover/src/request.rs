@@ -8,9 +8,9 @@ use estimate::calibrate::{Prepared, own_effects};
 use estimate::gravity::GravitySource;
 use estimate::methods::earth::on_the_earth;
 use estimate::methods::joint::{
-    BiasNoise, ClockMode, DecidedClock, JointFit, JointRequest, MOST_IN_A_SEARCH, within_budget,
+    BiasNoise, ClockMode, DecidedClock, IN_A_SEARCH, JointFit, JointRequest,
 };
-use estimate::methods::{Choice, cut, cut_several};
+use estimate::methods::{Choice, OfAnother, cut, cut_several};
 use recording::intervals::Detector;
 use recording::readings::swings;
 use recording::watch::{Stage, Watch};
@@ -147,20 +147,26 @@ impl<'a> Session<'a> {
         let choose = request.choose_multiplier;
         let ready = Prepared::of(recordings.iter().map(R::borrow));
         let all = ready.all();
-        let mut choices = cut_several(all.len(), &detector, |k, detector| {
+        let choices = cut_several(all.len(), &detector, |k, detector| {
             request.watch.step(Stage::Cutting)?;
             cut(all[k], detector, choose, request.gravity)
         })?;
         let mut remarks = ready.remarks.clone();
-        remarks.extend(within_budget(&all, &mut choices, MOST_IN_A_SEARCH));
         for (recording, choice) in all.iter().zip(&choices) {
             let swings = swings(recording, &choice.segmentation).into_iter();
             remarks.extend(swings.map(|swing| swing.in_recording(recording)));
+            let another = choice.of_another.as_ref().map(OfAnother::finding);
+            remarks.extend(another.map(|found| found.in_recording(&recording.name)));
         }
         Ok(Self {
             remarks,
             originals: ready.originals,
-            recordings: ready.recordings.into_iter().zip(choices).collect(),
+            recordings: ready
+                .recordings
+                .into_iter()
+                .zip(choices)
+                .flat_map(|(own, choice)| in_parts(own, &choice))
+                .collect(),
             request: request.clone(),
             clocks: None,
             base: None,
@@ -233,4 +239,19 @@ impl<'a> Session<'a> {
             )
         }
     }
+}
+
+/// A recording beside each of the parts that a search takes it in: one, but of a long recording.
+fn in_parts<'a>(
+    recording: Cow<'a, Recording>,
+    choice: &Choice,
+) -> Vec<(Cow<'a, Recording>, Choice)> {
+    let mut parts = choice.in_parts(IN_A_SEARCH);
+    let last = parts.pop();
+    let mut all: Vec<_> = parts
+        .into_iter()
+        .map(|part| (recording.clone(), part))
+        .collect();
+    all.extend(last.map(|part| (recording, part)));
+    all
 }

@@ -70,6 +70,7 @@ fn refuse_for_six_positions(request: &Request) -> Result<(), Error> {
         ("left_out", !request.left_out.is_empty()),
         ("gyro_recordings", !request.gyro_recordings.is_empty()),
         ("nominal_rate", request.nominal_rate.is_some()),
+        ("catalogue", !request.catalogue.sensors().is_empty()),
     ];
     match ignored.iter().find(|(_, given)| *given) {
         Some((name, _)) => Err(Error::usage(

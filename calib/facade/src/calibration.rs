@@ -64,7 +64,8 @@ impl Calibration {
     /// assert_eq!(error.file.as_deref(), Some("no_such.json"));
     /// ```
     pub fn load(path: impl AsRef<Path>, catalogue: &Catalogue) -> Result<Self, Error> {
-        Ok(Self::of(load_with(path.as_ref(), catalogue.own())?))
+        let read = load_with(path.as_ref(), catalogue.own())?;
+        Ok(Self::of(read.with_sensors(catalogue.sensors())?))
     }
 
     /// Reads the text of a calibration file.
@@ -81,7 +82,8 @@ impl Calibration {
     /// ```
     pub fn from_json(text: &str, catalogue: &Catalogue) -> Result<Self, Error> {
         let name = Path::new("calibration");
-        Ok(Self::of(read_calibration(text, name, catalogue.own())?))
+        let read = read_calibration(text, name, catalogue.own())?;
+        Ok(Self::of(read.with_sensors(catalogue.sensors())?))
     }
 
     /// The file that `calibrate -o` writes, to the byte.
@@ -103,7 +105,7 @@ impl Calibration {
         Ok(to_json(self.inner.as_ref())?)
     }
 
-    /// Every parameter with its standard error: both base models, then effects.
+    /// Every parameter with its standard error: both base models, then effects, then sensors of one dimension.
     ///
     /// # Examples
     /// ```
@@ -122,9 +124,13 @@ impl Calibration {
                 push_triad(&mut all, sensor, triad);
             }
         }
-        for effect in &self.inner.effects {
-            all.extend(effect.parameters.iter().map(|p| Parameter {
-                name: format!("{}.{}", effect.name, p.name),
+        let effects = self.inner.effects.iter();
+        let effects = effects.map(|own| (&own.name, &own.parameters));
+        let scalars = self.inner.scalars.iter();
+        let scalars = scalars.map(|own| (&own.name, &own.parameters));
+        for (of, parameters) in effects.chain(scalars) {
+            all.extend(parameters.iter().map(|p| Parameter {
+                name: format!("{of}.{}", p.name),
                 value: p.value,
                 std: p.std,
                 unit: p.unit.clone(),

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use calib::effect_file::{catalogue_with, parse_effects};
-use sensor::{AnyEffect, EffectRef};
+use sensor::{AnyEffect, AnyScalarSensor, EffectRef, ScalarSensorRef, Sensor};
 
 use crate::Error;
 
@@ -55,7 +55,10 @@ use crate::Error;
 /// # Ok::<(), stillpoint::Error>(())
 /// ```
 #[derive(Clone, Debug, Default)]
-pub struct Catalogue(Vec<EffectRef>);
+pub struct Catalogue {
+    effects: Vec<EffectRef>,
+    sensors: Vec<ScalarSensorRef>,
+}
 
 impl Catalogue {
     /// With an effect of one's own.
@@ -94,6 +97,45 @@ impl Catalogue {
     /// ```
     pub fn with(mut self, effect: Arc<dyn AnyEffect>) -> Result<Self, Error> {
         self.add(effect.into())?;
+        Ok(self)
+    }
+
+    /// With a sensor of one dimension of one's own: [`calibrate`](crate::calibrate) calibrates it where it was recorded
+    /// ([`Recording::with_scalar`](crate::Recording::with_scalar)), and [`apply`](crate::apply) corrects its readings.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Usage`](crate::ErrorKind::Usage) where the name is taken.
+    ///
+    /// # Examples
+    /// ```
+    /// use std::sync::Arc;
+    /// use stillpoint::effect::{Kinematics, Param, Scalar};
+    /// use stillpoint::{Catalogue, ScalarSensor};
+    ///
+    /// /// `R = d + b`.
+    /// struct Rangefinder;
+    /// impl ScalarSensor for Rangefinder {
+    ///     const NAME: &'static str = "rangefinder";
+    ///     const UNIT: &'static str = "m";
+    ///     const EQUATION: &'static str = "R = d + b";
+    ///     const PARAMS: &'static [Param] = &[Param::new("b", "m", 0.0)];
+    ///     fn reading<D: Scalar>(&self, signal: D, _: &Kinematics<f64>, p: &[D]) -> D {
+    ///         signal + p[0]
+    ///     }
+    /// }
+    ///
+    /// let catalogue = Catalogue::default().with_sensor(Arc::new(Rangefinder))?;
+    /// assert!(catalogue.with_sensor(Arc::new(Rangefinder)).is_err());
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
+    pub fn with_sensor(mut self, sensor: Arc<dyn AnyScalarSensor>) -> Result<Self, Error> {
+        let name = sensor.name();
+        let is_own = self.sensors.iter().any(|own| own.name() == name);
+        if is_own || Sensor::ALL.iter().any(|known| known.name() == name) {
+            let taken = Finding::of(Kind::NameTaken).detail("name", sensor.name());
+            return Err(Error::usage(taken));
+        }
+        self.sensors.push(sensor.into());
         Ok(self)
     }
 
@@ -148,23 +190,27 @@ impl Catalogue {
     /// assert!(names.iter().any(|name| name == "gyro_g_sensitivity"));
     /// ```
     pub fn names(&self) -> Vec<String> {
-        let all = catalogue_with(&self.0);
+        let all = catalogue_with(&self.effects);
         all.map(|effect| effect.name().to_owned()).collect()
     }
 
     pub(crate) fn own(&self) -> &[EffectRef] {
-        &self.0
+        &self.effects
+    }
+
+    pub(crate) fn sensors(&self) -> &[ScalarSensorRef] {
+        &self.sensors
     }
 
     fn add(&mut self, effect: EffectRef) -> Result<(), Error> {
-        let taken = catalogue_with(&self.0).find(|other| other.name() == effect.name());
+        let taken = catalogue_with(&self.effects).find(|other| other.name() == effect.name());
         match taken {
             Some(other) if other.is(&effect) => Ok(()),
             Some(_) => Err(Error::usage(
                 Finding::of(Kind::EffectTaken).detail("name", effect.name()),
             )),
             None => {
-                self.0.push(effect);
+                self.effects.push(effect);
                 Ok(())
             }
         }

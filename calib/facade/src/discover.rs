@@ -133,6 +133,8 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Findings,
             let validated = validate(validation, &how, &discovery)?;
             discovery.findings.validation = validated.gaps;
             discovery.findings.confirmations = validated.confirmations;
+            let warnings = &mut discovery.findings.calibration.warnings;
+            warnings.extend(validated.doubts);
         }
         let calibration = &mut discovery.findings.calibration;
         calibration.state_limits(built_in(calibration));

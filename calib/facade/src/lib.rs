@@ -66,7 +66,7 @@ pub use error::{Error, ErrorKind};
 pub use evaluate::evaluate;
 pub use recording::Recording;
 pub use request::{Method, Request};
-pub use sensor::Sensor;
+pub use sensor::{ScalarSensor, Sensor};
 pub use simulate::{Simulated, simulate, simulate_with};
 
 /// Findings of recordings and calibrations as data, and the verdict made of them.
@@ -83,8 +83,8 @@ pub mod finding {
 pub mod effect {
     pub use nalgebra::Vector3;
     pub use sensor::{
-        AnyEffect, Effect, Kinematics, Nature, Param, Quantity, REFERENCE_TEMPERATURE, Role,
-        Sensor, Since, mat3, off_diagonal, params,
+        AnyEffect, AnyScalarSensor, Effect, Kinematics, Nature, Param, Quantity,
+        REFERENCE_TEMPERATURE, Role, Sensor, Since, mat3, off_diagonal, params,
     };
     pub use solver::{Scalar, lit};
 }

@@ -136,6 +136,50 @@ impl Recording {
         Ok(Self(Arc::new(recording)))
     }
 
+    /// The same with the readings of a sensor of one dimension beside the others: `t` (s on the clock of the recording, `n`), the readings
+    /// (`n`) and the true signal at these times (`n`), or an empty one where nobody knows it.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Input`](crate::ErrorKind::Input) for arrays of different lengths, a number that is not finite, time that does not go
+    /// on, readings outside the recording, and a name that it has already.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, _) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, None)?;
+    /// let pressure = vec![101_300.0; t.len()];
+    /// let recording = recording.with_scalar("barometer", &t, &pressure, &[])?;
+    /// assert_eq!(recording.scalar("barometer").map(<[f64]>::len), Some(t.len()));
+    /// assert!(recording.with_scalar("altimeter", &t, &pressure[1..], &[]).is_err());
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
+    pub fn with_scalar(
+        self,
+        name: &str,
+        t: &[f64],
+        readings: &[f64],
+        truth: &[f64],
+    ) -> Result<Self, Error> {
+        let own = Arc::unwrap_or_clone(self.0);
+        match own.with_scalar(name, t, readings, truth) {
+            Ok(recording) => Ok(Self(Arc::new(recording))),
+            Err(error) => Err(Error::of_arrays(&error)),
+        }
+    }
+
+    /// Returns the readings of a sensor of one dimension (`n`), corrected by [`apply`](crate::apply); `None` where it was not recorded.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, _) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, None)?;
+    /// assert!(recording.scalar("barometer").is_none());
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
+    pub fn scalar(&self, name: &str) -> Option<&[f64]> {
+        self.0.scalar(name).map(|own| own.values.as_slice())
+    }
+
     /// The same called `name` in warnings and results.
     ///
     /// # Examples

@@ -185,6 +185,7 @@ impl Request {
             gyro_bias: self.gyro_bias,
             nominal_step,
             effects: self.named_effects()?,
+            sensors: self.catalogue.sensors().to_vec(),
             latitude: self.latitude,
             force_device: self.force_device,
             clock: self.clock,

@@ -251,8 +251,6 @@ kinds! {
     NotStill = "not_still",
     /// One static interval disagrees with all others.
     IntervalDisagrees = "interval_disagrees",
-    /// There are more static intervals than the method takes.
-    IntervalsLeftOut = "intervals_left_out",
     /// Static intervals are short.
     ShortIntervals = "short_intervals",
     /// A placement lies on no face.
@@ -296,6 +294,16 @@ kinds! {
     TemperatureUnknown = "temperature_unknown",
     /// A sensor that is not calibrated is left as it was read.
     LeftAsRead = "left_as_read",
+    /// An axis reads nothing but noise while the others turn.
+    AxisOnlyNoise = "axis_only_noise",
+    /// The bias of a sensor moved during the recording.
+    BiasMoved = "bias_moved",
+    /// The bias of a sensor wandered during the recording.
+    BiasWandered = "bias_wandered",
+    /// Static intervals in a part of the recording fit another accelerometer.
+    OfAnotherAccelerometer = "of_another_accelerometer",
+    /// A sensor of one dimension that is not calibrated is left as it was read.
+    ScalarLeftAsRead = "scalar_left_as_read",
     /// Only the bias of a sensor is known.
     BiasAlone = "bias_alone",
     // Clocks that no choice makes right, and of sampling.
@@ -1148,6 +1156,16 @@ kinds! {
     EffectNotHere = "effect_not_here",
     /// A calibration with effects is to correct single readings.
     EffectsLookFurther = "effects_look_further",
+    /// No reading of a sensor of one dimension lies within its recording.
+    ScalarOutside = "scalar_outside",
+    /// A sensor of one dimension looks at what cannot be known.
+    ScalarNeeds = "scalar_needs",
+    /// Too few static intervals say what a sensor of one dimension should have read.
+    ScalarFewMeans = "scalar_few_means",
+    /// The readings of a sensor of one dimension leave a parameter open.
+    ScalarUndetermined = "scalar_undetermined",
+    /// The model of a sensor of one dimension does not fit, or no signal gives a reading.
+    ScalarUnsolved = "scalar_unsolved",
     /// There is no effect of this name.
     EffectUnknown = "effect_unknown",
     /// There is no parameter of this name.
@@ -1282,6 +1300,8 @@ kinds! {
     SolverRefused = "solver_refused",
     /// A fit does not come to an end.
     FitStopped = "fit_stopped",
+    /// A fit did not converge with the turns, and does without them.
+    FitStoppedByTurns = "fit_stopped_by_turns",
     /// A recording has nothing to calibrate.
     NothingToCalibrate = "nothing_to_calibrate",
     /// Two axes of a fit are the same.

@@ -123,7 +123,10 @@ fn misalignment(angle: &str, i: usize, j: usize) -> String {
     format!("{angle}_{}{}", AXES[j], AXES[other])
 }
 
-/// Correlations of all free parameters; `None` where there is no covariance.
+/// Parameters beyond which those of single recordings are left out of the picture of correlations.
+const MOST_CORRELATED: usize = 30;
+
+/// Correlations of all free parameters, of many those that recordings share; `None` where there is no covariance.
 pub fn correlation(calibration: &Calibration) -> Option<Picture> {
     let covariance = &calibration.covariance;
     let std: Vec<f64> = (0..covariance.len())
@@ -132,15 +135,20 @@ pub fn correlation(calibration: &Calibration) -> Option<Picture> {
     if covariance.len() < 2 || std.iter().any(|s| s.is_nan()) {
         return None;
     }
-    let row = |(i, row): (usize, &Vec<f64>)| {
-        let cell = |(j, v): (usize, &f64)| {
-            let scale = std[i] * std[j];
-            if scale > 0.0 { v / scale } else { 0.0 }
-        };
-        row.iter().enumerate().map(cell).collect()
+    let names = &calibration.parameters;
+    let is_shown = |k: &usize| names.len() <= MOST_CORRELATED || !names[*k].contains('[');
+    let shown: Vec<usize> = (0..names.len().min(std.len())).filter(is_shown).collect();
+    let cell = |i: usize, j: usize| {
+        let scale = std[i] * std[j];
+        if scale > 0.0 {
+            covariance[i][j] / scale
+        } else {
+            0.0
+        }
     };
-    let rows = covariance.iter().enumerate().map(row).collect();
-    let names = calibration.parameters.iter().map(|name| {
+    let row = |&i: &usize| shown.iter().map(|&j| cell(i, j)).collect();
+    let rows = shown.iter().map(row).collect();
+    let names = shown.iter().map(|&k| &names[k]).map(|name| {
         let short = [("accel.", "a."), ("gyro.", "g."), ("mag.", "m.")]
             .into_iter()
             .fold(name.clone(), |name, (long, short)| {

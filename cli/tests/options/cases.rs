@@ -98,7 +98,7 @@ pub fn case(command: &str, option: &str) -> Option<(&'static str, &'static str)>
         ("discover", "--accel-file" | "--gyro-file") => "--accel-file acc.txt --gyro-file gyro.txt",
         ("calibrate", "--force-device") => "other.csv | --force-device",
         ("discover", "--force-device") => "other.csv | --force-device",
-        ("apply" | "bias" | "evaluate", "--force-device") => {
+        ("apply" | "bias" | "evaluate" | "reckon", "--force-device") => {
             return Some(("sign.csv", "--force-device"));
         }
         ("batch", "--shard") => "--shard 2/2",

@@ -26,8 +26,8 @@ fn a_report_of_180_000_samples_has_at_most_250_kb() {
     session(
         dir.path(),
         "long",
-        176,
-        "[effects.accel_cubic]\nsize = 2.0\n",
+        130,
+        "rest = [10.5, 11.5]\n[effects.accel_cubic]\nsize = 2.0\n",
     );
     let rows = std::fs::read_to_string(dir.path().join("long/acc.csv")).unwrap();
     assert!(rows.lines().count() > 180_000, "{}", rows.lines().count());

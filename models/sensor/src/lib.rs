@@ -19,6 +19,7 @@ mod kinematics;
 mod model;
 mod param;
 mod quantity;
+mod scalar_sensor;
 
 pub use axis::Axis;
 pub use base::{BASE_PARAMETERS, Base, PLACES, base_names, inverse};
@@ -35,3 +36,4 @@ pub use kinematics::{Kinematics, REFERENCE_TEMPERATURE, Sensor, Since};
 pub use model::Model;
 pub use param::{Param, Role, params};
 pub use quantity::Quantity;
+pub use scalar_sensor::{AnyScalarSensor, ScalarSensor, ScalarSensorRef};

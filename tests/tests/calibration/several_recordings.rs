@@ -6,6 +6,7 @@ use calib::discover::{Findings, Request as Discovery, discover};
 use calib::recording::Stream;
 use calib::simulate::{HandHeld, Motion, Session, Spec, Temperature};
 use calib::{Error, Recording};
+use findings::Kind;
 use nalgebra::Vector3;
 
 /// A device with parameters that are drawn once, and 20 placements in a recording.
@@ -91,6 +92,33 @@ fn a_bias_that_moved_a_little_is_no_error_of_many_standard_errors() {
     }
     assert_eq!(count, 12);
     assert!(squares / 12.0 < 2.5, "{}", squares / 12.0);
+}
+
+#[test]
+fn scale_factors_that_differ_by_little_are_said_and_no_effect_is_blamed_for_it() {
+    let mut said = 0;
+    for seed in 80..84 {
+        let device = device(seed);
+        let mut warmer = device.clone();
+        for axis in ["x", "y", "z"] {
+            for (sensor, share) in [("accel", 7e-4), ("gyro", 1.2e-3)] {
+                let name = format!("{sensor}.s_{axis}");
+                warmer = with(&warmer, &name, share);
+            }
+        }
+        let all = [
+            recorded(&device, 1, "one"),
+            recorded(&device, 2, "two"),
+            recorded(&warmer, 3, "warmer"),
+        ];
+        let fit = fitted(&recordings(&all), device.gravity).unwrap();
+        let warnings = &fit.calibration.warnings;
+        let is = |kinds: &[Kind]| warnings.iter().any(|found| kinds.contains(&found.kind));
+        let differ = is(&[Kind::RecordingsDiffer, Kind::GyroscopeDiffers]);
+        said += usize::from(differ);
+        assert!(!(differ && is(&[Kind::EffectMissing])), "{seed}");
+    }
+    assert!(said >= 3, "{said}");
 }
 
 #[test]

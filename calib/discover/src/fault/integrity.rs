@@ -3,10 +3,11 @@
 use std::borrow::Cow;
 
 use ::findings::{Finding, Kind};
+use estimate::calibrate::changes_part_way;
 use estimate::methods::joint::{Flagged, Reason, Scope, SensorNoise};
 use recording::intervals::{Rails, Segmentation, Span};
 use recording::readings::{Symptom, altered_bias};
-use recording::{Recording, Stream};
+use recording::{Recording, Stamps, Stream, even_clock};
 use sensor::Sensor;
 use serde::Serialize;
 
@@ -77,7 +78,7 @@ impl Size {
 }
 
 /// The faults beside which nothing more is named: what the readings are off by is no error of the sensor.
-pub const SPOILT: [&str; 3] = ["quantisation", "dead_zone", "rezeroing"];
+pub const SPOILT: [&str; 4] = ["quantisation", "dead_zone", "rezeroing", "scale_change"];
 
 /// Saturation, coarse steps, altered biases and lost samples of all recordings.
 pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
@@ -91,6 +92,11 @@ pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
             ),
             (Sensor::Gyroscope, &recording.gyroscope, &source.gyroscope),
         ];
+        all.extend(scale_changes(
+            recording,
+            &choice.segmentation,
+            session.request.gravity,
+        ));
         let altered = altered_bias(recording, &choice.segmentation);
         for (sensor, stream, noise) in sensors {
             let Some(stream) = stream else { continue };
@@ -122,6 +128,28 @@ pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
         }
     }
     all
+}
+
+/// A scale factor of the accelerometer that changes part of the way: no law of the sensor follows a range that is switched.
+fn scale_changes(
+    recording: &Recording,
+    segmentation: &Segmentation,
+    gravity: f64,
+) -> Option<Integrity> {
+    let changes = changes_part_way(recording, segmentation, gravity, None);
+    let found = changes
+        .into_iter()
+        .find(|found| found.kind == Kind::ScaleChange)?;
+    Some(Integrity {
+        name: "scale_change".into(),
+        recording: recording.name.clone(),
+        interval: None,
+        t0: found.place.t0.unwrap_or(0.0),
+        t1: found.place.t1.unwrap_or(0.0),
+        finding: found,
+        indistinguishable_from: Vec::new(),
+        size: None,
+    })
 }
 
 /// Returns true if the other sensor loses its samples at the same time.
@@ -335,6 +363,10 @@ impl Looked<'_> {
     }
 
     fn regular_step(&self) -> Option<f64> {
+        // Stamps that are rounded to another step than the clock's have longer ones now and then.
+        if matches!(even_clock(&self.stream.t), Stamps::Scattered(clock) if clock.lost == 0) {
+            return None;
+        }
         let median = self.stream.median_step()?;
         let steps = self.stream.t.windows(2).map(|pair| pair[1] - pair[0]);
         let odd = steps

@@ -4,6 +4,8 @@
 //! calibration (held) ± its covariance ──► r, J on the recording ──► directions and biases out ──► χ²/dof
 //! ```
 
+use ::findings::{Finding, Level};
+use estimate::calibration::doubts;
 use estimate::methods::joint::{
     BiasNoise, Columns, Covariance, JointFit, Rows, Whitening, covariance_at, fit_joint,
 };
@@ -31,6 +33,8 @@ pub struct Validated {
     pub gaps: Vec<Validation>,
     /// What it says of each named effect.
     pub confirmations: Vec<Confirmation>,
+    /// Doubts whether it is of the device and in its units, as read by the calibration of the others.
+    pub doubts: Vec<Finding>,
 }
 
 /// The gap of the calibrations that `discovery` has made, without and with everything named, on another
@@ -85,7 +89,17 @@ pub fn validate(
     Ok(Validated {
         gaps,
         confirmations,
+        doubts: doubts_of(recording, discovery)?,
     })
+}
+
+/// Doubts whether a recording is of the device that was calibrated: those beyond what biases make, which are the recording's own here.
+fn doubts_of(recording: &Recording, discovery: &Discovery) -> Result<Vec<Finding>, Error> {
+    match doubts(&discovery.findings.calibration, recording) {
+        Ok(_) => Ok(Vec::new()),
+        Err(Error::Input(found)) => Ok(vec![found.at_level(Level::Care)]),
+        Err(other) => Err(other),
+    }
 }
 
 /// What the validation recording says of every named effect, `before` and `with` being what the base models and everything named leave
@@ -334,6 +348,7 @@ mod tests {
         let discovery = discover(&[first.recording], &request).unwrap();
         assert_eq!(discovery.findings.effects[0].name, HIDDEN);
         let validated = validate(&second, &request, &discovery).unwrap();
+        assert!(validated.doubts.is_empty(), "{:?}", validated.doubts);
         let (found, says) = (validated.gaps, validated.confirmations);
         assert_eq!(found.len(), 1);
         let rate = &found[0];

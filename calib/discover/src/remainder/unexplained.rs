@@ -18,6 +18,9 @@ use crate::score::log_tail;
 use crate::search::{Name, Search};
 use crate::state::State;
 
+/// A period explains more than this share of what is more than the noise.
+const MOST: f64 = 0.6;
+
 /// A disagreement that no effect of the catalogue explains.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Unexplained {
@@ -133,6 +136,14 @@ pub fn rest_beside(state: &State, described: &Described, alpha: f64) -> Option<U
             && !(shape.columns.as_ref()).is_some_and(|shape| wanders_beside(state, shape, alpha))
     });
     let worst = shape.unwrap_or(worst);
+    // The best of many periods explains a part of any bias that goes from placement to placement: a period is what leaves little.
+    let others = trials.iter().filter(|trial| trial.period.is_none());
+    let other = others.min_by(|a, b| a.log_p.total_cmp(&b.log_p));
+    let is_rather = |other: &&Trial| worst.period.is_some() && is_significant(other);
+    let worst = match other.filter(is_rather) {
+        Some(other) if !explains_most(state, worst) => other,
+        _ => worst,
+    };
     let log_p = worst.log_p + count.ln();
     let excess = |k: usize| (misfits[k].chi2 - misfits[k].dof) / misfits[k].dof.max(1.0).sqrt();
     let most = (1..3).fold(0, |best, k| if excess(k) > excess(best) { k } else { best });
@@ -160,6 +171,20 @@ pub fn rest_beside(state: &State, described: &Described, alpha: f64) -> Option<U
         columns: worst.columns.clone(),
         wandering: worst.wandering,
     })
+}
+
+/// Returns true if a shape explains more than [`MOST`] of the disagreement.
+fn explains_most(state: &State, trial: &Trial) -> bool {
+    let Some((shape, at)) = trial
+        .columns
+        .as_ref()
+        .and_then(|shape| Some((shape, state.projected.at(shape.noise)?)))
+    else {
+        return true;
+    };
+    let columns = orthonormal(&state.projected.columns(shape.columns.as_ref()));
+    let left = at.beside(&at.columns(&columns)).square;
+    at.square - left > MOST * (at.square - state.projected.dof() as f64)
 }
 
 /// Returns true if a bias wanders significantly, at level `alpha`, with the shape in the model.

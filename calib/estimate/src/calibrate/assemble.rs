@@ -134,6 +134,7 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
         gyroscope: gyroscope_triad,
         magnetometer: None,
         magnetic_field: None,
+        scalars: Vec::new(),
         not_calibrated: Vec::new(),
         effects,
         parameters: table.names,

@@ -8,7 +8,6 @@ use sensor::Quantity;
 
 use super::checks::{self, none_is_there_twice, none_is_turned};
 use super::request::{Method, Request};
-use crate::methods::joint::{MOST_STATIC_INTERVALS, within_budget};
 use crate::methods::{self, Choice, cut_several};
 
 /// Recordings with their static intervals and turns.
@@ -29,7 +28,7 @@ impl<'a> Cut<'a> {
         recordings: Vec<&'a Recording>,
         request: &Request,
     ) -> Result<(Self, Findings), Error> {
-        let mut choices = cut_several(recordings.len(), &request.detector, |k, detector| {
+        let choices = cut_several(recordings.len(), &request.detector, |k, detector| {
             request.watch.step(Stage::Cutting)?;
             let request = Request {
                 detector: *detector,
@@ -41,16 +40,11 @@ impl<'a> Cut<'a> {
             let cut = choices.iter().map(|choice| &choice.segmentation);
             of_one_recording_each(recordings.iter().copied().zip(cut), request.gravity)?;
         }
-        let mut found = Findings::new();
-        if request.method == Method::Joint {
-            let most = MOST_STATIC_INTERVALS;
-            found.extend(within_budget(&recordings, &mut choices, most));
-        }
         let cut = Self {
             recordings,
             choices,
         };
-        found.extend(cut.found());
+        let found = cut.found().collect();
         Ok((cut, found))
     }
 
@@ -78,6 +72,11 @@ impl<'a> Cut<'a> {
     pub fn each(&self) -> impl Iterator<Item = (&'a Recording, &Segmentation)> + Clone {
         let recordings = self.recordings.iter().copied();
         recordings.zip(self.choices.iter().map(|choice| &choice.segmentation))
+    }
+
+    /// The same with the choices.
+    pub fn with_choices(&self) -> impl Iterator<Item = (&'a Recording, &Choice)> {
+        self.recordings.iter().copied().zip(&self.choices)
     }
 
     fn found(&self) -> impl Iterator<Item = Finding> {
@@ -128,6 +127,7 @@ fn whole(recording: &Recording, request: &Request, k: Option<usize>) -> Result<C
             segmentation,
             trials: Vec::new(),
             shortened: None,
+            of_another: None,
         });
     }
     let (choose, gravity) = (request.choose_multiplier, request.gravity);

@@ -2,13 +2,14 @@
 
 use findings::{Finding, Findings, Kind};
 use recording::intervals::{Segmentation, Span};
-use recording::readings::{FASTEST_HAND, Symptom, tremor};
+use recording::readings::{FASTEST_HAND, Symptom, dead_axes, tremor};
 use recording::{Error, Recording};
 
 use super::cut::Cut;
 use super::magnetic::with_magnetometer;
 use super::outcome::Outcome;
 use super::request::{Method, Request};
+use super::scalar::with_scalars;
 use super::stepwise::stepwise;
 use super::unusable_turns::TurnCount;
 use super::{changes_part_way, checks, joint};
@@ -40,12 +41,16 @@ impl Fit<'_> {
             Ok(outcome) => {
                 let recordings = &self.recordings.recordings;
                 let outcome = with_changes(outcome, recordings, self.request.gravity);
-                with_magnetometer(outcome, recordings, self.request)
+                let outcome = with_magnetometer(outcome, recordings, self.request)?;
+                with_scalars(outcome, recordings, self.request)
             }
-            Err(Error::NotConverged(reason)) => Err(Error::not_converged(self.in_the_hand(reason))),
+            Err(Error::NotConverged(reason)) => {
+                let reason = self.for_the_turns(reason);
+                Err(Error::not_converged(self.in_the_hand(reason)))
+            }
             Err(Error::NotEnough(refused)) => self
                 .without_gyroscope(&refused)
-                .ok_or_else(|| Error::not_enough(self.in_the_hand(refused))),
+                .ok_or_else(|| Error::not_enough(self.in_the_hand(self.for_dead_axes(refused)))),
             other => other,
         }
     }
@@ -115,6 +120,22 @@ impl Fit<'_> {
         Ok(outcome)
     }
 
+    /// The reason why a fit came to no end: the turns, where the accelerometer by itself has one.
+    fn for_the_turns(&self, reason: Box<Finding>) -> Box<Finding> {
+        let may = reason.kind == Kind::FitStopped && self.turning.recordings.is_empty();
+        match may && self.accelerometer_alone().is_ok() {
+            true => Box::new(Finding::of(Kind::FitStoppedByTurns)),
+            false => reason,
+        }
+    }
+
+    /// The reason, with axes that read nothing but noise as its cause.
+    fn for_dead_axes(&self, reason: Box<Finding>) -> Box<Finding> {
+        let recordings = self.recordings.recordings.iter();
+        let dead = recordings.flat_map(|recording| dead_axes(recording));
+        dead.fold(reason, |reason, axis| Box::new(reason.because(axis)))
+    }
+
     /// The reason, with the hand that held the device as its cause where the readings show one.
     fn in_the_hand(&self, reason: Box<Finding>) -> Box<Finding> {
         let cause = self.recordings.recordings.iter().find_map(|r| {
@@ -140,8 +161,41 @@ fn with_changes(mut outcome: Outcome, recordings: &[&Recording], gravity: f64) -
         let cut = &choice.segmentation;
         warnings.extend(checks::corrected_before(recording, cut));
         warnings.extend(gyroscope.and_then(|(t, _)| checks::too_fast(recording, cut, &t)));
-        warnings.extend(changes_part_way(recording, cut, gravity, gyroscope));
+        let changes = changes_part_way(recording, cut, gravity, gyroscope);
+        withdraw_motion(&mut outcome.calibration.warnings, recording, &changes);
+        warnings.extend(changes);
+        say_dead_axes(&mut outcome.calibration.failed_gates, recording);
     }
     outcome.calibration.warnings.extend(warnings);
     outcome
+}
+
+/// Puts an axis that reads nothing but noise before the gates that it makes fail.
+fn say_dead_axes(gates: &mut Findings, recording: &Recording) {
+    for axis in dead_axes(recording) {
+        let follows = |gate: &Finding| {
+            let kinds = [Kind::GravityMissed, Kind::AxesNotShown, Kind::LeftHanded];
+            gate.place.sensor == axis.place.sensor && kinds.contains(&gate.kind)
+        };
+        gates.retain(|gate| !follows(gate));
+        gates.push_first(axis);
+    }
+}
+
+/// Takes back that a bias moved or wandered where something of its sensor changes part of the way: that is how it moved.
+fn withdraw_motion(warnings: &mut Findings, recording: &Recording, changes: &[Finding]) {
+    let changed = |found: &Finding| {
+        let mut sensors = changes.iter().filter_map(|change| change.place.sensor);
+        found
+            .place
+            .sensor
+            .is_some_and(|own| sensors.any(|sensor| sensor == own))
+    };
+    warnings.retain(|found| {
+        let moves = matches!(found.kind, Kind::BiasMoved | Kind::BiasWandered);
+        // Of a part of it too.
+        let place = found.place.recording.as_deref();
+        let is_here = place.is_some_and(|own| own.starts_with(&recording.name));
+        !(moves && is_here && changed(found))
+    });
 }

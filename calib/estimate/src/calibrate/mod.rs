@@ -23,6 +23,7 @@ mod prepared;
 pub(crate) mod request;
 mod rest_bias;
 mod same_device;
+mod scalar;
 mod static_norm;
 mod stepwise;
 mod unusable_turns;

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use recording::intervals::{Detector, Span};
 use recording::watch::Watch;
 use recording::{Error, Recording};
-use sensor::EffectRef;
+use sensor::{EffectRef, ScalarSensorRef};
 use serde::{Deserialize, Serialize};
 
 use crate::gravity::{GravitySource, STANDARD_GRAVITY};
@@ -85,6 +85,8 @@ pub struct Request {
     pub nominal_step: Option<f64>,
     /// Effects on top of the base models.
     pub effects: Vec<EffectRef>,
+    /// Sensors of one dimension: those that were recorded are calibrated beside the others.
+    pub sensors: Vec<ScalarSensorRef>,
     /// Latitude, °: the joint method then takes the earth's rotation off the gyroscope. Its vertical part is
     /// known, its horizontal part is estimated, as the heading of the recording is not known.
     pub latitude: Option<f64>,
@@ -174,6 +176,7 @@ impl Default for Request {
             gyro_bias: GyroBias::default(),
             nominal_step: None,
             effects: Vec::new(),
+            sensors: Vec::new(),
             latitude: None,
             force_device: false,
             accelerometer_alone: false,

@@ -16,6 +16,10 @@ const LEVEL: f64 = 1e-7;
 /// may explain them.
 const SAME: f64 = 1e-3;
 
+/// Those beyond this are said where chance makes them this rarely: a temperature that changes them, and not the effects that they look like.
+const NOTICED: f64 = 2e-4;
+const SAID: f64 = 1e-5;
+
 /// A gyroscope that differs by more is another: temperatures of a room and clocks of one maker do not make so much.
 const ANOTHER_GYROSCOPE: f64 = 3e-3;
 
@@ -82,7 +86,8 @@ pub(super) fn same_accelerometer(
                     .detail("distance", format!("{:.0}", difference.distance));
                 between.add_to(found)
             };
-            if difference.size > between.allowed() {
+            let is_another = difference.size > SAME && difference.p_value < LEVEL;
+            if is_another && difference.size > between.allowed() {
                 return Err(Error::input(of(Kind::DevicesDiffer)));
             }
             warmer.get_or_insert_with(|| of(Kind::RecordingsDiffer));
@@ -104,7 +109,7 @@ pub fn gyroscope_of_one_device(
         return Ok(None);
     };
     let size = apart.change.abs();
-    if apart.p_value > LEVEL || size < SAME {
+    if apart.p_value > SAID || size < NOTICED {
         return Ok(None);
     }
     let own = recordings[apart.recording];
@@ -122,6 +127,7 @@ pub fn gyroscope_of_one_device(
             .number("error", apart.std, "share")
     };
     let is_another = size > ANOTHER_GYROSCOPE.max(allowed.fold(0.0, f64::max));
+    let is_another = is_another && apart.p_value < LEVEL;
     if is_another && !force_device {
         let found = of(Kind::GyroscopeOfOther);
         return Err(Error::input(match between.first() {
@@ -174,6 +180,8 @@ struct Difference {
     values: [f64; 2],
     /// In standard errors.
     distance: f64,
+    /// Chance of so much in one parameter.
+    p_value: f64,
 }
 
 /// The parameter in which two fits differ most, where that is beyond chance.
@@ -188,12 +196,14 @@ fn difference(a: &AccelerometerFit, b: &AccelerometerFit) -> Option<Difference> 
         let errors = [a, b].map(|fit| fit.fitted.standard_error(name));
         let t = (x - y).abs() / errors[0]?.hypot(errors[1]?);
         let size = (x - y).abs() / scale;
-        let other = t.is_finite() && size > SAME && 2.0 * law.sf(t) < LEVEL;
+        let p_value = 2.0 * law.sf(t);
+        let other = t.is_finite() && size > NOTICED && p_value < SAID;
         other.then(|| Difference {
             size,
             parameter: name.clone(),
             values: [x, y],
             distance: t,
+            p_value,
         })
     };
     let names = a.fitted.free.iter();

@@ -3,12 +3,12 @@
 use findings::{Finding, Kind};
 use recording::intervals::{Detector, Segmentation, StaticInterval, segment};
 use recording::watch::{Stage, Watch};
-use recording::{Error, Recording, Stream, figure};
-use sensor::{Base, Quantity, Role, Sensor};
+use recording::{Error, Recording, ScalarStream, Stream, figure};
+use sensor::{Base, Quantity, Role, ScalarSensorRef, Sensor};
 
-use super::Calibration;
+use super::{Calibration, ScalarValues};
 use crate::methods::MULTIPLIERS;
-use crate::truth::{Models, Truth};
+use crate::truth::{Models, Truth, require_of_instants};
 
 /// Readings between two looks at whether the work is to end.
 const BETWEEN_STEPS: usize = 1 << 12;
@@ -104,6 +104,15 @@ fn corrected(
             }
         }
     }
+    for stream in &mut corrected.scalars {
+        let own = calibration.scalar(&stream.name);
+        match own.and_then(|own| Some((own, own.sensor.as_ref()?))) {
+            Some((own, sensor)) => correct_scalar(own, sensor, stream, recording, &truth)?,
+            None => corrected
+                .warnings
+                .push(Finding::of(Kind::ScalarLeftAsRead).detail("name", &*stream.name)),
+        }
+    }
     Ok(corrected)
 }
 
@@ -122,6 +131,30 @@ fn correct(
             watch.step(Stage::Correcting)?;
         }
         *value = sensing.correct(value, &truth.at(*t));
+    }
+    Ok(())
+}
+
+/// Corrects the readings of a sensor of one dimension in place.
+fn correct_scalar(
+    own: &ScalarValues,
+    sensor: &ScalarSensorRef,
+    stream: &mut ScalarStream,
+    recording: &Recording,
+    truth: &Truth<'_>,
+) -> Result<(), Error> {
+    require_of_instants(sensor, recording, None, truth.models())?;
+    let p: Vec<f64> = own.parameters.iter().map(|p| p.value).collect();
+    for (t, value) in stream.t.iter().zip(&mut stream.values) {
+        let signal = sensor.signal(*value, &truth.at(*t), &p);
+        *value = signal.ok_or_else(|| {
+            Error::not_enough(
+                Finding::of(Kind::ScalarUnsolved)
+                    .detail("name", &*own.name)
+                    .detail("reading", figure(*value))
+                    .number("time", *t, "s"),
+            )
+        })?;
     }
     Ok(())
 }

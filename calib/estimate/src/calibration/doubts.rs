@@ -15,14 +15,17 @@ use crate::methods::cut;
 /// cheap gyroscopes come back to a tenth of it.
 const FOREIGN_RATE: f64 = 0.3;
 
-/// Above this the bias has moved more than biases do from one day to the next (1 °/s), rad/s.
-const MOVED_RATE: f64 = 0.0175;
+/// Above this the bias has moved by more than a turn of a minute leaves unseen (0.3 °/s), rad/s.
+const MOVED_RATE: f64 = 0.005;
 
 /// Gravity missed by more than this through turns: another unit, sign or order of axes, °.
 const FOREIGN_ANGLE: f64 = 20.0;
 
 /// Turns that show so.
 const ENOUGH_TURNS: usize = 3;
+
+/// One turn in so many may be spoilt.
+const MAY_BE_SPOILT: usize = 8;
 
 /// Longer turns add up too much of a bias to judge by, s.
 const LONGEST_TURN: f64 = 20.0;
@@ -31,7 +34,7 @@ const LONGEST_TURN: f64 = 20.0;
 const WORSE: f64 = 5.0;
 
 /// No doubt below these, ° and m/s²: what other hands, places and temperatures make.
-const FINE: (f64, f64) = (1.0, 0.1);
+const FINE: (f64, f64) = (0.5, 0.05);
 
 /// Compares a recording with a calibration at its static intervals and through its turns; of a recording without these,
 /// and with effects that cannot be known, nothing is said.
@@ -110,7 +113,11 @@ fn direction_in_doubt(
         let own = segmentation.turns.iter().find(|t| t.from == turn.index);
         own.is_some_and(|t| t.span.length() < LONGEST_TURN)
     });
-    let angles: Vec<f64> = short.map(|turn| turn.value).collect();
+    let mut angles: Vec<f64> = short.map(|turn| turn.value).collect();
+    // A turn that lost rows is none of the device.
+    angles.sort_by(f64::total_cmp);
+    let spoilt = angles.len() / MAY_BE_SPOILT;
+    angles.truncate(angles.len() - spoilt);
     if angles.len() < ENOUGH_TURNS || calibration.accelerometer.is_none() {
         return Ok(None);
     }

@@ -14,6 +14,7 @@ mod not_calibrated;
 mod of_recording;
 mod outside;
 mod provenance;
+mod scalar;
 mod units;
 mod values;
 
@@ -34,6 +35,7 @@ pub use provenance::{
     Edited, Input, Options, Provenance, Readings, SIGN_CONVENTION, SensorInput, TemperatureInput,
     fingerprint, system_name,
 };
+pub use scalar::ScalarValues;
 pub use units::{TriadUnits, check_units};
 
 use findings::{Finding, Findings, Kind};
@@ -77,6 +79,9 @@ pub struct Calibration {
     /// The field in which it was calibrated.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub magnetic_field: Option<MagneticField>,
+    /// Sensors of one dimension.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub scalars: Vec<ScalarValues>,
     /// Sensors that were recorded and are not calibrated; each stands in its sensor's place in the file.
     #[serde(skip)]
     pub not_calibrated: Vec<NotCalibrated>,

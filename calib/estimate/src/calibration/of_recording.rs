@@ -27,7 +27,7 @@ impl Calibration {
             };
             let biases = std::mem::take(&mut triad.recordings);
             let found = match own {
-                Some(own) => biases.into_iter().find(|bias| bias.recording == *own),
+                Some(own) => bias_of(own, &biases),
                 None => mean(&biases),
             };
             if let Some(found) = found {
@@ -69,6 +69,17 @@ impl Calibration {
                 .detail("last", last.recording.clone())
         })
     }
+}
+
+/// The bias of a recording: its own, or the mean of those of its parts; where these differ that of the last part.
+fn bias_of(recording: &str, biases: &[RecordingBias]) -> Option<RecordingBias> {
+    let own = biases.iter().find(|bias| bias.recording == *recording);
+    own.cloned().or_else(|| {
+        let start = format!("{recording} (");
+        let is_part = |bias: &&RecordingBias| bias.recording.starts_with(&start);
+        let parts: Vec<RecordingBias> = biases.iter().filter(is_part).cloned().collect();
+        mean(&parts).or_else(|| parts.last().cloned())
+    })
 }
 
 /// The mean of biases that do not differ, weighed by their errors.

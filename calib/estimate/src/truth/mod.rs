@@ -27,7 +27,7 @@ use sensor::attitude::Attitude;
 use sensor::{Kinematics, Quantity, Sensor, Since};
 
 pub use corrector::{Corrector, Sample};
-pub use needs::{require, silent_at_static_intervals, without_instant};
+pub use needs::{require, require_of_instants, silent_at_static_intervals, without_instant};
 pub use sensing::{Models, Sensing};
 pub use supposed::{supposed, unneeded};
 
@@ -121,6 +121,11 @@ impl<'a> Truth<'a> {
         for (rest, attitude) in self.rests.iter_mut().zip(&path.rests) {
             rest.known.attitude = *attitude;
         }
+    }
+
+    /// The models that it is by.
+    pub fn models(&self) -> &Models {
+        &self.models
     }
 
     /// The truth of static interval `k` as its means see it: nothing turns, time is that of the middle, temperature and its

@@ -3,7 +3,7 @@
 use findings::{Finding, Kind};
 use recording::intervals::Segmentation;
 use recording::{Error, Recording};
-use sensor::{EffectRef, Quantity, Role, Sensor, silent_at_rest};
+use sensor::{EffectRef, Quantity, Role, ScalarSensorRef, Sensor, silent_at_rest};
 
 use super::sensing::Models;
 
@@ -31,6 +31,30 @@ pub fn require(
         }
     }
     Ok(())
+}
+
+/// Refuses a sensor of one dimension that needs what cannot be known of single instants of the recording.
+///
+/// # Errors
+/// [`Error::NotEnough`] with the recording, the sensor, the quantity, and what to do.
+pub fn require_of_instants(
+    sensor: &ScalarSensorRef,
+    recording: &Recording,
+    intervals: Option<&Segmentation>,
+    models: &Models,
+) -> Result<(), Error> {
+    let is_unknown = |q: &Quantity| {
+        q.is_told_by_intervals() || lacking(recording, intervals, models, *q).is_some()
+    };
+    match sensor.needs().iter().find(|q| is_unknown(q)) {
+        None => Ok(()),
+        Some(quantity) => Err(Error::not_enough(
+            Finding::of(Kind::ScalarNeeds)
+                .in_recording(&recording.name)
+                .detail("name", sensor.name())
+                .detail("quantity", quantity.to_string()),
+        )),
+    }
 }
 
 /// Why a quantity cannot be known of a recording.

@@ -81,6 +81,24 @@ impl Models {
         }
     }
 
+    /// Those of a calibration, with the biases that a recording has where each has its own.
+    pub fn of_recording(calibration: &Calibration, recording: &str) -> Self {
+        let mut models = Self::of(calibration);
+        for (sensing, triad) in [
+            (&mut models.accelerometer, &calibration.accelerometer),
+            (&mut models.gyroscope, &calibration.gyroscope),
+        ] {
+            let (Some(sensing), Some(triad)) = (sensing, triad) else {
+                continue;
+            };
+            let mut biases = triad.recordings.iter();
+            if let Some(own) = biases.find(|own| own.recording == recording) {
+                sensing.parameters[9..12].copy_from_slice(&own.bias);
+            }
+        }
+        models
+    }
+
     /// The model of one sensor.
     pub fn get(&self, sensor: Sensor) -> Option<&Sensing> {
         match sensor {

@@ -38,6 +38,7 @@ fn calibration(
         gyroscope: gyroscope.map(|base| triad(Sensor::Gyroscope, base)),
         magnetometer: None,
         magnetic_field: None,
+        scalars: Vec::new(),
         not_calibrated: Vec::new(),
         effects: effects.map(of_g_sensitivity).into_iter().collect(),
         parameters: Vec::new(),

@@ -110,6 +110,19 @@ pub struct Segmentation {
     /// The detector's level at rest of accelerometer and gyroscope, raw unit⁴; `None` where the
     /// rests were given.
     pub level_at_rest: [Option<f64>; 2],
+    /// Which part of the recording this is, where it is one.
+    pub part: Option<Part>,
+}
+
+/// A part of a recording that is cut.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// Number of the recording's static intervals before its first.
+    pub before: usize,
+    /// Its number, from 1.
+    pub number: usize,
+    /// Number of all parts.
+    pub of: usize,
 }
 
 impl Segmentation {
@@ -156,6 +169,7 @@ impl Segmentation {
             rejected: empty.into_iter().map(Rejected::without_samples).collect(),
             multiplier,
             level_at_rest: [None; 2],
+            part: None,
         }
     }
 
@@ -192,8 +206,34 @@ impl Segmentation {
         })
     }
 
-    /// A stretch of neighbouring static intervals with the turns between them, counted from its first.
-    pub fn stretch(&self, which: Range<usize>) -> Self {
+    /// Number of the recording's static intervals before the first.
+    pub fn before(&self) -> usize {
+        self.part.map_or(0, |part| part.before)
+    }
+
+    /// The name of what is cut: that of the recording, and which part of it where it is one.
+    ///
+    /// # Examples
+    /// ```
+    /// use stillpoint_recording::Recording;
+    /// use stillpoint_recording::intervals::{Segmentation, Span};
+    ///
+    /// let rests = [Span { from: 0.0, to: 5.0 }, Span { from: 7.0, to: 12.0 }];
+    /// let recording = Recording { name: "long.csv".into(), ..Recording::default() };
+    /// let whole = Segmentation::from_spans(&recording, &rests, 10.0);
+    /// assert_eq!(whole.name_in(&recording.name), "long.csv");
+    /// ```
+    pub fn name_in(&self, recording: &str) -> String {
+        match self.part {
+            None => recording.to_owned(),
+            Some(Part { number, of, .. }) => format!("{recording} (part {number} of {of})"),
+        }
+    }
+
+    /// Part `number`, from 1, of as many with nearly as many static intervals each: these with the turns between them, counted from its first.
+    pub fn part(&self, number: usize, of: usize) -> Self {
+        let count = self.statics.len();
+        let which = (number - 1) * count / of..number * count / of;
         let inside = |turn: &&Turn| which.contains(&turn.from) && which.contains(&(turn.from + 1));
         let turns = self.turns.iter().filter(inside);
         Self {
@@ -203,6 +243,11 @@ impl Segmentation {
                     ..turn.clone()
                 })
                 .collect(),
+            part: Some(Part {
+                before: self.before() + which.start,
+                number,
+                of,
+            }),
             statics: self.statics[which].to_vec(),
             rejected: self.rejected.clone(),
             ..*self

@@ -194,7 +194,7 @@ fn origin(t: &[f64]) -> i64 {
 }
 
 /// Time goes from `last` back to `t`.
-fn goes_back(name: &str, line: u64, last: f64, t: f64) -> Error {
+pub(super) fn goes_back(name: &str, line: u64, last: f64, t: f64) -> Error {
     let back = Finding::of(Kind::TimeGoesBack)
         .detail("from", figure(last))
         .detail("to", figure(t))
@@ -202,7 +202,13 @@ fn goes_back(name: &str, line: u64, last: f64, t: f64) -> Error {
     at_line(name, line, back)
 }
 
-fn check(name: &str, row: usize, array: &str, value: f64, column: usize) -> Result<(), Error> {
+pub(super) fn check(
+    name: &str,
+    row: usize,
+    array: &str,
+    value: f64,
+    column: usize,
+) -> Result<(), Error> {
     if value.is_finite() && value.abs() < LARGEST {
         return Ok(());
     }

@@ -6,6 +6,7 @@ use sensor::Sensor;
 use super::description::Description;
 use super::frozen::Frozen;
 use super::magnetometer::Magnetometer;
+use super::scalar::ScalarStream;
 use super::stream::{Stream, Temperature};
 use crate::units::AccelUnit;
 
@@ -22,6 +23,8 @@ pub struct Recording {
     pub temperature: Option<Temperature>,
     /// Magnetic field, as the file has it.
     pub magnetometer: Option<Magnetometer>,
+    /// Readings of sensors of one dimension, in the order in which they were added.
+    pub scalars: Vec<ScalarStream>,
     /// Runs in which a sensor repeated one reading; the repetitions are left out of its stream.
     pub frozen: Vec<Frozen>,
     /// Warnings of the reader.
@@ -64,6 +67,16 @@ impl Recording {
         let earliest = earliest.reduce(f64::min);
         let earliest = earliest.or_else(|| field.and_then(first));
         earliest.unwrap_or(f64::INFINITY)
+    }
+
+    /// The last stamp of accelerometer and gyroscope, s; −∞ without both.
+    pub fn end(&self) -> f64 {
+        let both = [&self.accelerometer, &self.gyroscope];
+        let last = both
+            .into_iter()
+            .flatten()
+            .filter_map(|stream| stream.t.last());
+        last.copied().fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// True where a magnetometer is all there is.

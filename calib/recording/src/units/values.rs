@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use sensor::Sensor;
 
 use crate::Error;
-use crate::readings::{LevelChange, level_change};
+use crate::readings::{LevelChange, level_change, only_noise};
 use crate::recording::options::Role;
 use crate::recording::samples::Samples;
 use crate::recording::stream::least_steps;
@@ -42,6 +42,7 @@ pub(crate) fn check(
         && samples.t.len() >= ENOUGH
         && let Some(change) = level_change(&samples.values)
         && !is_about_another_zero(&samples.values)
+        && only_noise(&samples.values).is_none()
     {
         return Err(of_another_level(name, samples, &change));
     }

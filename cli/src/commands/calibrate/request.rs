@@ -99,6 +99,7 @@ pub(super) fn request(args: &Args) -> Result<Request, Failure> {
         },
         nominal_step,
         effects,
+        sensors: Vec::new(),
         latitude: args.place.latitude,
         force_device: args.force_device,
         accelerometer_alone: args.sensor.is_some(),

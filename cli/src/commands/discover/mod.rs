@@ -180,6 +180,8 @@ pub fn look(
         let validated = validate(recording, request, &discovery)?;
         discovery.findings.validation = validated.gaps;
         discovery.findings.confirmations = validated.confirmations;
+        let warnings = &mut discovery.findings.calibration.warnings;
+        warnings.extend(validated.doubts);
     }
     spinner.finish_and_clear();
     Ok(discovery)

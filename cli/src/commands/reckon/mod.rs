@@ -14,7 +14,7 @@ use clap::ValueEnum;
 use nalgebra::Vector3;
 use solve::{Known, Named, Run};
 
-use crate::commands::shared::inputs::{as_paths, load, numbers, read};
+use crate::commands::shared::inputs::{DeviceArgs, as_paths, load, numbers, read};
 use crate::commands::shared::pictures::{PictureArgs, named};
 use crate::exit::{Failure, NOT_ENOUGH, USAGE};
 use crate::output::{Output, Replace};
@@ -70,6 +70,8 @@ pub struct Args {
     json: bool,
     #[command(flatten)]
     pictures: PictureArgs,
+    #[command(flatten)]
+    device: DeviceArgs,
     #[command(flatten)]
     read: ReadArgs,
 }
@@ -201,6 +203,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     for (k, path) in args.recordings.iter().enumerate() {
         let recording = read(path, &args.read)?;
         remarks.extend(recording.warnings.texts(Front::CommandLine));
+        for calibration in calibrations.iter().filter_map(Named::of_file) {
+            args.device.check(calibration, &[&recording])?;
+        }
         runs.push(run_of(args, k, &recording, &calibrations)?);
     }
     remarks.extend(runs.iter().flat_map(|run| run.warnings.clone()));

@@ -11,6 +11,9 @@ use serde::Serialize;
 
 use crate::exit::{Failure, USAGE};
 
+/// A tilt at the end beyond this is no error that has grown on the way, °.
+const LOST: f64 = 10.0;
+
 /// The authors' calibration, as they used it.
 pub(super) const AUTHORS_PROPOSED: &str = "authors-proposed";
 
@@ -55,6 +58,14 @@ impl Named {
         Self {
             name: name.into(),
             correction: Correction::File(Box::new(calibration)),
+        }
+    }
+
+    /// The calibration of one that was read from a file.
+    pub(super) fn of_file(&self) -> Option<&Calibration> {
+        match &self.correction {
+            Correction::File(calibration) => Some(calibration),
+            Correction::None | Correction::Base(_) => None,
         }
     }
 
@@ -164,6 +175,13 @@ pub(super) fn equations(
     for named in calibrations {
         let track = reckon(&named.apply(recording)?, &motion, mode, ending)?;
         let (horizontal, vertical) = track.distance();
+        let tilt = track.end_tilt.map_or(0.0, f64::to_degrees);
+        if named.of_file().is_some() && tilt > LOST {
+            warnings.push(format!(
+                "{}: with {} the attitude at the end is {tilt:.0}° off the vertical that the accelerometer reads there: the gyroscope has                  another unit, sign or order of axes than the calibration is for, or it was too fast for its range; compare them, for                  this motion is not to be trusted",
+                recording.name, named.name
+            ));
+        }
         let start = track.t.first().copied().unwrap_or(0.0);
         results.push(Outcome {
             horizontal: Some(horizontal),

@@ -65,7 +65,7 @@ pub(in crate::calibrate) fn long_turns(
         .map(|turn| {
             Finding::of(Kind::LongTurn)
                 .in_recording(&recording.name)
-                .at_turn(turn.from)
+                .at_turn(segmentation.before() + turn.from)
                 .between(turn.span.from, turn.span.to)
                 .number("length", turn.span.length(), "s")
         })
@@ -92,7 +92,7 @@ pub(in crate::calibrate) fn restless(
             Some(
                 Finding::of(Kind::NotStill)
                     .in_recording(&recording.name)
-                    .at_interval(k)
+                    .at_interval(segmentation.before() + k)
                     .between(rest.span.from, rest.span.to)
                     .of_sensor(Sensor::Accelerometer)
                     .number("spread", spread, "m/s^2"),

@@ -3,7 +3,6 @@
 use findings::Findings;
 use nalgebra::Vector3;
 use recording::Error;
-use recording::averages::root_mean_square;
 use sensor::Sensor;
 
 use crate::calibrate::checks;
@@ -58,7 +57,7 @@ pub fn check_rate(fit: &JointFit, fitted: &Fitted, warnings: &mut Findings) -> R
         fitted,
         turns: fit.chords.len(),
         scale: fit.rate_unit.scale,
-        rms: root_mean_square(&fit.chords),
+        rms: fit.missed(),
         ending: fit.ending,
     };
     if fit.chords.is_empty() {

@@ -20,7 +20,7 @@ use super::request::Request;
 use super::same_device::{gyroscope_of_one_device, of_one_device};
 use crate::calibration::Calibration;
 use crate::methods::earth::{self, on_the_earth};
-use crate::methods::joint::{JointRequest, fit_joint};
+use crate::methods::joint::{JointRequest, STATIC_INTERVALS, fit_joint};
 use crate::methods::{Choice, static_means};
 
 /// Calibrates by the joint method.
@@ -42,7 +42,16 @@ pub(super) fn calibrate(
         let known = of_one_device(&recordings.recordings, &means, request.gravity)?;
         warnings.extend(known);
     }
-    let cut: Vec<_> = recordings.each().chain(turning.each()).collect();
+    let whole = recordings.with_choices().chain(turning.with_choices());
+    let parts = whole.flat_map(|(own, choice)| {
+        let parts = choice.in_parts(STATIC_INTERVALS).into_iter();
+        parts.map(move |part| (own, part))
+    });
+    let parts: Vec<(&Recording, Choice)> = parts.collect();
+    let cut = parts
+        .iter()
+        .map(|(own, choice)| (*own, &choice.segmentation));
+    let cut: Vec<_> = cut.collect();
     checks::refuse_unknowable(cut.iter().copied(), &request.effects)?;
     let (mut accelerometer, mut gyroscope) = (accelerometer::model(), gyroscope::model());
     for effect in &request.effects {
@@ -68,13 +77,12 @@ pub(super) fn calibrate(
         watch: request.watch.clone(),
         ..JointRequest::new(cut, request.gravity)
     })?;
-    let choices = recordings.choices.iter().chain(&turning.choices);
-    let chosen: Vec<&Choice> = choices.collect();
-    let recordings = recordings.recordings.iter().chain(&turning.recordings);
-    let recordings: Vec<&Recording> = recordings.copied().collect();
+    let chosen = recordings.choices.iter().chain(&turning.choices);
+    let (of_parts, choices): (Vec<&Recording>, Vec<&Choice>) =
+        parts.iter().map(|(own, choice)| (*own, choice)).unzip();
     warnings.extend(gyroscope_of_one_device(
         &fit,
-        &recordings,
+        &of_parts,
         request.force_device,
     )?);
     let account = Account {
@@ -85,7 +93,13 @@ pub(super) fn calibrate(
         frame: request.frame,
         names_what_is_missing: false,
     };
-    let calibration = written_down(&fit, &recordings, &chosen, &account, &mut warnings)?;
+    let calibration = written_down(&fit, &of_parts, &choices, &account, &mut warnings)?;
+    // What differs from recording to recording looks like an effect to the fit of all.
+    let differs =
+        |found: &Finding| matches!(found.kind, Kind::RecordingsDiffer | Kind::GyroscopeDiffers);
+    if warnings.iter().any(differs) {
+        warnings.retain(|found| found.kind != Kind::EffectMissing);
+    }
     let mut calibration = Calibration {
         warnings,
         ..calibration
@@ -93,7 +107,7 @@ pub(super) fn calibrate(
     calibration.carry_gravity(request.gravity_source);
     Ok(Outcome {
         calibration,
-        choices: chosen.into_iter().cloned().collect(),
+        choices: chosen.cloned().collect(),
         accelerometer: None,
         gyroscope: None,
         joint: Some(fit),

@@ -1,14 +1,23 @@
 //! The sensors of a calibration from a joint fit.
 
+use findings::{Finding, Kind};
 use recording::Recording;
-use recording::averages::root_mean_square;
 use sensor::{BASE_PARAMETERS, Base, Sensor};
 
 use crate::calibrate::assemble::triad;
 use crate::calibrate::checks;
 use crate::calibration::{BiasTime, RecordingBias, Triad};
 use crate::methods::Fitted;
-use crate::methods::joint::JointFit;
+use crate::methods::joint::{BiasMotion, JointFit, Source};
+
+/// Chance moves a bias by so much in fewer recordings than this.
+const MOVED: f64 = 1e-3;
+
+/// A bias that moved leaves more than this of a corrected orientation, ° ([`Finding::severity`]): 9 mm/s² or 18 °/h at either end.
+const SHOWS: f64 = 0.05;
+
+/// The same of one that wanders: 17 mm/s² or 36 °/h, more than any sensor's noise makes in minutes.
+const WANDERS: f64 = 0.1;
 
 /// The accelerometer as it is held against gravity.
 pub fn force_fit<'a>(
@@ -35,33 +44,30 @@ pub fn rate_fit<'a>(
         base: Base::from_parameters(fitted.parameters.values()),
         std: checks::diagonal_std(fitted, Sensor::Gyroscope),
         scale: fit.rate_unit.scale,
-        missed: root_mean_square(&fit.chords),
+        missed: fit.missed(),
         force_is_si: fit.force_unit.is_si(),
         recordings,
     }
 }
 
 /// The accelerometer.
-pub fn force_triad(fit: &JointFit, fitted: &Fitted, recordings: &[&Recording]) -> Triad {
+pub fn force_triad(fit: &JointFit, fitted: &Fitted, moved: Option<&BiasMotion>) -> Triad {
     let mut triad = triad(Sensor::Accelerometer, fitted);
     triad.residual_rms = fit.norm_rms();
-    triad.bias_time = bias_time(fit, Sensor::Accelerometer, &triad.bias);
+    triad.bias_time = moved.map(|own| bias_time(own, fit.force_unit.scale, &triad.bias));
     triad.static_intervals = Some(fit.data.rests.len());
     let shared = fit.models[0].parameter_count();
     if fit.own_force_bias {
-        triad.recordings = own_biases(Sensor::Accelerometer, fitted, shared, recordings);
+        triad.recordings = own_biases(Sensor::Accelerometer, fitted, shared, &fit.data.sources);
     }
     triad
 }
 
 /// For which time the bias of the last recording holds.
-fn bias_time(fit: &JointFit, sensor: Sensor, bias: &[f64; 3]) -> Option<BiasTime> {
-    let last = fit.data.sources.len().checked_sub(1)?;
-    let moved = fit.bias_motion(sensor, last)?;
-    let unit = fit.unit(sensor).scale;
+fn bias_time(moved: &BiasMotion, unit: f64, bias: &[f64; 3]) -> BiasTime {
     let change = moved.change / unit;
     let at = |share: f64| std::array::from_fn(|k| bias[k] + share * change[k]);
-    Some(BiasTime {
+    BiasTime {
         holds: "mean over the static intervals".into(),
         from: moved.span.from,
         to: moved.span.to,
@@ -69,17 +75,49 @@ fn bias_time(fit: &JointFit, sensor: Sensor, bias: &[f64; 3]) -> Option<BiasTime
         end: at(1.0 - moved.before),
         change: change.into(),
         change_std: (moved.std / unit).into(),
-    })
+    }
+}
+
+/// Biases that moved by more than chance makes of it, or wander, by as much as a corrected reading shows.
+pub fn biases_that_moved(
+    fit: &JointFit,
+    sensor: Sensor,
+    motions: &[Option<BiasMotion>],
+) -> Vec<Finding> {
+    let walk = fit.walk(sensor);
+    let of = |(moved, source): (&Option<BiasMotion>, &Source)| {
+        let moved = moved.as_ref()?;
+        let found = |kind, name, size: f64, leaves: f64| {
+            let found = Finding::of(kind).of_sensor(sensor);
+            let found = found.in_recording(&source.name);
+            found.number(name, size, sensor.unit()).affects(
+                "corrected_reading",
+                leaves,
+                sensor.unit(),
+            )
+        };
+        let change = moved.change.norm();
+        let even = found(Kind::BiasMoved, "change", change, 0.5 * change);
+        if moved.p_value < MOVED && even.severity() > SHOWS {
+            return Some(even);
+        }
+        // A Brownian path of density q lies q √(T/6) from its mean over T, root mean square.
+        let size = walk * (moved.span.length() / 6.0).sqrt();
+        let wandering = found(Kind::BiasWandered, "size", size, size);
+        (wandering.severity() > WANDERS).then_some(wandering)
+    };
+    let sources = &fit.data.sources;
+    motions.iter().zip(sources).filter_map(of).collect()
 }
 
 /// The gyroscope.
-pub fn rate_triad(fit: &JointFit, fitted: &Fitted, recordings: &[&Recording]) -> Triad {
+pub fn rate_triad(fit: &JointFit, fitted: &Fitted, moved: Option<&BiasMotion>) -> Triad {
     let mut triad = triad(Sensor::Gyroscope, fitted);
     triad.residual_rms = fit.direction_rms().to_degrees();
-    triad.bias_time = bias_time(fit, Sensor::Gyroscope, &triad.bias);
+    triad.bias_time = moved.map(|own| bias_time(own, fit.rate_unit.scale, &triad.bias));
     triad.dynamic_intervals = Some(fit.chords.len());
     let shared = fit.models[1].parameter_count();
-    triad.recordings = own_biases(Sensor::Gyroscope, fitted, shared, recordings);
+    triad.recordings = own_biases(Sensor::Gyroscope, fitted, shared, &fit.data.sources);
     triad
 }
 
@@ -88,25 +126,25 @@ fn own_biases(
     sensor: Sensor,
     fitted: &Fitted,
     shared: usize,
-    recordings: &[&Recording],
+    sources: &[Source],
 ) -> Vec<RecordingBias> {
-    if recordings.len() < 2 {
+    if sources.len() < 2 {
         return Vec::new();
     }
-    let of = |(k, recording): (usize, &&Recording)| {
+    let of = |(k, source): (usize, &Source)| {
         let bias = &fitted.local(shared, k)[9..BASE_PARAMETERS];
         let std = ["x", "y", "z"].map(|axis| {
             let common = format!("{}.b_{axis}", sensor.prefix());
-            let own = format!("{common}[{}]", recording.name);
+            let own = format!("{common}[{}]", source.name);
             fitted
                 .standard_error(&own)
                 .or(fitted.standard_error(&common))
         });
         RecordingBias {
-            recording: recording.name.clone(),
+            recording: source.name.clone(),
             bias: [bias[0], bias[1], bias[2]],
             bias_std: std,
         }
     };
-    recordings.iter().enumerate().map(of).collect()
+    sources.iter().enumerate().map(of).collect()
 }

@@ -9,7 +9,7 @@ use super::determined::{check_force, check_rate};
 use super::doubts::{disturbances, influences, of_missing, placements_apart};
 use super::latitude::LatitudeDoubt;
 use super::temperature;
-use super::triads::{force_fit, force_triad, rate_fit, rate_triad};
+use super::triads::{biases_that_moved, force_fit, force_triad, rate_fit, rate_triad};
 use crate::calibrate::assemble::effect_values;
 use crate::calibrate::checks;
 use crate::calibrate::left_out::left_out;
@@ -21,7 +21,7 @@ use crate::calibration::{
     Remainder, SCHEMA, Triad, WITH_WALKS, in_symmetric_frame,
 };
 use crate::gravity::GravitySource;
-use crate::methods::joint::{Channel, JointFit};
+use crate::methods::joint::{BiasMotion, Channel, JointFit};
 use crate::methods::{Choice, Fitted};
 
 /// Settings and circumstances that a calibration states beside the fit.
@@ -51,7 +51,7 @@ fn without_a_turn(
     let turns = choices.iter().map(|choice| choice.segmentation.turns.len());
     let lost = fit.data.lost.iter().map(|turn| &turn.fault);
     let count = TurnCount::of(turns.sum(), lost);
-    let triad = rate_triad(fit, rate, recordings);
+    let triad = rate_triad(fit, rate, None);
     let bias = RecordingBias {
         recording: recordings
             .last()
@@ -120,6 +120,17 @@ pub fn written_down(
     let doubt = account.latitude.and_then(|l| LatitudeDoubt::of(fit, l));
     warnings.extend(doubt.map(|doubt| doubt.finding()));
     influences(fit, warnings);
+    let both = [Sensor::Accelerometer, Sensor::Gyroscope];
+    let motions = both.map(|sensor| fit.bias_motions(sensor));
+    for (sensor, motions) in both.into_iter().zip(&motions) {
+        let mut moved = biases_that_moved(fit, sensor, motions);
+        if account.names_what_is_missing {
+            moved.iter_mut().for_each(|found| found.remedies.clear());
+        }
+        warnings.extend(moved);
+    }
+    let last = |motions: &[Option<BiasMotion>]| motions.last().copied().flatten();
+    let [moved_force, moved_rate] = [last(&motions[0]), last(&motions[1])];
     let of_the_earth =
         |name: &str| account.keeps_the_earth && name.starts_with(earth_rotation().name());
     let of_a_lost_gyroscope = |name: &str| turned.is_none() && name.starts_with("gyro");
@@ -141,14 +152,15 @@ pub fn written_down(
         method: "joint".into(),
         accelerometer: Some(Triad {
             reduced_chi2: chi2(Channel::Force),
-            ..force_triad(fit, &force, recordings)
+            ..force_triad(fit, &force, moved_force.as_ref())
         }),
         gyroscope: turned.map(|rate| Triad {
             reduced_chi2: chi2(Channel::Direction),
-            ..rate_triad(fit, rate, recordings)
+            ..rate_triad(fit, rate, moved_rate.as_ref())
         }),
         magnetometer: None,
         magnetic_field: None,
+        scalars: Vec::new(),
         not_calibrated,
         effects,
         left_out: left_out(fit, &all),

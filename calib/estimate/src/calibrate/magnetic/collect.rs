@@ -29,8 +29,7 @@ pub fn collect<'a>(
         let Some(field) = &recording.magnetometer else {
             continue;
         };
-        let mut models = Models::of(calibration);
-        own_biases(&mut models, calibration, &recording.name);
+        let models = Models::of_recording(calibration, &recording.name);
         let source = Source {
             number,
             recording,
@@ -54,25 +53,6 @@ fn direction_misfit(calibration: &Calibration) -> f64 {
     let own = calibration.misfit.iter();
     let direction = own.filter(|r| r.channel == Channel::Direction);
     direction.map(|r| r.reduced_chi2).fold(1.0, f64::max)
-}
-
-/// The biases that this recording has where each has its own.
-fn own_biases(models: &mut Models, calibration: &Calibration, recording: &str) {
-    for (sensing, triad) in [
-        (&mut models.accelerometer, &calibration.accelerometer),
-        (&mut models.gyroscope, &calibration.gyroscope),
-    ] {
-        let (Some(sensing), Some(triad)) = (sensing, triad) else {
-            continue;
-        };
-        let own = triad
-            .recordings
-            .iter()
-            .find(|own| own.recording == recording);
-        if let Some(own) = own {
-            sensing.parameters[9..12].copy_from_slice(&own.bias);
-        }
-    }
 }
 
 impl Source<'_> {

@@ -9,7 +9,7 @@ use recording::{
 
 use sensor::Sensor;
 
-use crate::methods::joint::{ClockState, JointFit};
+use crate::methods::joint::{Channel, ClockState, JointFit};
 
 /// Turns that miss by so much, as `χ²` per degree of freedom, with any clock: samples are not when any stamp says.
 const WITH_ANY: f64 = 60.0;
@@ -20,6 +20,8 @@ const FAR_APART: f64 = 9.0;
 /// Warnings about clocks that no choice makes right.
 pub(in crate::calibrate) fn doubts(fit: &JointFit) -> Vec<Finding> {
     let mut doubts = Vec::new();
+    // A single turn that misses is no clock's: beside it the others fit.
+    let left = fit.reduced_chi2(Channel::Direction).unwrap_or(0.0);
     for source in &fit.data.sources {
         let clock = &source.clock;
         if clock.state == ClockState::Uncountable {
@@ -32,7 +34,7 @@ pub(in crate::calibrate) fn doubts(fit: &JointFit) -> Vec<Finding> {
             );
         }
         let scatters = clock.scatter > 0.0 && clock.state != ClockState::Uncountable;
-        if let Some(misfit) = clock.misfit.filter(|m| scatters && *m > WITH_ANY) {
+        if let Some(misfit) = clock.misfit.filter(|m| scatters && m.min(left) > WITH_ANY) {
             doubts.push(
                 Finding::of(Kind::ClockUnknown)
                     .in_recording(&source.name)

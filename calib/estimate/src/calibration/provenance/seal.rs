@@ -82,6 +82,9 @@ impl Calibration {
         if let Some(magnetometer) = &self.magnetometer {
             text += &serde_json::to_string(magnetometer).ok()?;
         }
+        if !self.scalars.is_empty() {
+            text += &serde_json::to_string(&self.scalars).ok()?;
+        }
         Some(hexadecimal(&Sha256::digest(text)))
     }
 
@@ -108,6 +111,7 @@ impl Calibration {
             accelerometer: _,
             gyroscope: _,
             magnetometer: _,
+            scalars: _,
             effects: _,
             // Words and names.
             schema: _,

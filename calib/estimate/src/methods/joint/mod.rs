@@ -43,7 +43,8 @@ pub use blocks::groups::RowGroups;
 pub use clock::sampling::Share;
 pub use clock::undersampled::Undersampled;
 pub use clock::{ClockMode, ClockState, DecidedClock, SourceClock, TurnClock};
-pub use data::budget::{MOST_IN_A_SEARCH, MOST_STATIC_INTERVALS, within_budget};
+pub use data::budget::IN_A_SEARCH;
+pub(crate) use data::budget::STATIC_INTERVALS;
 pub use data::{Chunk, Data, LostTurn, Mean, Rest, Source, TurnSamples};
 pub use faults::{
     Creep, DisturbedInterval, FAULTS, Fault, FaultRef, Flagged, OutlyingTurn, RateExcursion,

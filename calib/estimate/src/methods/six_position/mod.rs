@@ -264,6 +264,7 @@ impl SixPosition {
             gyroscope: self.gyroscope.as_ref().map(GyroscopePart::triad),
             magnetometer: None,
             magnetic_field: None,
+            scalars: Vec::new(),
             not_calibrated: Vec::new(),
             effects: Vec::new(),
             parameters: base_names(Sensor::Accelerometer).to_vec(),

@@ -6,10 +6,12 @@
 //!    └─ shorter windows, where those asked for make no calibration ─┘
 //! ```
 
+mod another;
 mod plateau;
 mod several;
 mod trial;
 
+pub use another::OfAnother;
 pub use several::cut_several;
 pub use trial::Trial;
 
@@ -57,6 +59,8 @@ pub struct Choice {
     pub trials: Vec<Trial>,
     /// The shortest static interval looked for, s, where it is shorter than what was asked for.
     pub shortened: Option<f64>,
+    /// Static intervals in a part of the recording that fit another accelerometer.
+    pub of_another: Option<OfAnother>,
 }
 
 impl Choice {
@@ -65,8 +69,10 @@ impl Choice {
         let shortened = self
             .shortened
             .map(|length| Finding::of(Kind::ShortIntervals).number("least", length, "s"));
+        let of_another = self.of_another.as_ref().map(OfAnother::finding);
         let rejected = Rejected::findings(&self.segmentation.rejected);
-        shortened.into_iter().chain(rejected).collect()
+        let all = shortened.into_iter().chain(of_another);
+        all.chain(rejected).collect()
     }
 }
 
@@ -110,6 +116,7 @@ pub fn choose_multiplier(
     Ok(Choice {
         segmentation: best.segment(),
         shortened: (used < detector.min_static).then_some(used),
+        of_another: best.of_another(gravity),
         trials: best.trials,
     })
 }
@@ -131,6 +138,7 @@ pub fn cut(
         segmentation: recording::intervals::segment(recording, detector)?,
         trials: Vec::new(),
         shortened: None,
+        of_another: None,
     })
 }
 

@@ -56,6 +56,7 @@ pub fn entries() -> impl Iterator<Item = &'static Entry> {
         errors::recordings::stamps::ENTRIES,
         errors::recordings::units::ENTRIES,
         errors::requests::effects::ENTRIES,
+        errors::requests::scalars::ENTRIES,
         errors::requests::names::ENTRIES,
         errors::requests::expressions::ENTRIES,
         errors::requests::values::ENTRIES,

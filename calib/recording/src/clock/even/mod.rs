@@ -16,6 +16,7 @@ mod ticks;
 
 pub use bursts::{Bursts, bursts};
 use line::lines;
+use scatter::Scatter;
 
 /// Samples on either side of one that its time is taken from, s: longer than the beat of most rates with a
 /// millisecond, shorter than the drift of an oscillator.
@@ -74,7 +75,8 @@ pub fn even_clock(t: &[f64]) -> Stamps {
         return Stamps::Exact;
     };
     let runs: Vec<&[f64]> = t.chunk_by(|a, b| b - a <= INTERRUPTION * step).collect();
-    if runs.iter().all(|run| is_exact(run, step)) {
+    let is_even = |run: &&[f64]| is_exact(run, step) && Scatter::rounded(run).is_none();
+    if runs.iter().all(is_even) {
         return Stamps::Exact;
     }
     let mut clock = EvenClock {
@@ -230,6 +232,29 @@ mod tests {
                 "{step}: {}",
                 worst(&found, &truth)
             );
+        }
+    }
+
+    #[test]
+    fn stamps_rounded_to_their_own_step_lose_no_sample() {
+        for (step, by) in [(0.01003, 0.01), (0.0201, 0.02)] {
+            let truth = even(15_000, step);
+            let rounded: Vec<f64> = truth.iter().map(|t| (t / by).round() * by).collect();
+            let Stamps::Scattered(clock) = even_clock(&rounded) else {
+                panic!("rounded stamps are no exact ones");
+            };
+            assert_eq!((clock.gaps, clock.lost), (0, 0), "{step}");
+            assert!(
+                worst(&clock.even, &truth) < 0.1 * by,
+                "{}",
+                worst(&clock.even, &truth)
+            );
+            // Samples that are lost leave the even clock, and are counted.
+            let mut lossy = even(15_000, by);
+            for k in 1..12 {
+                lossy.remove(100 * k * k);
+            }
+            assert_eq!(even_clock(&lossy), Stamps::Exact, "{step}");
         }
     }
 

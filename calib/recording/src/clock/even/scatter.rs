@@ -1,5 +1,6 @@
 //! Scatter of stamps: their period, the jitter of each stamp, and the random walk that adds up from step to step.
 
+use super::EXACT;
 use crate::order_statistic::nth_smallest;
 
 /// Steps that the period is taken over.
@@ -13,6 +14,12 @@ const TRIMMED: f64 = 0.1;
 
 /// Whole stretches without a lost sample from which a variance is taken.
 const LEAST: f64 = 32.0;
+
+/// Longer steps of stamps that are rounded to the others: fewer than this may be lost samples.
+const FEWEST_LONGER: usize = 8;
+
+/// Stamps rounded to a step lie within it of an even clock.
+const WITHIN: f64 = 1.1;
 
 /// Variance of a normal variable over that of its central 80 %.
 const CENTRAL: f64 = 2.285;
@@ -36,6 +43,44 @@ impl Scatter {
     pub fn of(stamps: &[f64]) -> Option<Self> {
         let period = central(stamps, LAG)?.0 / LAG as f64;
         Self::about(stamps, period)
+    }
+
+    /// That of an even clock whose stamps are rounded to a step that is a little shorter than its own: now and then two of them pass
+    /// from stamp to stamp. `None` of others, and where samples are lost: these leave the even clock.
+    pub fn rounded(stamps: &[f64]) -> Option<Self> {
+        let step = crate::recording::stream::median_step(stamps)?;
+        let first = stamps.first()?;
+        let steps = stamps.windows(2).map(|pair| (pair[1] - pair[0]) / step);
+        let longer = steps.clone().filter(|steps| *steps > 1.5).count();
+        let is_grid = |steps: f64| {
+            (steps - steps.round()).abs() < EXACT && (1.0..3.0).contains(&steps.round())
+        };
+        if longer < FEWEST_LONGER || !steps.clone().all(is_grid) {
+            return None;
+        }
+        // The line through all of them: their ends are rounded too.
+        let middle = 0.5 * (stamps.len() - 1) as f64;
+        let rows = || {
+            stamps
+                .iter()
+                .enumerate()
+                .map(|(k, stamp)| (k as f64 - middle, stamp - first))
+        };
+        let (square, product) = rows().fold((0.0, 0.0), |(square, product), (k, t)| {
+            (square + k * k, product + k * t)
+        });
+        let period = product / square;
+        let none = (f64::INFINITY, f64::NEG_INFINITY);
+        let (low, high) = rows().fold(none, |(low, high), (k, t)| {
+            let late = t - k * period;
+            (late.min(low), late.max(high))
+        });
+        (high - low < WITHIN * step).then_some(Self {
+            period,
+            own: step * step / 12.0,
+            adding: 0.0,
+            correlation: 1.0,
+        })
     }
 
     /// The same of differences with as many samples as steps: lost samples have no part in it.

@@ -31,6 +31,9 @@ const CORRELATED_BY_LOSSES: f64 = 1.5;
 
 /// Steps between the first stamp and each, lost ones counted, and the scatter; `None` where they are too few.
 pub(crate) fn ticks(stamps: &[f64]) -> Option<(Vec<u32>, Scatter)> {
+    if let Some(scatter) = Scatter::rounded(stamps) {
+        return Some(((0..).take(stamps.len()).collect(), scatter));
+    }
     let scatter = Scatter::of(stamps)?;
     if let Some(ticks) = Tracker::new(&scatter).nearest(stamps) {
         return Some((ticks, scatter));

@@ -116,7 +116,15 @@ fn time(names: &[String]) -> Option<usize> {
         let unit = take_apart(name).1;
         unit.is_some_and(|unit| unit.parse::<TimeUnit>().is_ok())
     };
-    let like = || names.iter().position(|name| is_like_time(name));
+    // Ticks of a clock are counts of something; a time beside them is one.
+    let says_time = |name: &String| {
+        let word = name.to_lowercase();
+        is_like_time(name) && (word.contains("time") || word.contains("stamp"))
+    };
+    let like = || {
+        let named = names.iter().position(says_time);
+        named.or_else(|| names.iter().position(|name| is_like_time(name)))
+    };
     exact
         .or_else(like)
         .or_else(|| names.iter().position(in_time))
@@ -174,6 +182,14 @@ mod tests {
         assert!(of(&names).ends_with(
             "t=timestamp,ax=lin_acc_x,ay=lin_acc_y,az=lin_acc_z,gx=ang_vel_x,gy=ang_vel_y,gz=ang_vel_z"
         ));
+        let names = [
+            "Clock:Tick#",
+            "Clock:offsetTime",
+            "accelX",
+            "accelY",
+            "accelZ",
+        ];
+        assert!(of(&names).starts_with("t=Clock:offsetTime,"));
         // Two devices: the gyroscope of the one whose accelerometer is taken.
         let names = [
             "t", "l_acc_x", "l_acc_y", "l_acc_z", "r_gyr_x", "r_gyr_y", "r_gyr_z", "l_gyr_x",

@@ -30,8 +30,17 @@ const CHANCE: f64 = 0.01;
 /// nothing moves.
 const LEAP: f64 = 1.5;
 
-/// Repeated readings that are more of the recording than this are how the sensor reads.
+/// Repeated readings that are more of the recording than this are how the sensor reads, unless its noise passes more than so many of its
+/// least steps: then no reading repeats for long.
 const MOST: f64 = 0.2;
+const FINE: f64 = 2.0;
+
+/// The median of the square of a standard normal number, and the largest of its squares that count.
+const MEDIAN: f64 = 0.455;
+const MANY: f64 = 20.0;
+
+/// Third differences of white noise go against their neighbours by 3/4; those of a smooth motion go with them.
+const OF_NOISE: f64 = -0.5;
 
 /// Finds the runs in which a sensor repeats one reading for longer than chance, its resolution or a slower clock explains.
 pub(crate) fn frozen(sensor: Sensor, stream: &Stream) -> Vec<Frozen> {
@@ -97,10 +106,34 @@ fn frozen_runs(values: &[Vector3<f64>]) -> Vec<Range<usize>> {
         .map(|(_, run)| run.clone())
         .collect();
     let repeated: usize = found.iter().map(|run| run.len() - 1).sum();
-    if repeated as f64 > MOST * values.len() as f64 {
+    if repeated as f64 > MOST * values.len() as f64 && !is_fine(values, &least) {
         return Vec::new();
     }
     found
+}
+
+/// Returns true if the noise of every axis, where readings change, is wider than [`FINE`] least steps: by third differences, whose variance
+/// is `20 σ²`.
+fn is_fine(values: &[Vector3<f64>], least: &[f64; 3]) -> bool {
+    let changes = |w: &[Vector3<f64>]| w.windows(2).all(|pair| pair[0] != pair[1]);
+    let third = |w: &[Vector3<f64>]| w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0];
+    let windows = values.windows(5).filter(|w| changes(w));
+    let pairs: Vec<_> = windows.map(|w| (third(&w[..4]), third(&w[1..]))).collect();
+    (0..3).all(|axis| {
+        let squares = pairs.iter().map(|(a, _)| a[axis] * a[axis]);
+        let middle = nth_smallest(squares, pairs.len() / 2).unwrap_or(0.0);
+        let quiet = || {
+            pairs
+                .iter()
+                .filter(|(a, b)| a[axis].powi(2).max(b[axis].powi(2)) <= MANY * middle)
+        };
+        let products: f64 = quiet().map(|(a, b)| a[axis] * b[axis]).sum();
+        let squares: f64 = quiet()
+            .map(|(a, b)| 0.5 * (a[axis].powi(2) + b[axis].powi(2)))
+            .sum();
+        let is_noise = products < OF_NOISE * squares;
+        is_noise && (middle / MEDIAN / 20.0).sqrt() > FINE * least[axis]
+    })
 }
 
 /// Usual length of runs of equal readings.
@@ -242,6 +275,16 @@ mod tests {
             .map(|v| (v - Vector3::repeat(3.7)).map(|x| x.clamp(-8.0, 8.0)))
             .collect();
         assert!(frozen_runs(&values).is_empty());
+    }
+
+    #[test]
+    fn a_hub_that_repeats_the_last_reading_at_rest_is_found() {
+        let mut values = readings(10, 0.01);
+        let rests: Vec<Range<usize>> = (0..10).map(|k| 1200 * k + 500..1200 * k + 1150).collect();
+        rests
+            .iter()
+            .for_each(|run| freeze(&mut values, run.clone()));
+        assert_eq!(frozen_runs(&values), rests);
     }
 
     #[test]

@@ -64,7 +64,7 @@ impl Data {
             }
             self.rests.push(Rest {
                 recording: place,
-                interval,
+                interval: cut.segmentation.before() + interval,
                 heading: 0,
                 span: *span,
                 turned: truth.turned(interval),
@@ -112,7 +112,7 @@ impl Data {
         };
         self.number_headings(first);
         self.sources.push(Source {
-            name: cut.recording.name.clone(),
+            name: cut.segmentation.name_in(&cut.recording.name),
             accelerometer: of_force,
             gyroscope: of_rate,
             has_thermometer: cut.recording.temperature.is_some(),
@@ -169,7 +169,8 @@ impl Data {
                 variances: self.restless(first + k),
             };
             if let Some(span) = touched(pair, turn, &beside) {
-                self.broken.push((self.sources.len(), k, span));
+                let interval = cut.segmentation.before() + k;
+                self.broken.push((self.sources.len(), interval, span));
             }
         }
     }
@@ -250,7 +251,7 @@ impl Data {
             if let Some(fault) = fault {
                 self.lost.push(LostTurn {
                     recording,
-                    turn: turn.from,
+                    turn: cut.segmentation.before() + turn.from,
                     span,
                     fault,
                 });
@@ -261,7 +262,7 @@ impl Data {
             let of = |even: &Vec<f64>| TurnClock::of(&rate.t, even, range.clone());
             self.turns.push(TurnSamples {
                 recording,
-                turn: turn.from,
+                turn: cut.segmentation.before() + turn.from,
                 from: first + turn.from,
                 span,
                 t: rate.t[range.clone()].to_vec(),

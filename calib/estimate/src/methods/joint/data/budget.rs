@@ -1,24 +1,18 @@
-//! Limits of the joint problem: number of static intervals, with the choice among more, and steps of the solver.
+//! Limits of the joint problem: number of static intervals that are fitted together, and steps of the solver.
 
-use findings::{Finding, Kind};
-use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
 use std::sync::atomic::Ordering::Relaxed;
 
-use nalgebra::{Matrix3, Vector3};
-use recording::Recording;
-use recording::intervals::StaticInterval;
-
 use crate::methods::Choice;
 
-/// Most static intervals of a recording. Every one has a direction of its own among the parameters, and noise
-/// joins all rows of a recording: time grows with the third power of their number and memory with the second: 0.4 s at 100, 1.4 s at 200, 4 s at 320. With the
-/// number of recordings, which share no noise, both grow evenly.
-pub const MOST_STATIC_INTERVALS: usize = 140;
+/// Most static intervals of a recording that is fitted whole, and about how many of a part of a longer one. Every one has a direction of
+/// its own among the parameters, and noise joins all rows of a recording: time grows with the third power of their number. With the number
+/// of recordings or parts, which share no noise, it grows evenly.
+pub const STATIC_INTERVALS: [usize; 2] = [140, 70];
 
 /// The same where many models are fitted one after the other.
-pub const MOST_IN_A_SEARCH: usize = 60;
+pub const IN_A_SEARCH: [usize; 2] = [60, 60];
 
 /// Largest total cost of the solver's steps on the way to a fit, in samples of turns.
 const MOST_WORK: usize = 4_000_000;
@@ -63,79 +57,35 @@ impl Steps {
     }
 }
 
-/// Cuts every recording down to `most` static intervals, to the stretch whose orientations are spread best, and says from
-/// where to where. Several recordings are taken whole each: whoever records many of them wants them all.
-pub fn within_budget(
-    recordings: &[&Recording],
-    choices: &mut [Choice],
-    most: usize,
-) -> Vec<Finding> {
-    let mut said = Vec::new();
-    for (recording, choice) in recordings.iter().zip(choices) {
-        let statics = &choice.segmentation.statics;
-        let Some(stretch) = spread_best(statics, most) else {
-            continue;
+impl Choice {
+    /// The recording in one part, or one with more static intervals than `most` in parts of about so many as are given: noise joins all rows
+    /// of a recording, and parts have biases of their own as recordings of one device do. The turns between two parts are not used.
+    pub fn in_parts(&self, [most, part]: [usize; 2]) -> Vec<Self> {
+        let count = self.segmentation.statics.len();
+        if count <= most {
+            return vec![self.clone()];
+        }
+        let parts = count.div_ceil(part);
+        let of = |number: usize| Self {
+            segmentation: self.segmentation.part(number, parts),
+            ..self.clone()
         };
-        let (first, last) = (&statics[stretch.start], &statics[stretch.end - 1]);
-        said.push(
-            Finding::of(Kind::IntervalsLeftOut)
-                .in_recording(&recording.name)
-                .count("most", most)
-                .count("all", statics.len())
-                .count("first", stretch.start + 1)
-                .count("last", stretch.end)
-                .detail(
-                    "where",
-                    format!("t = {:.2} to {:.2} s", first.span.from, last.span.to),
-                ),
-        );
-        choice.segmentation = choice.segmentation.stretch(stretch);
+        (1..=parts).map(of).collect()
     }
-    said
-}
-
-/// The `count` consecutive intervals whose directions of specific force leave the least known axis best known: largest
-/// smallest eigenvalue of `Σ u uᵀ`. `None` where all are to be kept.
-fn spread_best(statics: &[StaticInterval], count: usize) -> Option<Range<usize>> {
-    if statics.len() <= count {
-        return None;
-    }
-    let of = |rest: &StaticInterval| {
-        let u = rest.accelerometer.map(|m| m.mean.normalize());
-        let u = u.filter(|u| u.norm().is_finite());
-        u.map_or_else(Matrix3::zeros, |u: Vector3<f64>| u * u.transpose())
-    };
-    let mut before = vec![Matrix3::zeros()];
-    for rest in statics {
-        let sum = before[before.len() - 1] + of(rest);
-        before.push(sum);
-    }
-    let least = |from: &usize| {
-        let scatter: Matrix3<f64> = before[from + count] - before[*from];
-        scatter.symmetric_eigenvalues().min()
-    };
-    // The first of equals.
-    let starts = (0..=statics.len() - count).rev();
-    let from = starts.max_by(|a, b| least(a).total_cmp(&least(b)))?;
-    Some(from..from + count)
 }
 
 #[cfg(test)]
 mod tests {
-    use recording::Stream;
+    use nalgebra::Vector3;
     use recording::intervals::{Segmentation, Span};
+    use recording::{Recording, Stream};
 
     use super::*;
 
-    /// Rests of one second with turns of one second between, flat but for those in `tilted`.
-    fn session(rests: usize, tilted: Range<usize>) -> (Recording, Choice) {
-        let up = |k: usize| match (tilted.contains(&(k / 20)), (k / 20) % 3) {
-            (true, 1) => Vector3::x(),
-            (true, 2) => Vector3::y(),
-            _ => Vector3::z(),
-        };
+    /// Rests of one second with turns of one second between.
+    fn session(rests: usize) -> Choice {
         let t: Vec<f64> = (0..20 * rests).map(|k| 0.1 * k as f64).collect();
-        let values = (0..t.len()).map(|k| 9.8 * up(k)).collect();
+        let values = vec![9.8 * Vector3::z(); t.len()];
         let stream = Some(Stream { t, values });
         let recording = Recording {
             name: "r".into(),
@@ -148,38 +98,33 @@ mod tests {
             to: 2.0 * k as f64 + 1.0,
         };
         let spans: Vec<Span> = (0..rests).map(span).collect();
-        let choice = Choice {
+        Choice {
             segmentation: Segmentation::from_spans(&recording, &spans, 10.0),
             trials: Vec::new(),
             shortened: None,
-        };
-        (recording, choice)
+            of_another: None,
+        }
     }
 
     #[test]
-    fn the_stretch_with_all_orientations_is_kept_and_said() {
-        let (recording, choice) = session(400, 220..260);
-        let mut cut = [choice];
-        let said = within_budget(&[&recording], &mut cut, 150);
-        let kept = &cut[0].segmentation;
-        assert_eq!(kept.statics.len(), 150);
-        assert_eq!(kept.turns.len(), 149);
-        let (from, to) = (kept.statics[0].span.from, kept.statics[149].span.to);
-        assert!(from <= 440.0 && to >= 510.0, "{from} {to}");
-        let turn = &kept.turns[7];
-        assert_eq!((turn.from, turn.span.from), (7, kept.statics[7].span.to));
-        assert_eq!(said[0].kind, Kind::IntervalsLeftOut);
-        assert_eq!(
-            (said[0].value("most"), said[0].value("all")),
-            (Some(150.0), Some(400.0))
-        );
+    fn a_long_recording_is_in_parts_with_all_its_static_intervals() {
+        let choice = session(400);
+        let parts = choice.in_parts([150, 100]);
+        let cuts: Vec<&Segmentation> = parts.iter().map(|own| &own.segmentation).collect();
+        let counts: Vec<usize> = cuts.iter().map(|cut| cut.statics.len()).collect();
+        assert_eq!(counts, [100; 4]);
+        assert!(cuts.iter().all(|cut| cut.turns.len() == 99));
+        let whole = cuts.iter().flat_map(|cut| &cut.statics);
+        assert!(whole.eq(&choice.segmentation.statics));
+        assert_eq!((cuts[2].before(), cuts[2].turns[7].from), (200, 7));
+        assert_eq!(cuts[2].name_in("r"), "r (part 3 of 4)");
     }
 
     #[test]
     fn recordings_within_the_budget_stay_as_they_are() {
-        let (recording, choice) = session(140, 0..140);
-        let mut cut = [choice.clone(), choice.clone()];
-        assert!(within_budget(&[&recording, &recording], &mut cut, 150).is_empty());
-        assert_eq!(cut[1].segmentation, choice.segmentation);
+        let choice = session(140);
+        let parts = choice.in_parts([150, 100]);
+        assert_eq!(parts.len(), 1);
+        assert_eq!(parts[0].segmentation, choice.segmentation);
     }
 }

@@ -68,6 +68,11 @@ pub fn touched(pair: &Pair<'_>, turn: Span, beside: &Beside) -> Option<Span> {
         from: turn.from + k as f64 * WINDOW,
         to: turn.from + (k + 1) as f64 * WINDOW,
     };
+    // Missing samples break a rest as well, and nobody touched the device for that.
+    let has_samples = |k: usize| moments(pair.rate.0, window(k)).is_some();
+    if !(0..count).all(has_samples) {
+        return None;
+    }
     let states: Vec<State> = (0..count).map(|k| state(pair, window(k), beside)).collect();
     let shaking = longest(&states, |s| s == State::Shakes);
     let alone = alone(&states);

@@ -2,10 +2,13 @@
 
 use faer::Mat;
 use nalgebra::Vector3;
+use recording::averages::root_mean_square;
 use sensor::Sensor;
 
 use crate::methods::joint::blocks::arrow::Arrow;
 use crate::methods::joint::blocks::columns::Columns;
+use crate::methods::joint::data::TurnSamples;
+use crate::methods::joint::faults::Scope;
 use crate::methods::joint::fit::JointFit;
 use crate::methods::joint::noise::weights::{NoiseLevel, Whitening};
 use crate::methods::joint::orientation::Shown;
@@ -138,6 +141,29 @@ impl JointFit {
         self.weighted_chords(&self.chords_before)
     }
 
+    /// Root mean square of the angle by which sound turns miss gravity, each as much as the others, rad.
+    pub fn missed(&self) -> f64 {
+        let turns = self.sound_turns().into_iter();
+        root_mean_square(&turns.map(|turn| self.chords[turn]).collect::<Vec<_>>())
+    }
+
+    /// The turns that no fault opens, by their place; all of them where a third and more would go: then the reason is another.
+    pub fn sound_turns(&self) -> Vec<usize> {
+        let is_open = |turn: &TurnSamples| {
+            let mut faults = self.flagged.iter();
+            faults.any(|own| {
+                let place = (own.recording, own.interval) == (turn.recording, turn.turn);
+                own.fault.scope() == Scope::Turn && place
+            })
+        };
+        let turns = &self.data.turns;
+        let sound: Vec<usize> = (0..turns.len()).filter(|&k| !is_open(&turns[k])).collect();
+        match 3 * sound.len() > 2 * turns.len() {
+            true => sound,
+            false => (0..turns.len()).collect(),
+        }
+    }
+
     fn weighted_chords(&self, chords: &[f64]) -> f64 {
         let first = self.first_rows[1];
         let white = &self.whitening.white;
@@ -146,8 +172,8 @@ impl JointFit {
                 .std(first + 2 * turn)
                 .hypot(white.std(first + 2 * turn + 1))
         };
-        let chords = chords.iter().enumerate();
-        rms(chords.map(|(turn, value)| (*value, noise(turn))))
+        let turns = self.sound_turns().into_iter();
+        rms(turns.map(|turn| (chords[turn], noise(turn))))
     }
 
     /// Standard deviation of the mean of the accelerometer in a rest, averaged over the axes, m/s².

@@ -1,7 +1,7 @@
 //! Motion of the biases during a recording, and test of the earth's rotation against the latitude.
 
 use faer::Mat;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix2x3, Matrix3, Vector3};
 use recording::intervals::Span;
 use sensor::Sensor;
 
@@ -10,6 +10,9 @@ use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::data::{Chunk, Mean};
 use crate::methods::joint::fit::JointFit;
+use crate::methods::joint::noise::weights::ComponentKind;
+use crate::methods::joint::rows::turn::MARGIN;
+use crate::methods::small_sample::by_chance;
 
 /// A bias that changes evenly with time, as far as the static intervals show it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,12 +25,32 @@ pub struct BiasMotion {
     pub std: Vector3<f64>,
     /// Share of the change that lies before the mean over the static intervals, for which the bias is stated.
     pub before: f64,
+    /// Probability of a change as large as this by chance, walks among it.
+    pub p_value: f64,
 }
 
 impl JointFit {
-    /// Estimates the motion of a bias in a recording: the slope of the readings at the static intervals over time,
-    /// beside everything that was fitted, walks counted as noise. `None` with fewer than two chunks.
-    pub fn bias_motion(&self, sensor: Sensor, recording: usize) -> Option<BiasMotion> {
+    /// The density of the random walk of a sensor's bias, near SI units per √s; 0 where there is none.
+    pub fn walk(&self, sensor: Sensor) -> f64 {
+        let kind = match sensor {
+            Sensor::Gyroscope => ComponentKind::GyroscopeWalk,
+            _ => ComponentKind::AccelerometerWalk,
+        };
+        let own = self.levels.iter().find(|level| level.kind == kind);
+        own.map_or(0.0, |level| level.size)
+    }
+
+    /// The motion of a sensor's bias in each recording; `None` of one with fewer than two chunks.
+    pub fn bias_motions(&self, sensor: Sensor) -> Vec<Option<BiasMotion>> {
+        let model = Basis::of(&self.jacobian);
+        let recordings = 0..self.data.sources.len();
+        let of = |recording| self.bias_motion(sensor, recording, &model);
+        recordings.map(of).collect()
+    }
+
+    /// Estimates the motion of a bias in a recording: the slope of the readings over time, at the static intervals and, of a
+    /// gyroscope, in the turns, beside everything that was fitted, walks counted as noise. `None` with fewer than two chunks.
+    fn bias_motion(&self, sensor: Sensor, recording: usize, model: &Basis) -> Option<BiasMotion> {
         let mean = |chunk: &Chunk| chunk.mean(sensor);
         let own = |chunk: &Chunk| self.data.rests[chunk.rest].recording == recording;
         let chunks: Vec<Mean> = self
@@ -51,6 +74,7 @@ impl JointFit {
         if span.length() <= 0.0 || chunks.len() < 2 {
             return None;
         }
+        let share = |t: f64| (t - centre) / span.length();
         let mut columns = [const { Column::none() }; 3];
         let mut row = if sensor == Sensor::Accelerometer {
             0
@@ -60,27 +84,48 @@ impl JointFit {
         for chunk in &self.data.chunks {
             let Some(m) = mean(chunk) else { continue };
             if own(chunk) {
-                let share = (middle(&m) - centre) / span.length();
                 for (axis, column) in columns.iter_mut().enumerate() {
-                    column.set(row + axis, share);
+                    column.set(row + axis, share(middle(&m)));
                 }
             }
             row += 3;
         }
+        if sensor == Sensor::Gyroscope {
+            self.add_turns(&mut columns, recording, share);
+        }
         let columns = Columns::sparse(self.whitening.white.groups(), &columns.each_ref());
         let columns = self.whitening.whiten(columns);
-        let (change, covariance) = self.beside(&columns)?;
+        let (change, covariance) = self.beside(&columns, model)?;
+        let chi2 = change.dot(&(covariance.cholesky()?.solve(&change)));
         Some(BiasMotion {
             span,
             change,
             std: covariance.diagonal().map(|v| v.max(0.0).sqrt()),
             before: (centre - span.from) / span.length(),
+            p_value: by_chance(chi2, 3.0),
         })
     }
 
+    /// Adds the effect of a bias that goes with time as `share` on the turns of a recording, as on the means: `−∂r/∂b`.
+    fn add_turns(&self, columns: &mut [Column; 3], recording: usize, share: impl Fn(f64) -> f64) {
+        let rows = self.rows();
+        for (k, turn) in self.data.turns.iter().enumerate() {
+            if turn.recording != recording {
+                continue;
+            }
+            let gains = rows.gains(self.parameters.values(), turn);
+            let t = turn.t[MARGIN..].iter();
+            let by_bias: Matrix2x3<f64> = gains.iter().zip(t).map(|(g, t)| g * share(*t)).sum();
+            let first = self.first_rows[1] + 2 * k;
+            for (axis, column) in columns.iter_mut().enumerate() {
+                (0..2).for_each(|i| column.set(first + i, -by_bias[(i, axis)]));
+            }
+        }
+    }
+
     /// Estimates the coefficients of three whitened columns beside everything that was fitted, and their covariance.
-    fn beside(&self, columns: &Columns) -> Option<(Vector3<f64>, Matrix3<f64>)> {
-        let left = Basis::of(&self.jacobian).without(columns).to_dense();
+    fn beside(&self, columns: &Columns, model: &Basis) -> Option<(Vector3<f64>, Matrix3<f64>)> {
+        let left = model.without(columns).to_dense();
         let r = Mat::from_fn(self.residuals.len(), 1, |i, _| self.residuals[i]);
         let gram = left.transpose() * &left;
         let right = left.transpose() * &r;
@@ -101,5 +146,42 @@ impl JointFit {
         let of_left = left.col(0).iter().zip(&self.residuals);
         let moved: f64 = of_left.map(|(l, r)| l * r).sum();
         (square > 0.0).then(|| (-moved / square, square.sqrt().recip()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use recording::intervals::{Detector, segment};
+    use simulate::Spec;
+
+    use super::*;
+    use crate::methods::joint::{JointRequest, fit_joint};
+
+    #[test]
+    fn a_bias_moves_by_as_much_as_is_said() {
+        let sensors = [
+            (Sensor::Accelerometer, "accel_drift"),
+            (Sensor::Gyroscope, "gyro_drift"),
+        ];
+        for ((sensor, drift), size) in sensors.into_iter().flat_map(|s| [(s, 0.0), (s, 30.0)]) {
+            let session = Spec::hand_held(5).with_effect(drift, size).run().unwrap();
+            let recording = &session.recording;
+            let segmentation = segment(recording, &Detector::default()).unwrap();
+            let gravity = Spec::hand_held(5).gravity;
+            let request = JointRequest::new(vec![(recording, &segmentation)], gravity);
+            let moved = fit_joint(&request).unwrap().bias_motions(sensor)[0].unwrap();
+            assert_eq!(moved.p_value < 1e-3, size > 0.0, "{drift} {size}");
+            for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
+                let slope = session.truth.get(&format!("{drift}.{name}")).unwrap_or(0.0);
+                let truth = slope * moved.span.length();
+                // A reading is the signal over a scale factor of a few percent.
+                let allowed = 4.0 * moved.std[axis] + 0.04 * truth.abs();
+                let (found, std) = (moved.change[axis], moved.std[axis]);
+                assert!(
+                    (found - truth).abs() < allowed,
+                    "{drift} {size} {name}: {found} ± {std}, {truth}"
+                );
+            }
+        }
     }
 }

@@ -39,8 +39,9 @@ pub fn by_models<'a>(cut: &Cut<'a>, force: NearSi<'_>, rate: NearSi<'_>) -> Trut
 impl Data {
     /// Writes down what is known of the static intervals and turns of a recording that begins at `start`.
     pub fn know(&mut self, recording: usize, truth: &Truth<'_>, start: f64) {
-        for rest in self.rests.iter_mut().filter(|r| r.recording == recording) {
-            rest.known = truth.at_rest(rest.interval);
+        let own = self.rests.iter_mut().filter(|r| r.recording == recording);
+        for (k, rest) in own.enumerate() {
+            rest.known = truth.at_rest(k);
             rest.known.time = 0.5 * (rest.span.from + rest.span.to) - start;
         }
         for turn in self.turns.iter_mut().filter(|t| t.recording == recording) {

@@ -57,7 +57,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.0001,
         reason: "the readings are raw counts",
-        text: "the readings of the {sensor} are raw counts (whole numbers) and no physical unit: one count is about {scale}[, and zero lies near {zero}]. The calibration converts them",
+        text: "the readings of the {sensor} are raw counts, or in a unit that the program does not know: one is about {scale}[, and zero lies near {zero}]. The calibration converts them",
         advice: "",
         remedies: Vec::new,
     },

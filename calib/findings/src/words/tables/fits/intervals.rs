@@ -163,19 +163,6 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         remedies: || vec![Remedy::LeaveOut, Remedy::RecordAgain],
     },
     Entry {
-        kind: Kind::IntervalsLeftOut,
-        level: Level::Care,
-        severity: 0.01,
-        reason: "only {most} of {all} static intervals are used",
-        text: "the program uses only {most} of {all} static intervals, because more take too long: numbers {first} to {last} ({where}), with the most directions. It numbers intervals and turns from the first of these",
-        advice: "cut the recording into parts to use all",
-        remedies: || {
-            vec![Remedy::OtherMethod {
-                method: "stepwise".into(),
-            }]
-        },
-    },
-    Entry {
         kind: Kind::ShortIntervals,
         level: Level::Remark,
         severity: 0.005,

@@ -1,6 +1,7 @@
 //! Words of fits that come to no end, and of magnetometers that no attitude determines.
 
 use crate::kind::Kind;
+use crate::remedy::{OptionName, Remedy};
 use crate::words::entry::Entry;
 
 pub(in super::super::super) const ENTRIES: &[Entry] = &[
@@ -21,6 +22,12 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
         "the fit of the {sensor} came to no end in {steps:step}[: its readings at rest still differ from gravity by {left}]",
         "[give the right gravity if {gravity} is not that of your place; else ]record again and keep the device still in every placement",
         Vec::new,
+    ),
+    Entry::error(
+        Kind::FitStoppedByTurns,
+        "the fit came to no end: the turns of the gyroscope do not lead to the directions that the accelerometer reads, which by itself can be calibrated. Perhaps the rates are filtered or not raw, or their axes are exchanged",
+        "compare the rates with the description of the app or the data sheet, and record raw ones",
+        || vec![Remedy::set_to(OptionName::Sensor, "accelerometer")],
     ),
     Entry::error(
         Kind::NothingToCalibrate,

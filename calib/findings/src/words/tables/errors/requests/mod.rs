@@ -7,5 +7,6 @@ pub(in super::super) mod expressions;
 pub(in super::super) mod fits;
 pub(in super::super) mod names;
 pub(in super::super) mod placements;
+pub(in super::super) mod scalars;
 pub(in super::super) mod tracks;
 pub(in super::super) mod values;
