@@ -2,7 +2,7 @@
 
 use findings::{Finding, Findings, Kind};
 use recording::intervals::{Segmentation, Span};
-use recording::readings::{FASTEST_HAND, Symptom, dead_axes, tremor};
+use recording::readings::{FASTEST_HAND, Symptom, tremor};
 use recording::{Error, Recording};
 
 use super::cut::Cut;
@@ -132,7 +132,7 @@ impl Fit<'_> {
     /// The reason, with axes that read nothing but noise as its cause.
     fn for_dead_axes(&self, reason: Box<Finding>) -> Box<Finding> {
         let recordings = self.recordings.recordings.iter();
-        let dead = recordings.flat_map(|recording| dead_axes(recording));
+        let dead = recordings.flat_map(|recording| checks::dead_axes(recording));
         dead.fold(reason, |reason, axis| Box::new(reason.because(axis)))
     }
 
@@ -164,22 +164,10 @@ fn with_changes(mut outcome: Outcome, recordings: &[&Recording], gravity: f64) -
         let changes = changes_part_way(recording, cut, gravity, gyroscope);
         withdraw_motion(&mut outcome.calibration.warnings, recording, &changes);
         warnings.extend(changes);
-        say_dead_axes(&mut outcome.calibration.failed_gates, recording);
+        checks::say_dead_axes(&mut outcome.calibration.failed_gates, recording);
     }
     outcome.calibration.warnings.extend(warnings);
     outcome
-}
-
-/// Puts an axis that reads nothing but noise before the gates that it makes fail.
-fn say_dead_axes(gates: &mut Findings, recording: &Recording) {
-    for axis in dead_axes(recording) {
-        let follows = |gate: &Finding| {
-            let kinds = [Kind::GravityMissed, Kind::AxesNotShown, Kind::LeftHanded];
-            gate.place.sensor == axis.place.sensor && kinds.contains(&gate.kind)
-        };
-        gates.retain(|gate| !follows(gate));
-        gates.push_first(axis);
-    }
 }
 
 /// Takes back that a bias moved or wandered where something of its sensor changes part of the way: that is how it moved.

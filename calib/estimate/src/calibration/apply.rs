@@ -6,7 +6,8 @@ use recording::watch::{Stage, Watch};
 use recording::{Error, Recording, ScalarStream, Stream, figure};
 use sensor::{Base, Quantity, Role, ScalarSensorRef, Sensor};
 
-use super::{Calibration, ScalarValues};
+use super::Calibration;
+use super::scalar::ScalarValues;
 use crate::methods::MULTIPLIERS;
 use crate::truth::{Models, Truth, require_of_instants};
 
@@ -157,6 +158,37 @@ fn correct_scalar(
         })?;
     }
     Ok(())
+}
+
+impl Calibration {
+    /// The calibration of a sensor of one dimension.
+    pub fn scalar(&self, name: &str) -> Option<&ScalarValues> {
+        self.scalars.iter().find(|own| own.name == name)
+    }
+
+    /// The same, as read from a file, with the sensors of one dimension that this program knows.
+    ///
+    /// # Errors
+    /// [`Error::Input`] where a sensor has other parameters than the file.
+    pub fn with_sensors(mut self, sensors: &[ScalarSensorRef]) -> Result<Self, Error> {
+        for values in &mut self.scalars {
+            let Some(sensor) = sensors.iter().find(|own| own.name() == values.name) else {
+                continue;
+            };
+            let own: Vec<&str> = sensor.params().iter().map(|p| &*p.name).collect();
+            let found: Vec<&str> = values.parameters.iter().map(|p| p.name.as_str()).collect();
+            if own != found {
+                return Err(Error::input(
+                    Finding::of(Kind::EntryOther)
+                        .detail("key", format!("scalars.{}.parameters", values.name))
+                        .detail("found", found.join(", "))
+                        .detail("expected", own.join(", ")),
+                ));
+            }
+            values.sensor = Some(sensor.clone());
+        }
+        Ok(self)
+    }
 }
 
 /// Refuses effects with an instant or a heading of another recording. What to say where the calibration does not tell

@@ -5,6 +5,7 @@ mod check;
 mod clock;
 mod document;
 mod doubts;
+mod effect_values;
 mod frame;
 mod gravity;
 mod left_out;
@@ -12,7 +13,6 @@ mod magnetic_field;
 mod misfit;
 mod not_calibrated;
 mod of_recording;
-mod outside;
 mod provenance;
 mod scalar;
 mod units;
@@ -24,13 +24,13 @@ pub use check::refuse_newer;
 pub use check::{load, load_with, read_calibration};
 pub use clock::{BetweenSamples, RecordingClock};
 pub use doubts::doubts;
+pub use effect_values::{EffectParameter, EffectValues, Outside};
 pub use effects::{catalogue, effect_named};
 pub use frame::in_symmetric_frame;
 pub use left_out::{Enlarged, LeftOut};
 pub use magnetic_field::{MagneticField, RecordingField};
 pub use misfit::{Remainder, WITH_WALKS, WITHOUT_WALKS};
 pub use not_calibrated::{NotCalibrated, NotCalibratedReason};
-pub use outside::Outside;
 pub use provenance::{
     Edited, Input, Options, Provenance, Readings, SIGN_CONVENTION, SensorInput, TemperatureInput,
     fingerprint, system_name,
@@ -41,9 +41,8 @@ pub use units::{TriadUnits, check_units};
 use findings::{Finding, Findings, Kind};
 use nalgebra::{Matrix3, Vector3};
 use recording::intervals::Segmentation;
-use recording::shown::shown;
 use recording::{Error, Recording};
-use sensor::{Base, Definition, DefinitionError, EffectRef, Model, Sensor};
+use sensor::{Base, Model, Sensor};
 use serde::{Deserialize, Serialize};
 
 use crate::gravity::GravitySource;
@@ -209,62 +208,6 @@ pub struct RecordingBias {
     pub bias: [f64; 3],
     /// Standard errors.
     pub bias_std: [Option<f64>; 3],
-}
-
-/// An effect and its parameters.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct EffectValues {
-    /// Name in the catalogue, or of `definition`.
-    pub name: String,
-    /// The text of an effect that is not in the catalogue.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub definition: Option<Definition>,
-    /// Its parameters, in order.
-    pub parameters: Vec<EffectParameter>,
-    /// The effect itself, where it is compiled and in no catalogue of this program.
-    #[serde(skip)]
-    pub outside: Option<Outside>,
-}
-
-/// One parameter of an effect.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct EffectParameter {
-    /// Name within the effect.
-    pub name: String,
-    /// Value.
-    pub value: f64,
-    /// Standard error.
-    pub std: Option<f64>,
-    /// Unit.
-    pub unit: String,
-}
-
-impl EffectValues {
-    /// The effect: that of its definition, or of its name in the catalogue.
-    ///
-    /// # Errors
-    /// What is wrong with the definition, or that there is no such effect.
-    pub fn effect(&self) -> Result<EffectRef, Box<Finding>> {
-        match &self.definition {
-            Some(definition) if definition.name != self.name => {
-                let found = Finding::of(Kind::DefinitionOfOther)
-                    .detail("effect", shown(&self.name))
-                    .detail("other", shown(&definition.name));
-                Err(Box::new(found))
-            }
-            Some(definition) => definition.effect().map_err(|error| {
-                let key = format!("definition.{}", error.key);
-                let fault = error.fault;
-                Box::new(DefinitionError { key, fault }.into())
-            }),
-            None => effect_named(&self.name)
-                .or_else(|| self.outside.as_ref().map(|outside| outside.0.clone()))
-                .ok_or_else(|| {
-                    let unknown = Finding::of(Kind::EffectUnknown);
-                    Box::new(unknown.detail("effect", shown(&self.name)))
-                }),
-        }
-    }
 }
 
 impl Triad {

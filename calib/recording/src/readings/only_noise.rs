@@ -1,12 +1,9 @@
 //! An axis that reads nothing but noise while the others turn.
 
-use findings::{Finding, Kind};
 use nalgebra::Vector3;
-use sensor::Sensor;
 
 use crate::averages::median;
 use crate::order_statistic::nth_smallest;
-use crate::recording::Recording;
 
 /// Readings that are looked at.
 const LOOKED_AT: usize = 100_000;
@@ -24,7 +21,7 @@ const TURNS: f64 = 100.0;
 const MEDIAN_DEVIATION: f64 = 0.6745;
 
 /// Returns the axis that reads only noise, if another one turns.
-pub(crate) fn only_noise(values: &[Vector3<f64>]) -> Option<usize> {
+pub fn only_noise(values: &[Vector3<f64>]) -> Option<usize> {
     let stride = values.len().div_ceil(LOOKED_AT).max(1);
     let ranges = [0, 1, 2].map(|axis| range(values, stride, axis));
     let turns = ranges.iter().flatten().any(|range| *range > TURNS);
@@ -43,18 +40,6 @@ fn range(values: &[Vector3<f64>], stride: usize, axis: usize) -> Option<f64> {
     let low = nth_smallest(own(), tail)?;
     let high = nth_smallest(own(), count - 1 - tail)?;
     (noise > 0.0).then_some((high - low) / noise)
-}
-
-/// Builds a finding of each sensor with an axis that reads nothing but noise while the others turn.
-pub fn dead_axes(recording: &Recording) -> Vec<Finding> {
-    let sensors = [Sensor::Accelerometer, Sensor::Gyroscope].into_iter();
-    let found = sensors.filter_map(|sensor| {
-        let axis = only_noise(&recording.stream(sensor)?.values)?;
-        let found = Finding::of(Kind::AxisOnlyNoise).of_sensor(sensor);
-        let found = found.in_recording(&recording.name);
-        Some(found.detail("axis", ["x", "y", "z"][axis]))
-    });
-    found.collect()
 }
 
 #[cfg(test)]

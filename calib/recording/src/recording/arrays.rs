@@ -7,6 +7,7 @@ use sensor::Sensor;
 use super::assemble::assemble;
 use super::options::ReadOptions;
 use super::samples::{Pushed, Samples};
+use super::scalar::ScalarStream;
 use super::stream::Stream;
 use super::{Recording, Role};
 use crate::Error;
@@ -85,6 +86,67 @@ impl Recording {
         recording.description.format = "arrays";
         Ok(recording)
     }
+
+    /// The readings of a sensor of one dimension.
+    pub fn scalar(&self, name: &str) -> Option<&ScalarStream> {
+        self.scalars.iter().find(|own| own.name == name)
+    }
+
+    /// The same with the readings of a sensor of one dimension beside the others: `t` (s, `n`), readings (`n`) and the true signal at
+    /// these stamps (`n`), or none.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for arrays of different lengths, a number that is not finite, time that does not go on, readings of which none lies
+    /// within the recording, and a name that the recording has already.
+    ///
+    /// # Examples
+    /// ```
+    /// use stillpoint_recording::Recording;
+    ///
+    /// let recording = Recording::default().with_scalar("barometer", &[0.0, 0.1], &[101_300.0, 101_302.0], &[])?;
+    /// assert_eq!(recording.scalars[0].values[1], 101_302.0);
+    /// assert!(recording.with_scalar("barometer", &[0.0], &[0.0], &[]).is_err());
+    /// # Ok::<(), stillpoint_recording::Error>(())
+    /// ```
+    pub fn with_scalar(
+        mut self,
+        name: &str,
+        t: &[f64],
+        readings: &[f64],
+        truth: &[f64],
+    ) -> Result<Self, Error> {
+        if self.scalar(name).is_some() {
+            let taken = Finding::of(Kind::NameTaken).detail("name", name);
+            return Err(in_file(&self.name, taken));
+        }
+        let arrays = [("readings", readings.len()), ("truth", truth.len())];
+        let given = |(array, len): &(&str, usize)| *array == "readings" || *len > 0;
+        of_one_length(name, t.len(), arrays.into_iter().filter(given))?;
+        for (array, values, column) in [("t", t, 1), ("readings", readings, 2), ("truth", truth, 3)]
+        {
+            for (k, &value) in values.iter().enumerate() {
+                check(name, k, array, value, column)?;
+            }
+        }
+        let (start, end) = (self.start(), self.end());
+        if start < end && !t.iter().any(|t| (start..=end).contains(t)) {
+            let outside = Finding::of(Kind::ScalarOutside)
+                .detail("name", name)
+                .number("from", start, "s")
+                .number("to", end, "s");
+            return Err(in_file(&self.name, outside));
+        }
+        if let Some(k) = t.windows(2).position(|pair| pair[1] <= pair[0]) {
+            return Err(goes_back(name, k as u64 + 2, t[k], t[k + 1]));
+        }
+        self.scalars.push(ScalarStream {
+            name: name.to_owned(),
+            t: t.to_vec(),
+            values: readings.to_vec(),
+            truth: truth.to_vec(),
+        });
+        Ok(self)
+    }
 }
 
 impl Rows<'_> {
@@ -95,7 +157,11 @@ impl Rows<'_> {
             ("temperature", self.temperature.len()),
             ("mag", self.mag.len()),
         ];
-        self.of_one_length(name, arrays.into_iter().filter(|(_, len)| *len != 0))?;
+        of_one_length(
+            name,
+            self.t.len(),
+            arrays.into_iter().filter(|(_, len)| *len != 0),
+        )?;
         if self.accel.is_empty() && self.gyro.is_empty() {
             return Err(in_file(name, Finding::of(Kind::ArraysEmpty)));
         }
@@ -105,23 +171,6 @@ impl Rows<'_> {
             ));
         }
         Ok(())
-    }
-
-    /// Refuses an array that is not as long as the stamps.
-    fn of_one_length(
-        &self,
-        name: &str,
-        mut arrays: impl Iterator<Item = (&'static str, usize)>,
-    ) -> Result<(), Error> {
-        let stamps = self.t.len();
-        let Some((array, len)) = arrays.find(|(_, len)| *len != stamps) else {
-            return Ok(());
-        };
-        let lengths = Finding::of(Kind::ArrayLengths)
-            .detail("array", array)
-            .count("rows", len)
-            .count("stamps", stamps);
-        Err(in_file(name, lengths))
     }
 
     /// Both sensors as they come, in part: their numbers are checked, and that every stamp is later than the one before it, `last` at first.
@@ -141,7 +190,7 @@ impl Rows<'_> {
     /// ```
     pub fn in_part(&self, name: &str, mut last: Option<f64>) -> Result<[Stream; 2], Error> {
         let arrays = [("accel", self.accel.len()), ("gyro", self.gyro.len())];
-        self.of_one_length(name, arrays.into_iter())?;
+        of_one_length(name, self.t.len(), arrays.into_iter())?;
         for (k, &t) in self.t.iter().enumerate() {
             check(name, k, "t", t, 1)?;
             if let Some(last) = last.filter(|last| t <= *last) {
@@ -185,6 +234,22 @@ impl Rows<'_> {
     }
 }
 
+/// Refuses an array that is not as long as the stamps.
+fn of_one_length(
+    name: &str,
+    stamps: usize,
+    mut arrays: impl Iterator<Item = (&'static str, usize)>,
+) -> Result<(), Error> {
+    let Some((array, len)) = arrays.find(|(_, len)| *len != stamps) else {
+        return Ok(());
+    };
+    let lengths = Finding::of(Kind::ArrayLengths)
+        .detail("array", array)
+        .count("rows", len)
+        .count("stamps", stamps);
+    Err(in_file(name, lengths))
+}
+
 /// Returns the origin that is subtracted from every stamp, as readers of text do: the whole seconds of an epoch.
 fn origin(t: &[f64]) -> i64 {
     match t.first() {
@@ -194,7 +259,7 @@ fn origin(t: &[f64]) -> i64 {
 }
 
 /// Time goes from `last` back to `t`.
-pub(super) fn goes_back(name: &str, line: u64, last: f64, t: f64) -> Error {
+fn goes_back(name: &str, line: u64, last: f64, t: f64) -> Error {
     let back = Finding::of(Kind::TimeGoesBack)
         .detail("from", figure(last))
         .detail("to", figure(t))
@@ -202,13 +267,7 @@ pub(super) fn goes_back(name: &str, line: u64, last: f64, t: f64) -> Error {
     at_line(name, line, back)
 }
 
-pub(super) fn check(
-    name: &str,
-    row: usize,
-    array: &str,
-    value: f64,
-    column: usize,
-) -> Result<(), Error> {
+fn check(name: &str, row: usize, array: &str, value: f64, column: usize) -> Result<(), Error> {
     if value.is_finite() && value.abs() < LARGEST {
         return Ok(());
     }
@@ -216,4 +275,25 @@ pub(super) fn check(
         .detail("array", array)
         .detail("value", figure(value));
     Err(at_column(name, row as u64 + 1, column, found))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn arrays_of_a_scalar_that_do_not_fit_are_refused_with_their_row() {
+        let said = |t: &[f64], readings: &[f64], truth: &[f64]| {
+            let with = Recording::default().with_scalar("barometer", t, readings, truth);
+            with.unwrap_err().to_string()
+        };
+        let short = said(&[0.0, 1.0], &[1.0], &[]);
+        assert!(short.contains("readings has 1 row, t has 2"), "{short}");
+        let back = said(&[0.0, 0.0], &[1.0, 1.0], &[]);
+        assert!(back.starts_with("barometer:2"), "{back}");
+        let infinite = said(&[0.0], &[f64::INFINITY], &[]);
+        assert!(infinite.starts_with("barometer:1:2"), "{infinite}");
+        let truth = said(&[0.0, 1.0], &[1.0, 1.0], &[1.0]);
+        assert!(truth.contains("truth has 1 row"), "{truth}");
+    }
 }

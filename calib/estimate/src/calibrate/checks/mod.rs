@@ -2,6 +2,7 @@
 
 mod coning;
 mod coverage;
+mod dead_axes;
 mod determined;
 mod norm;
 mod on_top;
@@ -13,6 +14,7 @@ mod unknowable;
 pub(super) use coning::too_fast;
 pub(crate) use coverage::few_directions;
 pub use coverage::not_in_one_plane;
+pub(super) use dead_axes::{dead_axes, say_dead_axes};
 pub(super) use determined::{
     ForceEvidence, RateEvidence, accelerometer_is_determined, gyroscope_is_determined,
 };

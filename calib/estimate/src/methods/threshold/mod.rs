@@ -7,6 +7,7 @@
 //! ```
 
 mod another;
+mod compared;
 mod plateau;
 mod several;
 mod trial;

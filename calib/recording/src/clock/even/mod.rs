@@ -16,14 +16,11 @@ mod ticks;
 
 pub use bursts::{Bursts, bursts};
 use line::lines;
-use scatter::Scatter;
+use scatter::{EXACT, Scatter};
 
 /// Samples on either side of one that its time is taken from, s: longer than the beat of most rates with a
 /// millisecond, shorter than the drift of an oscillator.
 const REACH: f64 = 15.0;
-
-/// Scatter of the steps, in steps, below which stamps are exact.
-const EXACT: f64 = 1e-4;
 
 /// Own scatter, in steps, beyond which ticks cannot be counted.
 const COUNTED: f64 = 0.45;

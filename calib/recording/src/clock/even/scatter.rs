@@ -1,7 +1,9 @@
 //! Scatter of stamps: their period, the jitter of each stamp, and the random walk that adds up from step to step.
 
-use super::EXACT;
 use crate::order_statistic::nth_smallest;
+
+/// Scatter of the steps, in steps, below which stamps are exact.
+pub(super) const EXACT: f64 = 1e-4;
 
 /// Steps that the period is taken over.
 pub(crate) const LAG: usize = 64;
