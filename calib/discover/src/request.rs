@@ -246,12 +246,8 @@ fn in_parts<'a>(
     recording: Cow<'a, Recording>,
     choice: &Choice,
 ) -> Vec<(Cow<'a, Recording>, Choice)> {
-    let mut parts = choice.in_parts(IN_A_SEARCH);
-    let last = parts.pop();
-    let mut all: Vec<_> = parts
-        .into_iter()
-        .map(|part| (recording.clone(), part))
-        .collect();
-    all.extend(last.map(|part| (recording, part)));
-    all
+    let parts = choice.in_parts(IN_A_SEARCH);
+    std::iter::repeat_n(recording, parts.len())
+        .zip(parts)
+        .collect()
 }

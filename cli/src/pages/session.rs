@@ -1,6 +1,6 @@
 //! Static intervals and turns of one or more recordings, with what a calibration leaves of each.
 
-use calib::calibration::{RecordingBias, Triad};
+use calib::calibration::Triad;
 use calib::intervals::{Segmentation, StaticInterval, Turn};
 use calib::{Calibration, Misfit, Misfits, Recording, misfits};
 
@@ -256,9 +256,8 @@ fn with_own_bias(calibration: &Calibration, recording: &str) -> Calibration {
     let mut own = calibration.clone();
     for triad in [&mut own.accelerometer, &mut own.gyroscope] {
         let Some(triad) = triad else { continue };
-        let here = |bias: &&RecordingBias| bias.recording == recording;
-        if let Some(bias) = triad.recordings.iter().find(here).map(|own| own.bias) {
-            triad.bias = bias;
+        if let Some(own) = triad.bias_in(recording) {
+            triad.bias = own.bias;
         }
     }
     own

@@ -1,7 +1,7 @@
 //! Fit of cut recordings by the requested method; of the accelerometer alone where the turns do not determine the gyroscope.
 
 use findings::{Finding, Findings, Kind};
-use recording::intervals::{Segmentation, Span};
+use recording::intervals::{Segmentation, Span, is_of};
 use recording::readings::{FASTEST_HAND, Symptom, tremor};
 use recording::{Error, Recording};
 
@@ -181,9 +181,8 @@ fn withdraw_motion(warnings: &mut Findings, recording: &Recording, changes: &[Fi
     };
     warnings.retain(|found| {
         let moves = matches!(found.kind, Kind::BiasMoved | Kind::BiasWandered);
-        // Of a part of it too.
         let place = found.place.recording.as_deref();
-        let is_here = place.is_some_and(|own| own.starts_with(&recording.name));
+        let is_here = place.is_some_and(|own| is_of(own, &recording.name));
         !(moves && is_here && changed(found))
     });
 }

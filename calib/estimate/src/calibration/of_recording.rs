@@ -4,9 +4,10 @@ use findings::{Finding, Kind};
 use std::borrow::Cow;
 
 use recording::Recording;
+use recording::intervals::is_of;
 use sensor::Sensor;
 
-use super::{Calibration, RecordingBias};
+use super::{Calibration, RecordingBias, Triad};
 
 /// Biases of two recordings that differ by so many standard errors are not the same.
 const DIFFERENT: f64 = 3.0;
@@ -25,11 +26,11 @@ impl Calibration {
             let Some(triad) = alone.triad_mut(sensor) else {
                 continue;
             };
-            let biases = std::mem::take(&mut triad.recordings);
             let found = match own {
-                Some(own) => bias_of(own, &biases),
-                None => mean(&biases),
+                Some(own) => triad.bias_in(own),
+                None => mean(&triad.recordings),
             };
+            triad.recordings.clear();
             if let Some(found) = found {
                 (triad.bias, triad.bias_std) = (found.bias, found.bias_std);
                 triad.bias_time = None;
@@ -71,15 +72,18 @@ impl Calibration {
     }
 }
 
-/// The bias of a recording: its own, or the mean of those of its parts; where these differ that of the last part.
-fn bias_of(recording: &str, biases: &[RecordingBias]) -> Option<RecordingBias> {
-    let own = biases.iter().find(|bias| bias.recording == *recording);
-    own.cloned().or_else(|| {
-        let start = format!("{recording} (");
-        let is_part = |bias: &&RecordingBias| bias.recording.starts_with(&start);
-        let parts: Vec<RecordingBias> = biases.iter().filter(is_part).cloned().collect();
-        mean(&parts).or_else(|| parts.last().cloned())
-    })
+impl Triad {
+    /// The bias that a recording has, where each has its own; of one in parts the mean of theirs, or where these differ that of the last.
+    pub fn bias_in(&self, recording: &str) -> Option<RecordingBias> {
+        let mut all = self.recordings.iter();
+        let whole = all.find(|bias| bias.recording == recording);
+        whole.cloned().or_else(|| {
+            let parts = self.recordings.iter();
+            let parts = parts.filter(|bias| is_of(&bias.recording, recording));
+            let parts: Vec<RecordingBias> = parts.cloned().collect();
+            mean(&parts).or_else(|| parts.last().cloned())
+        })
+    }
 }
 
 /// The mean of biases that do not differ, weighed by their errors.

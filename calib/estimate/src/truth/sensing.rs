@@ -91,8 +91,7 @@ impl Models {
             let (Some(sensing), Some(triad)) = (sensing, triad) else {
                 continue;
             };
-            let mut biases = triad.recordings.iter();
-            if let Some(own) = biases.find(|own| own.recording == recording) {
+            if let Some(own) = triad.bias_in(recording) {
                 sensing.parameters[9..12].copy_from_slice(&own.bias);
             }
         }

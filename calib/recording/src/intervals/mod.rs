@@ -26,7 +26,7 @@ pub use moments::Moments;
 pub use rejected::{Reason, Rejected};
 pub use saturation::Rails;
 pub use sections::read_sections;
-pub use segmentation::{Part, Segmentation, StaticInterval, Turn, TurnFault};
+pub use segmentation::{Part, Segmentation, StaticInterval, Turn, TurnFault, is_of};
 pub use spans::Span;
 pub use spans::{complement, union};
 pub use survey::{Survey, segment};

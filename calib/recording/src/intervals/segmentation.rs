@@ -114,6 +114,9 @@ pub struct Segmentation {
     pub part: Option<Part>,
 }
 
+/// What stands between the name of a recording and the number of a part of it.
+const PART: &str = " (part ";
+
 /// A part of a recording that is cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part {
@@ -123,6 +126,20 @@ pub struct Part {
     pub number: usize,
     /// Number of all parts.
     pub of: usize,
+}
+
+/// Returns true if `name` is that of a recording, or of a part of it as [`Segmentation::name_in`] gives it.
+///
+/// # Examples
+/// ```
+/// use stillpoint_recording::intervals::is_of;
+///
+/// assert!(is_of("run", "run") && is_of("run (part 2 of 3)", "run"));
+/// assert!(!is_of("run 1", "run") && !is_of("run", "run 1"));
+/// ```
+pub fn is_of(name: &str, recording: &str) -> bool {
+    let rest = name.strip_prefix(recording);
+    rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(PART))
 }
 
 impl Segmentation {
@@ -226,7 +243,7 @@ impl Segmentation {
     pub fn name_in(&self, recording: &str) -> String {
         match self.part {
             None => recording.to_owned(),
-            Some(Part { number, of, .. }) => format!("{recording} (part {number} of {of})"),
+            Some(Part { number, of, .. }) => format!("{recording}{PART}{number} of {of})"),
         }
     }
 

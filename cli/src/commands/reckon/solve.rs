@@ -178,7 +178,7 @@ pub(super) fn equations(
         let tilt = track.end_tilt.map_or(0.0, f64::to_degrees);
         if named.of_file().is_some() && tilt > LOST {
             warnings.push(format!(
-                "{}: with {} the attitude at the end is {tilt:.0}° off the vertical that the accelerometer reads there: the gyroscope has                  another unit, sign or order of axes than the calibration is for, or it was too fast for its range; compare them, for                  this motion is not to be trusted",
+                "{}: with {} the attitude at the end is {tilt:.0}° off the vertical that the accelerometer reads there: the gyroscope has another unit, sign or order of axes than the calibration is for, or it was too fast for its range; compare them, for this motion is not to be trusted",
                 recording.name, named.name
             ));
         }

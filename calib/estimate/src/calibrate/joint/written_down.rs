@@ -121,7 +121,7 @@ pub fn written_down(
     warnings.extend(doubt.map(|doubt| doubt.finding()));
     influences(fit, warnings);
     let both = [Sensor::Accelerometer, Sensor::Gyroscope];
-    let motions = both.map(|sensor| fit.bias_motions(sensor));
+    let motions = fit.bias_motions();
     for (sensor, motions) in both.into_iter().zip(&motions) {
         let mut moved = biases_that_moved(fit, sensor, motions);
         if account.names_what_is_missing {

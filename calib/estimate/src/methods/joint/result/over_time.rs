@@ -10,7 +10,7 @@ use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::data::{Chunk, Mean};
 use crate::methods::joint::fit::JointFit;
-use crate::methods::joint::noise::weights::ComponentKind;
+use crate::methods::joint::noise::bias::BiasNoise;
 use crate::methods::joint::rows::turn::MARGIN;
 use crate::methods::small_sample::by_chance;
 
@@ -32,20 +32,19 @@ pub struct BiasMotion {
 impl JointFit {
     /// The density of the random walk of a sensor's bias, near SI units per √s; 0 where there is none.
     pub fn walk(&self, sensor: Sensor) -> f64 {
-        let kind = match sensor {
-            Sensor::Gyroscope => ComponentKind::GyroscopeWalk,
-            _ => ComponentKind::AccelerometerWalk,
-        };
+        let kind = BiasNoise::walk_of(sensor);
         let own = self.levels.iter().find(|level| level.kind == kind);
         own.map_or(0.0, |level| level.size)
     }
 
-    /// The motion of a sensor's bias in each recording; `None` of one with fewer than two chunks.
-    pub fn bias_motions(&self, sensor: Sensor) -> Vec<Option<BiasMotion>> {
+    /// The motion of the biases of the accelerometer and the gyroscope in each recording; `None` of one with fewer than two chunks.
+    pub fn bias_motions(&self) -> [Vec<Option<BiasMotion>>; 2] {
         let model = Basis::of(&self.jacobian);
-        let recordings = 0..self.data.sources.len();
-        let of = |recording| self.bias_motion(sensor, recording, &model);
-        recordings.map(of).collect()
+        [Sensor::Accelerometer, Sensor::Gyroscope].map(|sensor| {
+            let recordings = 0..self.data.sources.len();
+            let of = |recording| self.bias_motion(sensor, recording, &model);
+            recordings.map(of).collect()
+        })
     }
 
     /// Estimates the motion of a bias in a recording: the slope of the readings over time, at the static intervals and, of a
@@ -154,22 +153,18 @@ mod tests {
     use recording::intervals::{Detector, segment};
     use simulate::Spec;
 
-    use super::*;
     use crate::methods::joint::{JointRequest, fit_joint};
 
     #[test]
     fn a_bias_moves_by_as_much_as_is_said() {
-        let sensors = [
-            (Sensor::Accelerometer, "accel_drift"),
-            (Sensor::Gyroscope, "gyro_drift"),
-        ];
-        for ((sensor, drift), size) in sensors.into_iter().flat_map(|s| [(s, 0.0), (s, 30.0)]) {
+        let drifts = ["accel_drift", "gyro_drift"].into_iter().enumerate();
+        for ((place, drift), size) in drifts.flat_map(|own| [(own, 0.0), (own, 30.0)]) {
             let session = Spec::hand_held(5).with_effect(drift, size).run().unwrap();
             let recording = &session.recording;
             let segmentation = segment(recording, &Detector::default()).unwrap();
             let gravity = Spec::hand_held(5).gravity;
             let request = JointRequest::new(vec![(recording, &segmentation)], gravity);
-            let moved = fit_joint(&request).unwrap().bias_motions(sensor)[0].unwrap();
+            let moved = fit_joint(&request).unwrap().bias_motions()[place][0].unwrap();
             assert_eq!(moved.p_value < 1e-3, size > 0.0, "{drift} {size}");
             for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
                 let slope = session.truth.get(&format!("{drift}.{name}")).unwrap_or(0.0);
