@@ -55,7 +55,7 @@ macro_rules! reader {
 pub static TABULAR: &[Tabular] = &[
     Tabular {
         name: "json",
-        about: "JSON: a record per line or in an array, or lists that are columns; names within each other are joined by points",
+        about: "JSON: a record per line or in an array, of a sample or of a packet of them, or lists that are columns; names within each other are joined by points",
         called: "a JSON file",
         begins: json::begins,
         instead: || vec![Remedy::SaveAsCsv],

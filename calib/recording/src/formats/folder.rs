@@ -19,7 +19,7 @@ pub(crate) struct Folder;
 const ACCEL: [&str; 3] = ["acc", "accel", "accelerometer"];
 const GYRO: [&str; 3] = ["gyro", "gyr", "gyroscope"];
 const THERMOMETER: [&str; 3] = ["temp", "temperature", "thermometer"];
-const EXTENSIONS: [&str; 5] = ["csv", "txt", "tsv", "dat", "parquet"];
+const EXTENSIONS: [&str; 6] = ["csv", "txt", "tsv", "dat", "parquet", "json"];
 
 impl Format for Folder {
     fn name(&self) -> &'static str {

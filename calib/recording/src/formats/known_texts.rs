@@ -4,12 +4,12 @@ use sensor::Sensor;
 
 use super::phones::{androsensor, physics_toolbox, sensorlog};
 use super::robots::{kalibr, px4_text, ros_text, trackers};
-use super::texts::{TextFormat, brackets, clock_text, date_and_time};
+use super::texts::{TextFormat, brackets, clock_text, date_and_time, split_stamp, unpadded};
 use crate::header::look::Look;
 use crate::rows::parts::Part;
 
 /// Tables whose names say less than their program means.
-static TEXTS: [&TextFormat; 11] = [
+static TEXTS: [&TextFormat; 13] = [
     &physics_toolbox::PHYSICS_TOOLBOX,
     &sensorlog::SENSORLOG,
     &androsensor::ANDROSENSOR,
@@ -18,6 +18,8 @@ static TEXTS: [&TextFormat; 11] = [
     &px4_text::SENSOR_COMBINED,
     &trackers::XSENS,
     &trackers::SHIMMER,
+    &split_stamp::SPLIT_STAMP,
+    &unpadded::UNPADDED,
     &clock_text::TIME_OF_DAY,
     &brackets::BRACKETS,
     &date_and_time::DATE_AND_TIME,

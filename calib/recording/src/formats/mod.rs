@@ -19,7 +19,7 @@ use findings::{Finding, Kind};
 pub use log_streams::{LogContents, LogStream};
 use phones::{androsensor, phyphox, physics_toolbox, sensor_logger, sensorlog, sensorstream};
 use robots::{betaflight, kalibr, px4_text, razor, ros_text, serial, trackers, vmu931};
-use texts::{brackets, clock_text, date_and_time, long, tagged, wide};
+use texts::{brackets, clock_text, date_and_time, long, split_stamp, tagged, unpadded, wide};
 
 pub use crate::formats::format::Format;
 pub use crate::source::Source;
@@ -74,6 +74,8 @@ pub static FORMATS: &[&dyn Format] = &[
     &long::LONG,
     &serial::ADAFRUIT,
     &serial::SERIAL,
+    &split_stamp::SPLIT_STAMP,
+    &unpadded::UNPADDED,
     &clock_text::TIME_OF_DAY,
     &brackets::BRACKETS,
     &date_and_time::DATE_AND_TIME,

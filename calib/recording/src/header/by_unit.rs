@@ -10,7 +10,7 @@ use crate::recording::options::Role;
 use crate::units::{AccelUnit, GyroUnit, TimeUnit};
 
 /// Stems of columns in such units that no sensor reads.
-const DERIVED: [&str; 9] = [
+const DERIVED: [&str; 17] = [
     "linear",
     "lineare",
     "gravity",
@@ -20,6 +20,14 @@ const DERIVED: [&str; 9] = [
     "ohne",
     "without",
     "sans",
+    "linéaire",
+    "gravité",
+    "erdbeschleunigung",
+    "schwerkraft",
+    "pesanteur",
+    "线性",
+    "线加",
+    "重力",
 ];
 
 /// Adds the columns of a sensor that has none yet, and the time's; returns what was decided.

@@ -23,7 +23,7 @@ use super::units::{Stated, TimeUnit, looks_like_unit};
 use crate::header::affine::Affine;
 use crate::header::by_unit::by_unit;
 use crate::header::gravity::Split;
-use crate::header::names::{is_like_time, may_be_linear, role_of, take_apart, unit_of_time};
+use crate::header::names::{is_like_time, may_be_linear, role_of, stated_unit, take_apart};
 use crate::header::suggest::{nearest, suggestion};
 use crate::header::triads::Triad;
 use crate::recording::options::{ColumnMap, Role};
@@ -158,9 +158,7 @@ impl Layout {
         };
         let first = |triad: Option<[usize; 3]>| triad.map(|[x, ..]| x);
         let stated = Stated {
-            time: unit(self.time)
-                .and_then(|u| u.parse().ok())
-                .or_else(|| unit_of_time(self.names.get(self.time?)?)),
+            time: self.time.and_then(|at| stated_unit(self.names.get(at)?)),
             accel: unit(first(self.accel)).and_then(|u| u.parse().ok()),
             gyro: unit(first(self.gyro)).and_then(|u| u.parse().ok()),
             temperature: unit(self.temperature).and_then(|u| u.parse().ok()),

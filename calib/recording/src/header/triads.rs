@@ -14,7 +14,7 @@ pub(crate) struct Triad {
 }
 
 /// Words of gyroscopes in several languages, as parts of a stem.
-const GYRO: [&str; 17] = [
+const GYRO: [&str; 18] = [
     "gyr",
     "omega",
     "angularv",
@@ -32,6 +32,7 @@ const GYRO: [&str; 17] = [
     "zyro",
     "угл",
     "角速度",
+    "陀螺",
 ];
 /// Words of accelerometers.
 const ACCEL: [&str; 11] = [
@@ -48,11 +49,11 @@ const ACCEL: [&str; 11] = [
     "加速度",
 ];
 /// Words of what is worked out from them, or of neither.
-const OTHERS: [&str; 33] = [
+const OTHERS: [&str; 36] = [
     "gravit", "user", "free", "ohne", "without", "sans", "mag", "quat", "orient", "euler", "angle",
     "attitude", "delta", "dvel", "bias", "offset", "cov", "std", "var", "norm", "pos", "lat",
     "lon", "speed", "integr", "motor", "temp", "axisp", "axisi", "axisd", "setpoint", "clip",
-    "calib",
+    "calib", "线性", "线加", "重力",
 ];
 /// Words that distinguish several sensors of one kind in names.
 const QUALIFIERS: [&str; 25] = [

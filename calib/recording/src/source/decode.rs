@@ -6,6 +6,7 @@ use encoding_rs_io::DecodeReaderBytesBuilder;
 use findings::{Finding, Findings, Kind};
 
 use super::bounded::Bounded;
+use super::encoding;
 use super::place::in_file;
 use crate::Error;
 use crate::source::head::take_head;
@@ -145,11 +146,7 @@ pub(crate) fn unpacked(name: &str, reader: Box<dyn Read + Send>) -> Result<Unpac
 pub(crate) fn text(name: &str, unpacked: Unpacked) -> (Box<dyn Read + Send>, Findings) {
     let mut warnings = Findings::new();
     let Unpacked { head, reader, .. } = unpacked;
-    let encoding = match &head[..] {
-        [0xff, 0xfe, ..] => Some(encoding_rs::UTF_16LE),
-        [0xfe, 0xff, ..] => Some(encoding_rs::UTF_16BE),
-        head => utf16_by_zeros(head),
-    };
+    let encoding = encoding::of(&head);
     if let Some(encoding) = encoding {
         warnings.push(
             Finding::of(Kind::TextEncoding)
@@ -221,26 +218,6 @@ fn decompressed(head: &[u8], reader: Box<dyn Read + Send>) -> Box<dyn Read + Sen
         }));
     }
     reader
-}
-
-/// UTF-16 without a byte order mark: text whose every second byte is zero.
-fn utf16_by_zeros(head: &[u8]) -> Option<&'static encoding_rs::Encoding> {
-    let pairs = head.len() / 2;
-    let zeros = |offset: usize| {
-        head.iter()
-            .skip(offset)
-            .step_by(2)
-            .filter(|&&b| b == 0)
-            .count()
-    };
-    let (even, odd) = (zeros(0), zeros(1));
-    if pairs >= 4 && odd * 10 >= pairs * 9 && even * 10 < pairs {
-        Some(encoding_rs::UTF_16LE)
-    } else if pairs >= 4 && even * 10 >= pairs * 9 && odd * 10 < pairs {
-        Some(encoding_rs::UTF_16BE)
-    } else {
-        None
-    }
 }
 
 type Bytes = BufReader<Box<dyn Read + Send>>;

@@ -4,6 +4,7 @@ pub mod batches;
 pub(crate) mod bounded;
 pub mod cut;
 pub(crate) mod decode;
+mod encoding;
 pub(crate) mod files;
 pub(crate) mod head;
 mod input;

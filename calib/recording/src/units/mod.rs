@@ -64,9 +64,9 @@ unit! {
         /// Nanoseconds.
         Nanoseconds = "ns" | "nanos",
         /// Minutes.
-        Minutes = "min" | "mins" | "minutes",
+        Minutes = "min" | "mins" | "minutes" | "minute" | "minuten" | "minutos" | "minuti" | "分",
         /// Hours.
-        Hours = "h" | "hr" | "hours",
+        Hours = "h" | "hr" | "hours" | "stunden" | "heures",
         /// Days, as spreadsheets and MATLAB count them.
         Days = "d" | "days",
     }
@@ -125,17 +125,32 @@ unit! {
 }
 
 /// Parts of units in words, and what stands for them.
-const WORDS: [(&str, &str); 10] = [
+const WORDS: [(&str, &str); 25] = [
     ("degrees", "deg"),
     ("degree", "deg"),
+    ("grad", "deg"),
     ("radians", "rad"),
     ("radian", "rad"),
+    ("sekunden", "s"),
+    ("sekunde", "s"),
+    ("secondes", "s"),
+    ("segundos", "s"),
+    ("secondi", "s"),
     ("seconds", "s"),
     ("second", "s"),
     ("secs", "s"),
     ("sec", "s"),
     ("per", "/"),
     ("**", "^"),
+    ("毫秒", "ms"),
+    ("微秒", "us"),
+    ("纳秒", "ns"),
+    ("秒", "s"),
+    ("分钟", "min"),
+    ("小时", "h"),
+    ("弧度", "rad"),
+    ("度", "deg"),
+    ("米", "m"),
 ];
 
 /// Lower case without blanks and underscores, words as their signs: `deg per sec` as `deg/s`.

@@ -3,6 +3,9 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
+mod apps;
 mod columns;
 mod formats;
+mod languages;
 mod session;
+mod stamps;

@@ -3,6 +3,7 @@
 use serde_json::{Deserializer, Map, Value};
 
 use super::flat::{Row, flatten};
+use super::packets;
 use super::records::{Budgeted, first_byte};
 use crate::Error;
 use crate::error::no_json;
@@ -178,7 +179,7 @@ fn named(value: &Value) -> Option<String> {
 }
 
 impl Table<'_> {
-    /// Its rows.
+    /// Number of its records, of which packets are several rows each.
     pub fn length(&self) -> usize {
         match &self.content {
             Content::Records(rows) | Content::Rows(rows, ..) => rows.len(),
@@ -186,14 +187,14 @@ impl Table<'_> {
         }
     }
 
-    /// The row `at`.
+    /// The rows of the record `at`.
     ///
     /// # Errors
     /// Lists within lists.
-    pub fn row(&self, at: usize) -> Result<Row, Error> {
+    pub fn rows(&self, at: usize) -> Result<Vec<Row>, Error> {
         let mut row = Row::new();
         match &self.content {
-            Content::Records(records) => flatten("", &records[at], &mut row)?,
+            Content::Records(records) => return packets::rows(&records[at]),
             Content::Rows(rows, names, step) => {
                 if let Some(step) = step {
                     row.push(("time (ms)".to_owned(), Cell::Double(step * at as f64)));
@@ -209,6 +210,6 @@ impl Table<'_> {
                 }
             }
         }
-        Ok(row)
+        Ok(vec![row])
     }
 }

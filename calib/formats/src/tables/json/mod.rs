@@ -1,7 +1,9 @@
-//! JSON: a record per line or in an array, lists that are columns, and documents with such in them.
+//! JSON: a record per line or in an array, of a sample or of a packet of them; lists that are columns; and documents with
+//! such in them.
 
 mod document;
 mod flat;
+mod packets;
 mod records;
 
 use std::io::Write;
@@ -71,11 +73,19 @@ impl Reader for Json {
                 let found = Finding::of(Kind::TableGone);
                 Error::refused(found.detail("table", shown(name)))
             })?;
-            rows::check(table.length() as u64, limits.rows)?;
-            (0..table.length()).try_for_each(|at| columns.add(&table.row(at)?))?;
+            let mut count = 0;
+            for at in 0..table.length() {
+                let rows = table.rows(at)?;
+                count += rows.len() as u64;
+                rows::check(count, limits.rows)?;
+                rows.iter().try_for_each(|row| columns.add(row))?;
+            }
             columns.write_names(out)?;
-            return (0..table.length())
-                .try_for_each(|at| columns.write(table.row(at)?, out, &mut line));
+            for at in 0..table.length() {
+                let mut rows = table.rows(at)?.into_iter();
+                rows.try_for_each(|row| columns.write(row, out, &mut line))?;
+            }
+            return Ok(());
         }
         Records::of(store)?.each(limits, &mut |row| columns.add(&row))?;
         columns.write_names(out)?;

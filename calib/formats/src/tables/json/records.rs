@@ -9,7 +9,8 @@ use std::rc::Rc;
 use serde::de::{Deserializer as _, SeqAccess, Visitor};
 use serde_json::{Deserializer, Value};
 
-use super::flat::{Row, flatten};
+use super::flat::Row;
+use super::packets;
 use crate::error::{counted, no_json};
 use crate::store::{Store, Stored};
 use crate::tables::rows;
@@ -140,11 +141,11 @@ impl Elements<'_> {
             return;
         }
         self.left.set(LONGEST);
-        self.count += 1;
-        let mut row = Row::new();
-        let read = rows::check(self.count, self.limits.rows)
-            .and_then(|()| flatten("", value, &mut row))
-            .and_then(|()| (self.take)(row));
+        let read = packets::rows(value).and_then(|rows| {
+            self.count += rows.len() as u64;
+            rows::check(self.count, self.limits.rows)?;
+            rows.into_iter().try_for_each(|row| (self.take)(row))
+        });
         self.refused = read.err();
     }
 }

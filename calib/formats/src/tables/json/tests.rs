@@ -56,6 +56,29 @@ fn records_of_two_kinds_leave_cells_blank() {
 }
 
 #[test]
+fn a_packet_is_a_row_per_sample() {
+    let packet = |t| {
+        let (a, b) = (
+            r#"[{"x": 1, "y": 2}, {"x": 3, "y": 4}]"#,
+            "[[5, 6, 7], [8, 9, 0]]",
+        );
+        format!(r#"{{"imu6": {{"Timestamp": {t}, "ArrayAcc": {a}, "gyro": {b}}}}}"#)
+    };
+    let names =
+        "imu6.ArrayAcc.x,imu6.ArrayAcc.y,imu6.Timestamp,imu6.gyro.x,imu6.gyro.y,imu6.gyro.z\n";
+    let (first, second) = ("1,2,7,5,6,7\n3,4,7,8,9,0\n", "1,2,9,5,6,7\n3,4,9,8,9,0\n");
+    let expected = format!("{names}{first}{second}");
+    assert_eq!(only(&format!("[{},{}]", packet(7), packet(9))), expected);
+    assert_eq!(only(&format!("{}\n{}\n", packet(7), packet(9))), expected);
+    let ten = vec![packet(7); 10].join(",");
+    let (name, text) = &read(&format!(r#"{{"data": [{ten}]}}"#))[0];
+    assert_eq!(
+        (name.as_str(), text),
+        ("data", &format!("{names}{}", first.repeat(10)))
+    );
+}
+
+#[test]
 fn a_file_that_ends_within_a_record_keeps_those_before() {
     let json = "{\"t\": 0}\n{\"t\": 1}\n{\"t\":";
     assert_eq!(only(json), "t\n0\n1\n");
@@ -87,8 +110,10 @@ fn tables_are_found_within_a_document() {
 #[test]
 fn what_is_no_table_is_refused_in_words() {
     assert!(refused(r#"{"a": 1, "b": [1, 2]}"#).contains("it holds a, b"));
-    let batches = r#"[{"t": 0, "acc": [{"x": 1}, {"x": 2}]}]"#;
-    assert!(refused(batches).contains("lists within its records, as `acc`"));
+    let lists = r#"[{"t": 0, "acc": [{"x": 1}, {"x": 2}], "gyro": [{"x": 1}]}]"#;
+    assert!(refused(lists).contains("lists within its records, as `gyro`"));
+    let lists = r#"[{"t": 0, "acc": [{"x": [[1, 2], [3, 4]]}, {"x": 2}]}]"#;
+    assert!(refused(lists).contains("lists within its records, as `acc.x`"));
     assert!(refused(r#"[{"t": 0}, {"t" 1}]"#).starts_with("row 1, column 17: "));
     assert!(refused(r#"[[1, 2], {"a": 1}]"#).contains("others without"));
 }

@@ -1,21 +1,25 @@
-//! Output of microcontroller programs: `ax:-9\tay:..`, `a/g:\t-9\t..`, `22:13:01.123 -> -9,..`, blocks of words.
+//! Output of microcontroller programs: `ax:-9\tay:..`, `a/g:\t-9\t..`, `22:13:01.123 -> -9,..`, `I (12345) imu: ax:-9 ..`,
+//! blocks of words.
 
 use std::io::Read;
 
-use crate::clock::time_of_day::TimeOfDay;
+use sensor::Sensor;
+
+use super::log_prefix::{Stamp, logged};
+use crate::clock::time_of_day::{TimeOfDay, seconds};
 use crate::formats::texts::TextFormat;
 use crate::formats::texts::clock_text::split;
 use crate::header::look::{Look, cells};
-use crate::header::names::role_of;
+use crate::header::names::{compact, is_field, role_of, sensor_of, stated_unit};
 use crate::recording::options::Role;
-use crate::rows::parts::Part;
+use crate::rows::parts::{Change, Part};
 use crate::source::rewrite::rewritten;
 use crate::units::{AccelUnit, GyroUnit, TimeUnit};
 
 /// Numbers behind names or a label.
 pub(crate) static SERIAL: TextFormat = TextFormat {
     name: "serial",
-    about: "a serial log: `ax:-9 ay:..`, `a/g: -9 ..`, `22:13:01.123 -> -9,..`; without stamps the rate has to be given",
+    about: "a serial log: `ax:-9 ay:..`, `a/g: -9 ..`, `22:13:01.123 -> -9,..`, `I (12345) imu: ax:-9 ..`; without stamps the rate has to be given",
     parts: labelled,
 };
 
@@ -26,10 +30,15 @@ pub(crate) static ADAFRUIT: TextFormat = TextFormat {
     parts: blocks,
 };
 
+/// Lines looked at from the first row on.
+const LINES: usize = 60;
+
 /// A line as the names and the numbers in it.
 #[derive(Debug, PartialEq)]
 struct Numbers<'a> {
-    stamp: Option<&'a str>,
+    stamp: Option<Stamp>,
+    /// Part of the program that wrote it.
+    tag: Option<&'a str>,
     pairs: Vec<(&'a str, &'a str)>,
 }
 
@@ -38,12 +47,76 @@ impl Numbers<'_> {
     fn names(&self) -> impl Iterator<Item = &str> {
         self.pairs.iter().map(|(name, _)| *name)
     }
+
+    /// The roles of the numbers by their names; of `acc: 1, 2, 3` all three.
+    fn roles(&self) -> Vec<Option<Role>> {
+        let mut roles: Vec<Option<Role>> = self.names().map(|name| role_of(name, None)).collect();
+        let name = |at: usize| self.pairs.get(at).map(|(name, _)| *name);
+        for at in 0..roles.len() {
+            let is_triad =
+                [1, 2].iter().all(|next| name(at + next) == Some("")) && name(at + 3) != Some("");
+            let stem = name(at).map(compact).unwrap_or_default();
+            let sensor = match is_field(&stem) {
+                true => Some(Sensor::Magnetometer),
+                false => sensor_of(&stem),
+            };
+            if let Some(sensor) = sensor.filter(|_| is_triad) {
+                for axis in 0..3 {
+                    roles[at + axis] = Some(Role::axis(sensor, axis));
+                }
+            }
+        }
+        roles
+    }
+
+    /// The unit of the stamp, or that of a number that is called after one.
+    fn time_unit(&self) -> Option<TimeUnit> {
+        let is_time = |name: &&str| role_of(name, None) == Some(Role::Time);
+        match self.stamp {
+            Some(_) => Some(TimeUnit::Seconds),
+            None => self.names().find(is_time).and_then(stated_unit),
+        }
+    }
+
+    fn names_a(&self, sensor: Sensor) -> bool {
+        let wanted = [0, 1, 2].map(|axis| Some(Role::axis(sensor, axis)));
+        let roles = self.roles();
+        wanted.iter().all(|role| roles.contains(role))
+    }
+
+    fn is_of_one(&self, sensor: Sensor) -> bool {
+        let other = match sensor {
+            Sensor::Accelerometer => Sensor::Gyroscope,
+            _ => Sensor::Accelerometer,
+        };
+        self.names_a(sensor) && !self.names_a(other)
+    }
+
+    /// Columns by their roles, numbered from 1, the stamp before the numbers.
+    fn columns(&self) -> Vec<(Role, String)> {
+        let stamped = usize::from(self.stamp.is_some());
+        let mut columns: Vec<(Role, String)> = Vec::new();
+        for (at, role) in self.roles().into_iter().enumerate() {
+            let role = role.filter(|role| columns.iter().all(|(other, _)| other != role));
+            columns.extend(role.map(|role| (role, (at + 1 + stamped).to_string())));
+        }
+        columns
+    }
+}
+
+/// True for what may be the first row: the table of partitions that a device starts with is none.
+fn begins(row: &Numbers<'_>) -> bool {
+    !row.tag.is_some_and(|tag| tag.starts_with("boot"))
 }
 
 /// The numbers of a line of which at least one has a name or a label; `None` for any other line.
 fn numbers(line: &str) -> Option<Numbers<'_>> {
-    let (stamp, rest) = match split(line) {
-        Some((stamp, rest)) if line.contains("->") => (Some(stamp), rest),
+    let logged = logged(line);
+    let (stamp, rest) = match (logged, split(line)) {
+        (Some(logged), _) => (Some(logged.stamp), logged.message),
+        (None, Some((stamp, rest))) if line.contains("->") => {
+            (seconds(stamp).map(Stamp::OfDay), rest)
+        }
         _ => (None, line),
     };
     let separates = |c: char| matches!(c, ',' | ';' | ' ' | '\t' | ':' | '=' | '|');
@@ -58,7 +131,8 @@ fn numbers(line: &str) -> Option<Numbers<'_>> {
         }
     }
     let is_named = stamp.is_some() || pairs.iter().any(|(name, _)| !name.is_empty());
-    (pairs.len() >= 3 && is_named).then_some(Numbers { stamp, pairs })
+    let tag = logged.map(|logged| logged.tag);
+    (pairs.len() >= 3 && is_named).then_some(Numbers { stamp, tag, pairs })
 }
 
 /// True for a table with names above its rows, one of whose cells is a word.
@@ -72,28 +146,38 @@ fn has_header(look: &Look) -> bool {
 }
 
 fn labelled(look: &Look) -> Option<Vec<Part>> {
-    let rows: Vec<Numbers> = look.lines().filter_map(numbers).collect();
-    let first = rows.first()?;
     if has_header(look) && numbers(&look.first().join(",")).is_none() {
         return None;
     }
-    // Rows that are called by turns differently are of several sensors.
-    let alike = rows
-        .iter()
-        .filter(|row| row.names().eq(first.names()))
-        .count();
+    // What a device says when it starts may be long.
+    let is_before = |line: &&str| !numbers(line).is_some_and(|row| begins(&row));
+    let lines: Vec<&str> = look.far_lines().skip_while(is_before).take(LINES).collect();
+    let first = numbers(lines.first()?)?;
+    let is_of_another = |line: &&&str| logged(line).is_some_and(|l| Some(l.tag) != first.tag);
+    let others = lines.iter().filter(is_of_another).count();
+    let rows: Vec<Numbers> = lines.iter().filter_map(|line| numbers(line)).collect();
+    let count = |is: &dyn Fn(&&Numbers<'_>) -> bool| rows.iter().filter(is).count();
     // Three in four lines, but for what the program says at its start.
-    if 4 * alike < 3 * look.lines().count().saturating_sub(5) || alike < 2 {
-        return None;
+    let enough = |count: usize| 4 * count >= 3 * (lines.len() - others).saturating_sub(5);
+    let alike = count(&|row| row.tag == first.tag && row.names().eq(first.names()));
+    if !enough(alike) || alike < 2 {
+        // Rows that are called by turns differently are of several sensors.
+        let of = |sensor: Sensor| rows.iter().filter(move |row| row.is_of_one(sensor));
+        let (force, rate) = (of(Sensor::Accelerometer), of(Sensor::Gyroscope));
+        let [accel, gyro] = [force.clone().count(), rate.clone().count()];
+        if accel.min(gyro) < 2 || 4 * (accel + gyro) < 3 * lines.len().saturating_sub(5) {
+            return None;
+        }
+        return Some(vec![
+            of_one(force.clone().next()?, Sensor::Accelerometer, |text| {
+                rows_of_numbers(text, |row| row.is_of_one(Sensor::Accelerometer))
+            }),
+            of_one(rate.clone().next()?, Sensor::Gyroscope, |text| {
+                rows_of_numbers(text, |row| row.is_of_one(Sensor::Gyroscope))
+            }),
+        ]);
     }
-    let stamped = usize::from(first.stamp.is_some());
-    let named = first.pairs.iter().enumerate();
-    let mut columns: Vec<(Role, String)> = Vec::new();
-    for (at, (name, _)) in named {
-        let role =
-            role_of(name, None).filter(|role| columns.iter().all(|(other, _)| other != role));
-        columns.extend(role.map(|role| (role, (at + 1 + stamped).to_string())));
-    }
+    let mut columns = first.columns();
     let holds = |sensor: fn(usize) -> Role| columns.iter().any(|(role, _)| *role == sensor(0));
     let both = holds(Role::Accel) && holds(Role::Gyro);
     let one = holds(Role::Accel) || holds(Role::Gyro);
@@ -101,50 +185,87 @@ fn labelled(look: &Look) -> Option<Vec<Part>> {
     if !one || (!both && unknown >= 3) {
         // One label before all of them, or names that are not understood: which is which is told by the data.
         columns.clear();
-    } else if stamped == 1 {
+    } else if first.stamp.is_some() {
         columns.retain(|(role, _)| *role != Role::Time);
         columns.push((Role::Time, "1".to_owned()));
     }
     Some(vec![Part {
         columns,
-        time_unit: (stamped == 1).then_some(TimeUnit::Seconds),
-        change: Some(rows_of_numbers),
+        time_unit: first.time_unit(),
+        change: Some(|text| rows_of_numbers(text, begins)),
         ..Part::default()
     }])
 }
 
-fn rows_of_numbers(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
+/// The rows of one sensor among those of several, as its `row` is.
+fn of_one(row: &Numbers<'_>, sensor: Sensor, change: Change) -> Part {
+    let mut columns = row.columns();
+    if row.stamp.is_some() {
+        columns.retain(|(role, _)| *role != Role::Time);
+        columns.push((Role::Time, "1".to_owned()));
+    }
+    Part {
+        only: Some(sensor),
+        columns,
+        time_unit: row.time_unit(),
+        change: Some(change),
+        ..Part::default()
+    }
+}
+
+/// The numbers of the rows that `takes` holds for and of those called like the first of them.
+fn rows_of_numbers(
+    text: Box<dyn Read + Send>,
+    takes: fn(&Numbers<'_>) -> bool,
+) -> Box<dyn Read + Send> {
     let mut clock = TimeOfDay::default();
-    // What the numbers of the first row are called.
-    let mut names: Vec<String> = Vec::new();
+    // Who wrote the first row, and what its numbers are called.
+    let mut first: Option<(Option<String>, Vec<String>)> = None;
     rewritten(text, move |line, out| {
         let text = std::str::from_utf8(line).unwrap_or_default();
-        let Some(found) = numbers(text) else {
-            // What a program says before its rows is no row; a broken row later is for the reader to refuse.
-            if !names.is_empty() {
-                out.extend_from_slice(line);
+        let found = numbers(text);
+        let Some((tag, names)) = &first else {
+            // What a program says before its rows is no row.
+            if let Some(found) = found.filter(takes) {
+                let names = found.names().map(str::to_owned).collect();
+                first = Some((found.tag.map(str::to_owned), names));
+                row(&found, &mut clock, out);
             }
             return;
         };
-        if names.is_empty() {
-            names = found.names().map(str::to_owned).collect();
+        let is_said = logged(text).is_some_and(|logged| {
+            let name = names.iter().find(|name| !name.is_empty());
+            Some(logged.tag) != tag.as_deref()
+                || (found.is_none() && name.is_some_and(|name| !logged.message.contains(name)))
+        });
+        match found {
+            // A message among the rows.
+            _ if is_said => {}
+            // A broken row is for the reader to refuse.
+            None => out.extend_from_slice(line),
+            Some(found) if !takes(&found) => {}
+            Some(found) => {
+                let as_many = found.pairs.len() == names.len();
+                let alike = found.names().eq(names.iter().map(String::as_str));
+                match alike || !as_many {
+                    true => row(&found, &mut clock, out),
+                    // Of another sensor, and no row of this table.
+                    false => out.extend_from_slice(line),
+                }
+            }
         }
-        // Of another sensor, and no row of this table.
-        if found.pairs.len() == names.len() && !found.names().eq(names.iter().map(String::as_str)) {
-            out.extend_from_slice(line);
-            return;
-        }
-        let stamp = found
-            .stamp
-            .and_then(|stamp| clock.read(stamp))
-            .map(|stamp| format!("{stamp:.6}"));
-        let cells: Vec<&str> = stamp
-            .as_deref()
-            .into_iter()
-            .chain(found.pairs.iter().map(|(_, value)| *value))
-            .collect();
-        out.extend_from_slice(cells.join(",").as_bytes());
     })
+}
+
+/// Writes the stamp of a row, if it has one, and its numbers.
+fn row(found: &Numbers<'_>, clock: &mut TimeOfDay, out: &mut Vec<u8>) {
+    let stamp = found.stamp.map(|stamp| match stamp {
+        Stamp::SinceStart(seconds) => format!("{seconds:.6}"),
+        Stamp::OfDay(seconds) => format!("{:.6}", clock.count_on(seconds)),
+    });
+    let values = found.pairs.iter().map(|(_, value)| *value);
+    let cells: Vec<&str> = stamp.as_deref().into_iter().chain(values).collect();
+    out.extend_from_slice(cells.join(",").as_bytes());
 }
 
 /// The three numbers of `Acceleration X: 1, Y: 2, Z: 3 m/s^2`, called one of `quantity`.
@@ -232,7 +353,7 @@ mod tests {
         let pairs = vec![("ax", "-9"), ("ay", "1.5"), ("az", "3")];
         assert_eq!(found("ax:-9\tay:1.5\taz:3"), Some((None, pairs)));
         let (stamp, pairs) = found("22:13:01.234 -> -9,-65,16346").unwrap();
-        assert_eq!((stamp, pairs.len()), (Some("22:13:01.234"), 3));
+        assert_eq!((stamp, pairs.len()), (Some(Stamp::OfDay(79_981.234)), 3));
         assert_eq!(found("a/g:\t1\t2\t3").unwrap().1[0], ("a/g", "1"));
         assert_eq!(found("1,2,3,4"), None);
         assert_eq!(found("MPU6050 connection successful"), None);

@@ -4,9 +4,10 @@ use std::io::Read;
 
 use sensor::Sensor;
 
+use super::places::may_be_row;
 use super::text_format::TextFormat;
 use crate::header::look::{Look, cells};
-use crate::header::names::{is_like_time, role_of, take_apart};
+use crate::header::names::{compact, is_like_time, role_of, stated_unit, take_apart};
 use crate::header::triads::{Triad, triads};
 use crate::recording::options::Role;
 use crate::rows::parts::{Change, Part};
@@ -19,35 +20,145 @@ pub(crate) static LONG: TextFormat = TextFormat {
     parts,
 };
 
-/// Labels of each sensor's rows, in small letters and without punctuation.
-const ACCEL: [&str; 5] = [
-    "acc",
-    "accel",
-    "accelerometer",
-    "acceleration",
-    "androidsensoraccelerometer",
+/// What the rows of a sensor are called.
+struct Label {
+    /// Words in small letters without punctuation, or numbers in a column that is called after a type.
+    words: &'static [&'static str],
+    /// The rewriting to these rows.
+    change: Change,
+}
+
+/// Labels of each sensor, those of what no system has corrected first; numbers are those of Android
+/// (`android.hardware.Sensor`, constants `TYPE_..`).
+static ACCEL: [Label; 4] = [
+    Label {
+        words: &[
+            "accelerometeruncalibrated",
+            "typeaccelerometeruncalibrated",
+            "androidsensoraccelerometeruncalibrated",
+        ],
+        change: |text| only(text, &ACCEL[0]),
+    },
+    Label {
+        words: &[
+            "acc",
+            "accel",
+            "accelerometer",
+            "acceleration",
+            "typeaccelerometer",
+            "androidsensoraccelerometer",
+        ],
+        change: |text| only(text, &ACCEL[1]),
+    },
+    Label {
+        words: &["35"],
+        change: |text| only(text, &ACCEL[2]),
+    },
+    Label {
+        words: &["1"],
+        change: |text| only(text, &ACCEL[3]),
+    },
 ];
-const GYRO: [&str; 5] = [
-    "gyr",
-    "gyro",
-    "gyroscope",
-    "angularvelocity",
-    "androidsensorgyroscope",
+static GYRO: [Label; 4] = [
+    Label {
+        words: &[
+            "gyroscopeuncalibrated",
+            "typegyroscopeuncalibrated",
+            "androidsensorgyroscopeuncalibrated",
+        ],
+        change: |text| only(text, &GYRO[0]),
+    },
+    Label {
+        words: &[
+            "gyr",
+            "gyro",
+            "gyroscope",
+            "angularvelocity",
+            "typegyroscope",
+            "androidsensorgyroscope",
+        ],
+        change: |text| only(text, &GYRO[1]),
+    },
+    Label {
+        words: &["16"],
+        change: |text| only(text, &GYRO[2]),
+    },
+    Label {
+        words: &["4"],
+        change: |text| only(text, &GYRO[3]),
+    },
 ];
-const FIELD: [&str; 5] = [
-    "mag",
-    "magn",
-    "magnetometer",
-    "magneticfield",
-    "androidsensormagneticfield",
+static FIELD: [Label; 4] = [
+    Label {
+        words: &[
+            "magnetometeruncalibrated",
+            "magneticfielduncalibrated",
+            "typemagneticfielduncalibrated",
+            "androidsensormagneticfielduncalibrated",
+        ],
+        change: |text| only(text, &FIELD[0]),
+    },
+    Label {
+        words: &[
+            "mag",
+            "magn",
+            "magnetometer",
+            "magneticfield",
+            "typemagneticfield",
+            "androidsensormagneticfield",
+        ],
+        change: |text| only(text, &FIELD[1]),
+    },
+    Label {
+        words: &["14"],
+        change: |text| only(text, &FIELD[2]),
+    },
+    Label {
+        words: &["2"],
+        change: |text| only(text, &FIELD[3]),
+    },
 ];
 
-/// The index of the first cell that is one of `labels`.
-fn labelled(line: &str, labels: &[&str]) -> Option<usize> {
-    let word = |cell: &String| take_apart(cell).0;
-    cells(line)
-        .iter()
-        .position(|cell| labels.contains(&word(cell).as_str()))
+/// Names of columns whose numbers are Android's.
+const TYPES: [&str; 3] = ["type", "sensortype", "sensortypeid"];
+
+impl Label {
+    /// The column with the label in the rows below `header`; `None` where any may have it.
+    fn column(&self, header: &[String]) -> Option<usize> {
+        let is_number = self.words.iter().all(|word| word.parse::<u8>().is_ok());
+        let is_type = |name: &String| TYPES.contains(&compact(name).as_str());
+        // Without such a column there are no rows.
+        is_number.then(|| header.iter().position(is_type).unwrap_or(usize::MAX))
+    }
+
+    /// The index of the first cell of a row that is the label.
+    fn at(&self, line: &str, column: Option<usize>) -> Option<usize> {
+        let is_it = |(at, cell): (usize, &String)| {
+            let is_there = column.is_none_or(|column| at == column);
+            is_there && self.words.contains(&take_apart(cell).0.as_str())
+        };
+        let cells = cells(line);
+        cells.iter().enumerate().position(is_it)
+    }
+
+    /// Its rows at the beginning of a text, each with the index of its label.
+    fn rows<'a>(&self, look: &'a Look) -> Vec<(&'a str, usize)> {
+        let column = self.column(&look.first());
+        let rows = look
+            .lines()
+            .filter_map(|line| Some((line, self.at(line, column)?)));
+        rows.collect()
+    }
+}
+
+/// The first label that has rows, and those.
+fn first<'a>(
+    labels: &'static [Label],
+    look: &'a Look,
+) -> Option<(&'static Label, Vec<(&'a str, usize)>)> {
+    let with_rows = labels.iter().map(|label| (label, label.rows(look)));
+    let mut found = with_rows.filter(|(_, rows)| rows.len() >= 2);
+    found.next()
 }
 
 /// Time and axes by their names, else by their order: the first four columns that are numbers.
@@ -89,46 +200,47 @@ fn columns(look: &Look, row: &str, label: usize) -> Option<[String; 4]> {
 }
 
 fn parts(look: &Look) -> Option<Vec<Part>> {
-    let row = |labels: &'static [&'static str]| {
-        look.lines()
-            .find_map(|line| Some((line, labelled(line, labels)?)))
-    };
-    let rows_of = |labels: &[&str]| {
-        look.lines()
-            .filter(|line| labelled(line, labels).is_some())
-            .count()
-    };
-    let (accel, gyro) = (rows_of(&ACCEL), rows_of(&GYRO));
+    let ((force, forces), (rate, rates)) = (first(&ACCEL, look)?, first(&GYRO, look)?);
     // Of one label alone the table is that sensor's.
-    if accel.min(gyro) < 2 || 4 * (accel + gyro) < look.lines().count() {
+    if 4 * (forces.len() + rates.len()) < look.lines().count() {
         return None;
     }
-    let ((force, label), (rate, other)) = (row(&ACCEL)?, row(&GYRO)?);
-    let at = columns(look, force, label)?;
-    if label != other || columns(look, rate, other)? != at {
+    let (row, label) = forces[0];
+    let at = columns(look, row, label)?;
+    if label != rates[0].1 || columns(look, rates[0].0, label)? != at {
         return None;
     }
-    let part = |sensor, change: Change| Part {
-        change: Some(change),
+    let names = look.first();
+    let stamps = at[0].parse::<usize>().ok();
+    let time_unit = stamps.and_then(|at| stated_unit(names.get(at - 1)?));
+    let part = |sensor, label: &Label| Part {
+        time_unit,
+        change: Some(label.change),
         ..Part::of(sensor, at.each_ref().map(String::as_str))
     };
     let mut parts = vec![
-        part(Sensor::Accelerometer, |text| only(text, &ACCEL)),
-        part(Sensor::Gyroscope, |text| only(text, &GYRO)),
+        part(Sensor::Accelerometer, force),
+        part(Sensor::Gyroscope, rate),
     ];
-    if row(&FIELD).is_some() {
+    if let Some((label, _)) = first(&FIELD, look) {
         parts.push(Part {
-            change: Some(|text| only(text, &FIELD)),
+            time_unit,
+            change: Some(label.change),
             ..Part::of_field(at.each_ref().map(String::as_str), None)
         });
     }
     Some(parts)
 }
 
-/// The rows that have one of `labels`; the others are blank.
-fn only(text: Box<dyn Read + Send>, labels: &'static [&'static str]) -> Box<dyn Read + Send> {
+/// The rows that have the label; the others are blank.
+fn only(text: Box<dyn Read + Send>, label: &'static Label) -> Box<dyn Read + Send> {
+    let mut column: Option<Option<usize>> = None;
     rewritten(text, move |line, out| {
-        if labelled(&String::from_utf8_lossy(line), labels).is_some() {
+        let text = String::from_utf8_lossy(line);
+        if column.is_none() && may_be_row(&text) {
+            column = Some(label.column(&cells(&text)));
+        }
+        if column.is_some_and(|column| label.at(&text, column).is_some()) {
             out.extend_from_slice(line);
         }
     })
@@ -155,5 +267,9 @@ mod tests {
             "a,1,2,3,0,4\naccel,1,2,3,0,4\ngyro,4,5,6,0,4\naccel,1,2,3,0,4\ngyro,4,5,6,0,4\n";
         assert_eq!(columns_of(unnamed), None);
         assert_eq!(columns_of("1,acc,1,2,3\n2,acc,1,2,3\n"), None);
+        // Numbers are labels in a column of types alone.
+        let rows = "7,1,1,2,3\n8,4,4,5,6\n9,1,1,2,3\n9,4,4,5,6\n";
+        assert!(columns_of(&format!("t,sensor_type,x,y,z\n{rows}")).is_some());
+        assert_eq!(columns_of(&format!("t,id,x,y,z\n{rows}")), None);
     }
 }

@@ -206,8 +206,12 @@ fn refuse_without_gravity(tables: &[Table]) -> Result<(), Error> {
 
 /// True for the stem of an accelerometer's columns of which the system has taken gravity.
 fn is_without_gravity(stem: &str) -> bool {
-    const WITHOUT: [&str; 6] = ["user", "linear", "free", "without", "ohne", "sans"];
-    stem.contains("acc") && WITHOUT.iter().any(|word| stem.contains(word))
+    const WITHOUT: [&str; 8] = [
+        "user", "linear", "free", "without", "ohne", "sans", "线性", "线加",
+    ];
+    const ACCELERATION: [&str; 3] = ["acc", "beschl", "加速度"];
+    let has = |words: &[&str]| words.iter().any(|word| stem.contains(word));
+    has(&ACCELERATION) && has(&WITHOUT)
 }
 
 #[cfg(test)]

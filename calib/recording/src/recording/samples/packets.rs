@@ -9,6 +9,12 @@ use super::Samples;
 use crate::clock::even::{Bursts, bursts};
 use crate::order_statistic::nth_smallest;
 
+/// Fewer packets show no step that they have in common.
+const PACKETS: usize = 8;
+
+/// Steps between packets differ from the usual one by no more than this, in steps between samples.
+const UNEVEN: f64 = 0.5;
+
 /// Share of the rows from which shared stamps are those of packets.
 const SHARE: f64 = 0.02;
 
@@ -27,9 +33,12 @@ pub(crate) fn apart(name: &str, sensor: Sensor, samples: &mut Samples) -> Option
     if !of_one_device(&t, &values) {
         return None;
     }
-    let Bursts {
-        even, step, size, ..
-    } = bursts(&t)?;
+    let (even, step, size) = of_equal_packets(&t).or_else(|| {
+        let Bursts {
+            even, step, size, ..
+        } = bursts(&t)?;
+        Some((even, step, size))
+    })?;
     let line = samples.line(0);
     *samples = Samples::of(even, values).beginning_at(line);
     let found = Finding::of(Kind::StampsCoarse)
@@ -39,6 +48,40 @@ pub(crate) fn apart(name: &str, sensor: Sensor, samples: &mut Samples) -> Option
         .number("size", size, "1")
         .number("rate", step.recip(), "Hz");
     Some(found)
+}
+
+/// The clock of packets of one size and their stamps at even steps, with its step and that size: straight lines from the middle
+/// of each packet, for nobody says whether its first or its last sample has the stamp, to that of the next.
+fn of_equal_packets(t: &[f64]) -> Option<(Vec<f64>, f64, f64)> {
+    let packets: Vec<&[f64]> = t.chunk_by(|a, b| a == b).collect();
+    // The first and the last may be cut.
+    let inner = packets.get(1..packets.len().checked_sub(1)?)?;
+    let size = inner.first()?.len();
+    let ends = [packets.first()?.len(), packets.last()?.len()];
+    let is_whole = |packet: &&[f64]| packet.len() == size;
+    if inner.len() < PACKETS || !inner.iter().all(is_whole) || ends.iter().any(|end| *end > size) {
+        return None;
+    }
+    let steps: Vec<f64> = inner
+        .windows(2)
+        .map(|pair| pair[1][0] - pair[0][0])
+        .collect();
+    let usual = nth_smallest(steps.iter().copied(), steps.len() / 2)?;
+    let step = usual / size as f64;
+    if step <= 0.0
+        || steps
+            .iter()
+            .any(|other| (other - usual).abs() > UNEVEN * step)
+    {
+        return None;
+    }
+    let middle = ends[0] as f64 + (size - 1) as f64 / 2.0;
+    let clock = |k: usize| {
+        let passed = (k as f64 - middle) / size as f64;
+        let packet = (passed.max(0.0) as usize).min(steps.len() - 1);
+        inner[packet][0] + (passed - packet as f64) * steps[packet]
+    };
+    Some(((0..t.len()).map(clock).collect(), step, size as f64))
 }
 
 fn distinct(t: &[f64]) -> usize {
@@ -91,6 +134,16 @@ mod tests {
             let steps = found.t.windows(2).map(|w| w[1] - w[0]);
             assert!(steps.into_iter().all(|step| (step - 0.01).abs() < 2e-4));
         }
+    }
+
+    #[test]
+    fn equal_packets_at_even_steps_have_the_clock_of_their_stamps() {
+        // The first is cut, and stamps are rounded.
+        let stamp = |k: usize| ((k + 5) / 32) as f64 * 0.64;
+        let mut found = samples(|k| (1e3 * stamp(k)).round() / 1e3, |k| k as f64);
+        assert!(apart("a.csv", Sensor::Gyroscope, &mut found).is_some());
+        let off = (0..4000).map(|k| (found.t[k] - found.t[0] - 0.02 * k as f64).abs());
+        assert!(off.fold(0.0, f64::max) < 2e-3);
     }
 
     #[test]

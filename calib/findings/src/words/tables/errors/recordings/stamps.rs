@@ -48,7 +48,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     ),
     Entry::error(
         Kind::TimeUnitOpen,
-        "the program cannot tell the unit of the time stamps. Their usual step of {step} makes a usual rate in no unit that it knows",
+        "the program cannot tell the unit of the time stamps[: it does not know the one in `{column}`][. Their usual step of {step} makes a usual rate in no unit that it knows]",
         "",
         || vec![Remedy::such_as(OptionName::TimeUnit, "ms")],
     ),

@@ -1,0 +1,136 @@
+//! What a logger of firmware writes before a message: `I (12345) imu: ..` of ESP-IDF, `[12345][I][main.cpp:42] loop(): ..` of
+//! Arduino, `[00:00:12.345,678] <inf> imu: ..` of Zephyr.
+
+use crate::clock::time_of_day::seconds;
+
+/// A message with what stands before it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Logged<'a> {
+    /// The stamp.
+    pub stamp: Stamp,
+    /// Part of the program that says it.
+    pub tag: &'a str,
+    /// The message.
+    pub message: &'a str,
+}
+
+/// The stamp of a line, s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Stamp {
+    /// Since the start of the device.
+    SinceStart(f64),
+    /// Since midnight.
+    OfDay(f64),
+}
+
+/// The message of a line that has such a beginning.
+pub(super) fn logged(line: &str) -> Option<Logged<'_>> {
+    let line = without_colours(line);
+    esp_idf(line)
+        .or_else(|| arduino(line))
+        .or_else(|| zephyr(line))
+}
+
+/// A line without the colours of a terminal around it.
+fn without_colours(line: &str) -> &str {
+    let line = line.trim();
+    let colour = line
+        .strip_prefix("\u{1b}[")
+        .and_then(|rest| rest.split_once('m'));
+    let line = colour.map_or(line, |(_, rest)| rest);
+    line.trim_end_matches("\u{1b}[0m").trim()
+}
+
+/// Milliseconds since the start, as digits.
+fn since_start(text: &str) -> Option<Stamp> {
+    let text = text.trim();
+    let is_digits = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let milliseconds: f64 = text.parse().ok().filter(|_| is_digits)?;
+    Some(Stamp::SinceStart(1e-3 * milliseconds))
+}
+
+/// The level of a message: error, warning, information, debugging or more.
+fn is_level(text: &str) -> bool {
+    matches!(text, "E" | "W" | "I" | "D" | "V")
+}
+
+fn esp_idf(line: &str) -> Option<Logged<'_>> {
+    let (level, rest) = line.split_once(" (")?;
+    let (stamp, rest) = rest.split_once(") ")?;
+    let (tag, message) = rest.split_once(": ")?;
+    let of_day = || seconds(stamp).map(Stamp::OfDay);
+    let stamp = since_start(stamp).or_else(of_day)?;
+    is_level(level).then_some(Logged {
+        stamp,
+        tag,
+        message,
+    })
+}
+
+fn arduino(line: &str) -> Option<Logged<'_>> {
+    let (stamp, rest) = line.strip_prefix('[')?.split_once("][")?;
+    let (level, rest) = rest.split_once("][")?;
+    let (tag, message) = rest.split_once("] ")?;
+    // The function comes before what it says.
+    let message = message.split_once("(): ").map_or(message, |(_, said)| said);
+    let stamp = since_start(stamp)?;
+    is_level(level).then_some(Logged {
+        stamp,
+        tag,
+        message,
+    })
+}
+
+fn zephyr(line: &str) -> Option<Logged<'_>> {
+    let (stamp, rest) = line.strip_prefix('[')?.split_once("] <")?;
+    let (_, rest) = rest.split_once("> ")?;
+    let (tag, message) = rest.split_once(": ")?;
+    // Milliseconds and microseconds have a comma between them.
+    let stamp = Stamp::OfDay(seconds(&stamp.replacen(',', "", 1))?);
+    Some(Logged {
+        stamp,
+        tag,
+        message,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn loggers_are_known_by_what_they_write_before_a_message() {
+        let of = |line| logged(line).map(|logged| (logged.stamp, logged.tag, logged.message));
+        let since = Stamp::SinceStart;
+        let (imu, said) = ("imu", "ax:1 ay:2");
+        assert_eq!(
+            of("I (12345) imu: ax:1 ay:2"),
+            Some((since(12.345), imu, said))
+        );
+        assert_eq!(
+            of("\u{1b}[0;32mI (12) imu: ax:1 ay:2\u{1b}[0m"),
+            Some((since(0.012), imu, said))
+        );
+        assert_eq!(
+            of("I (00:01:00.500) imu: ax:1 ay:2"),
+            Some((Stamp::OfDay(60.5), imu, said))
+        );
+        assert_eq!(
+            of("[  1234][I][main.cpp:42] loop(): ax:1 ay:2"),
+            Some((since(1.234), "main.cpp:42", said))
+        );
+        assert_eq!(
+            of("[00:00:12.345,678] <inf> imu: ax:1 ay:2"),
+            Some((Stamp::OfDay(12.345678), imu, said))
+        );
+        for line in [
+            "I (x) imu: 1",
+            "A (12) b: 1",
+            "[12.5] 1 2 3",
+            "ax:1 ay:2",
+            "[1][2] 3",
+        ] {
+            assert_eq!(of(line), None, "{line}");
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! The vocabulary of column names.
+
+mod parts;
+mod stamps;
+mod words;
+
+use sensor::Sensor;
+
+use self::parts::{LONGEST, OPENING};
+pub(crate) use self::parts::{compact, take_apart};
+pub(crate) use self::stamps::{is_like_time, says_unknown_unit, stamps_of, stated_unit};
+use self::words::{ACCEL, GYRO, TEMPERATURE, TIME};
+pub(crate) use self::words::{is_field, sensor_of};
+use crate::recording::options::Role;
+use crate::units::{AccelUnit, GyroUnit};
+
+/// True for the name of an accelerometer's column that may be without gravity: `Linear Acceleration X`.
+pub(crate) fn may_be_linear(name: &str) -> bool {
+    take_apart(name).0.starts_with("lin")
+}
+
+/// The role of a name, or of what follows a point or slash in it: `field.angular_velocity.x`.
+pub(crate) fn role_of(name: &str, only: Option<Sensor>) -> Option<Role> {
+    if name.len() > LONGEST {
+        return None;
+    }
+    let bracket = name.find(OPENING).unwrap_or(name.len());
+    let ends = name[..bracket]
+        .match_indices(['.', '/'])
+        .map(|(at, _)| &name[at + 1..]);
+    let is_word = |end: &&str| end.chars().filter(|c| c.is_alphanumeric()).nth(1).is_some();
+    let qualified = std::iter::once(name).chain(ends.filter(is_word));
+    qualified
+        .into_iter()
+        .find_map(|name| role_of_word(name, only))
+}
+
+/// The role that a name has by itself; `only` is what the file is known to hold, so that `x` means
+/// something.
+fn role_of_word(name: &str, only: Option<Sensor>) -> Option<Role> {
+    let (word, unit) = take_apart(name);
+    if TIME.contains(&word.as_str()) {
+        return Some(Role::Time);
+    }
+    if TEMPERATURE.contains(&word.as_str()) {
+        return Some(Role::Temperature);
+    }
+    let unit = unit.unwrap_or_default();
+    let (axis, stem) = axis_and_stem(&word, unit)?;
+    if ACCEL.contains(&stem) || (stem.is_empty() && unit.parse::<AccelUnit>().is_ok()) {
+        Some(Role::Accel(axis))
+    } else if GYRO.contains(&stem) || (stem.is_empty() && unit.parse::<GyroUnit>().is_ok()) {
+        Some(Role::Gyro(axis))
+    } else if is_field(stem) {
+        only.is_none().then_some(Role::Field(axis))
+    } else if stem.is_empty() {
+        only.map(|sensor| Role::axis(sensor, axis))
+    } else {
+        None
+    }
+}
+
+/// What stands beside the letter of an axis: `x-axis`, `Achse X`, `x轴`.
+const BESIDE_AXES: [&str; 5] = ["axis", "achse", "axe", "轴", "軸"];
+
+/// The axis in a name, and what is left of it: `accx`, `xacc`, `accxaxis`, and `acc` of `acc[0]`.
+fn axis_and_stem<'a>(word: &'a str, unit: &str) -> Option<(usize, &'a str)> {
+    let axis = |c: char| "xyz".find(c);
+    let mut ends = BESIDE_AXES.iter().map(|beside| word.strip_suffix(beside));
+    let ends = ends.find_map(|rest| rest.filter(|rest| rest.ends_with(['x', 'y', 'z'])));
+    let word = ends.unwrap_or(word);
+    if let Some((at, last)) = word.char_indices().next_back()
+        && let Some(axis) = axis(last)
+    {
+        let stem = &word[..at];
+        let mut bare = BESIDE_AXES.iter().map(|beside| stem.strip_suffix(beside));
+        return Some((axis, bare.find_map(|bare| bare).unwrap_or(stem)));
+    }
+    if let Some(index) = ["0", "1", "2"].iter().position(|index| *index == unit)
+        && (sensor_of(word).is_some() || is_field(word))
+    {
+        return Some((index, word));
+    }
+    // Of `x` before a letter or two nobody knows what it means.
+    let first = word.chars().next().and_then(axis)?;
+    let stem = &word[1..];
+    let mut bare = BESIDE_AXES.iter().map(|beside| stem.strip_prefix(beside));
+    let stem = bare.find_map(|bare| bare).unwrap_or(stem);
+    let is_known = sensor_of(stem).is_some() || is_field(stem);
+    (stem.len() > 2 && is_known).then_some((first, stem))
+}
+
+/// The sensor that a file is named after, so that columns called x, y, z mean something.
+pub(crate) fn sensor_of_file(name: &str) -> Option<Sensor> {
+    let stem = name.rsplit(['/', '\\']).next()?.to_lowercase();
+    match (stem.starts_with("acc"), stem.starts_with("gyr")) {
+        (true, false) => Some(Sensor::Accelerometer),
+        (false, true) => Some(Sensor::Gyroscope),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_of_several_languages_have_roles() {
+        let roles = [
+            ("加速度x(m/s²)", Some(Role::Accel(0))),
+            ("Y轴角速度（°/s）", Some(Role::Gyro(1))),
+            ("加速度z轴", Some(Role::Accel(2))),
+            ("陀螺仪X", Some(Role::Gyro(0))),
+            ("Beschleunigung x-Achse", Some(Role::Accel(0))),
+            ("Accélération axe Y (m/s²)", Some(Role::Accel(1))),
+            ("Vitesse angulaire z", Some(Role::Gyro(2))),
+            ("imu6.ArrayGyro.y", Some(Role::Gyro(1))),
+            ("时间戳(ms)", Some(Role::Time)),
+            ("温度(°C)", Some(Role::Temperature)),
+            // An angle, and what gravity is taken off.
+            ("角度X(°)", None),
+            ("线性加速度x", None),
+        ];
+        for (name, role) in roles {
+            assert_eq!(role_of(name, None), role, "{name}");
+        }
+    }
+}

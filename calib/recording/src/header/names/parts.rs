@@ -1,0 +1,96 @@
+//! A column name taken apart: what it calls, and its unit.
+
+use super::words::{is_field, sensor_of};
+use crate::units::field::FieldUnit;
+use crate::units::{self, AccelUnit, GyroUnit};
+
+/// What a unit in a name begins with, in the width of letters and in that of signs.
+pub(crate) const OPENING: [char; 7] = ['(', '[', '{', '（', '［', '【', '〔'];
+/// What it ends with.
+const CLOSING: [char; 7] = [')', ']', '}', '）', '］', '】', '〕'];
+
+/// Bytes of the longest name that may have a role: paths of topics take some tens.
+pub(crate) const LONGEST: usize = 200;
+
+/// A column name taken apart: what it calls, and the unit in brackets or behind an underscore.
+pub(crate) fn take_apart(name: &str) -> (String, Option<&str>) {
+    if let Some((word, unit)) = before_axis(name.trim()) {
+        return (word, Some(unit));
+    }
+    let (word, unit) = match last_bracket(name) {
+        Some(at) => {
+            let unit = name[at..].trim_start_matches(OPENING);
+            let unit = unit.trim_end().trim_end_matches(CLOSING);
+            (&name[..at], Some(unit))
+        }
+        None => behind_underscores(name.trim()).map_or((name, None), |(w, unit)| (w, Some(unit))),
+    };
+    (compact(word), unit)
+}
+
+/// Returns the index of the brackets at the end of a name, as in `accel(0):X[g]`; `None` if more of the name follows them.
+fn last_bracket(name: &str) -> Option<usize> {
+    let (mut depth, mut begin, mut end) = (0_usize, None, None);
+    for (at, c) in name.char_indices() {
+        match c {
+            _ if OPENING.contains(&c) => {
+                if depth == 0 {
+                    (begin, end) = (Some(at), None);
+                }
+                depth += 1;
+            }
+            _ if CLOSING.contains(&c) => {
+                depth = depth.saturating_sub(1);
+                end = (depth == 0).then_some(at).or(end);
+            }
+            _ => {}
+        }
+    }
+    let behind = end.map_or("", |at| &name[at..]);
+    begin.filter(|_| !behind.contains(char::is_alphanumeric))
+}
+
+/// A name whose unit stands before its axis: `accel_g.x`, `gyro_dps_y`.
+fn before_axis(name: &str) -> Option<(String, &str)> {
+    let (rest, axis) = name.rsplit_once(['.', '_'])?;
+    let is_axis = matches!(axis, "x" | "y" | "z" | "X" | "Y" | "Z");
+    let (word, unit) = behind_underscores(rest).filter(|_| is_axis)?;
+    let word = compact(word);
+    // `gyro_raw_x` says nothing of its unit.
+    let is_unit = unit
+        .parse()
+        .is_ok_and(|unit: AccelUnit| unit != AccelUnit::Counts)
+        || unit
+            .parse()
+            .is_ok_and(|unit: GyroUnit| unit != GyroUnit::Counts);
+    let is_sensor = sensor_of(&word).is_some() && is_unit;
+    let is_field = is_field(&word) && unit.parse::<FieldUnit>().is_ok();
+    (is_sensor || is_field).then(|| (word + &axis.to_lowercase(), unit))
+}
+
+/// A name and the unit behind an underscore; one of a sensor may have underscores itself: `gyro_x_deg_per_sec`.
+fn behind_underscores(name: &str) -> Option<(&str, &str)> {
+    let splits: Vec<(&str, &str)> = name
+        .rmatch_indices('_')
+        .take(3)
+        .map(|(at, _)| (&name[..at], &name[at + 1..]))
+        .collect();
+    let long = splits.iter().skip(1).rev();
+    let of_sensor = long.copied().find(|(_, unit)| units::is_of_sensor(unit));
+    let last = splits.first().copied();
+    // `mag_x_T` has a unit, `acc_t` has none.
+    let of_field = |(word, unit): &(&str, &str)| {
+        let word = compact(word);
+        let stem = word.strip_suffix(['x', 'y', 'z']).unwrap_or(&word);
+        is_field(stem) && unit.parse::<FieldUnit>().is_ok()
+    };
+    of_sensor.or_else(|| last.filter(|split| units::is_unit(split.1) || of_field(split)))
+}
+
+/// A name without punctuation, in small letters.
+pub(crate) fn compact(word: &str) -> String {
+    word.chars()
+        .filter(|c| c.is_alphanumeric())
+        .flat_map(char::to_lowercase)
+        .collect()
+}

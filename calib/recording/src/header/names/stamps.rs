@@ -1,0 +1,156 @@
+//! Names of stamps: which columns may be the time, of which sensor, and the unit that a name says.
+
+use sensor::Sensor;
+
+use super::parts::{LONGEST, OPENING, take_apart};
+use super::words::TIME;
+use crate::units::TimeUnit;
+
+/// Parts of the names of stamps that are called otherwise.
+const LIKE_TIME: [&str; 7] = ["time", "stamp", "tick", "millis", "micros", "clock", "unix"];
+/// Parts of names that hold such a part and are no stamps.
+const NO_TIME: [&str; 22] = [
+    "zone", "valid", "status", "sync", "flag", "out", "diff", "delta", "relative", "latency",
+    "period", "interval", "duration", "delay", "age", "speed", "vel", "wind", "exec", "loop",
+    "jitter", "dt",
+];
+/// Endings of names that count a time.
+const COUNTS: [&str; 4] = ["minutes", "minuten", "hours", "stunden"];
+/// Endings of the names of time columns, with their units.
+const UNITS_OF_TIME: [(&str, TimeUnit); 21] = [
+    ("millis", TimeUnit::Milliseconds),
+    ("millisec", TimeUnit::Milliseconds),
+    ("milliseconds", TimeUnit::Milliseconds),
+    ("msec", TimeUnit::Milliseconds),
+    ("ms", TimeUnit::Milliseconds),
+    ("micros", TimeUnit::Microseconds),
+    ("microsec", TimeUnit::Microseconds),
+    ("microseconds", TimeUnit::Microseconds),
+    ("usec", TimeUnit::Microseconds),
+    ("us", TimeUnit::Microseconds),
+    ("nanos", TimeUnit::Nanoseconds),
+    ("nanosec", TimeUnit::Nanoseconds),
+    ("nanoseconds", TimeUnit::Nanoseconds),
+    ("nsec", TimeUnit::Nanoseconds),
+    ("ns", TimeUnit::Nanoseconds),
+    ("seconds", TimeUnit::Seconds),
+    ("minutes", TimeUnit::Minutes),
+    ("minuten", TimeUnit::Minutes),
+    ("mins", TimeUnit::Minutes),
+    ("min", TimeUnit::Minutes),
+    ("hours", TimeUnit::Hours),
+];
+
+/// True for a name that has no role and holds a word of the time, or a unit of it: `Time Startup`, `recv_stamp`,
+/// `now[ms]`.
+pub(crate) fn is_like_time(name: &str) -> bool {
+    let (word, unit) = take_apart(name);
+    let has = |parts: &[&str]| parts.iter().any(|part| word.contains(part));
+    let in_time = || {
+        let unit = unit.and_then(|unit| unit.parse::<TimeUnit>().ok());
+        let in_brackets = name.contains(OPENING);
+        // `gyro_s` may be anything, and days are called as a distance is.
+        unit.is_some_and(|unit| unit.per_second() > 1.0 || (in_brackets && unit != TimeUnit::Days))
+    };
+    // The minutes of a clock have its hours beside them, and neither is the only one then.
+    let counts = || COUNTS.iter().any(|end| word.ends_with(end));
+    word.len() <= LONGEST && (has(&LIKE_TIME) || in_time() || counts()) && !has(&NO_TIME)
+}
+
+/// Parts of what stands in brackets behind a time and is a unit, known or not; a zone of the earth has none.
+const IN_UNITS: [&str; 12] = [
+    "sec", "sek", "min", "hour", "tick", "jiff", "stund", "uur", "сек", "мин", "秒", "分",
+];
+
+/// The unit that the name of a time column says, in brackets or without: `t [ms]`, `time (s since start)`, `millis`, `timeMs`.
+pub(crate) fn stated_unit(name: &str) -> Option<TimeUnit> {
+    let unit = take_apart(name).1;
+    let first = || unit?.split_whitespace().next()?.parse().ok();
+    let whole = unit.and_then(|unit| unit.parse().ok());
+    whole.or_else(first).or_else(|| unit_of_time(name))
+}
+
+/// True if the name of a time column says a unit that is not known: `time (ticks)`.
+pub(crate) fn says_unknown_unit(name: &str) -> bool {
+    let unit = take_apart(name).1.unwrap_or_default().to_lowercase();
+    let is_one =
+        matches!(unit.as_str(), "cs" | "ds") || IN_UNITS.iter().any(|part| unit.contains(part));
+    is_one && stated_unit(name).is_none()
+}
+
+/// The unit of the time that a name says without brackets: `millis`, `timeMs`.
+fn unit_of_time(name: &str) -> Option<TimeUnit> {
+    let (word, _) = take_apart(name);
+    let says = |(end, _): &&(&str, TimeUnit)| {
+        let stem = word.strip_suffix(end);
+        // The `ms` of `items` is none, nor the `min` of `vitamin`.
+        stem.is_some_and(|stem| {
+            end.len() > 3 || stem.is_empty() || TIME.contains(&stem) || is_like_time(stem)
+        })
+    };
+    UNITS_OF_TIME.iter().find(says).map(|(_, unit)| *unit)
+}
+
+/// The sensor whose stamps a column holds by its name: `accel_ts`, `gyroTimestamp`, `t_acc`.
+pub(crate) fn stamps_of(name: &str) -> Option<Sensor> {
+    let (word, _) = take_apart(name);
+    let of_one = match (word.contains("acc"), word.contains("gyr")) {
+        _ if word == "ta" => Some(Sensor::Accelerometer),
+        _ if word == "tg" => Some(Sensor::Gyroscope),
+        (true, false) => Some(Sensor::Accelerometer),
+        (false, true) => Some(Sensor::Gyroscope),
+        _ => None,
+    };
+    let words = || name.split(|c: char| !c.is_alphanumeric());
+    let is = |wanted: &[&str]| words().any(|word| wanted.contains(&word.to_lowercase().as_str()));
+    // `gyro_x_deg_per_sec` is a reading.
+    of_one
+        .filter(|_| !is(&["x", "y", "z"]))
+        .filter(|_| matches!(word.as_str(), "ta" | "tg") || is_like_time(name) || is(TIME))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_stamps_say_their_unit_and_their_sensor() {
+        for (name, unit) in [
+            ("millis", Some(TimeUnit::Milliseconds)),
+            ("micros", Some(TimeUnit::Microseconds)),
+            ("timeMs", Some(TimeUnit::Milliseconds)),
+            ("uptimeMillis", Some(TimeUnit::Milliseconds)),
+            ("seconds", Some(TimeUnit::Seconds)),
+            ("timestamps", None),
+            ("t", None),
+            ("items", None),
+            ("time_min", Some(TimeUnit::Minutes)),
+            ("Time in minutes", Some(TimeUnit::Minutes)),
+            ("vitamin", None),
+        ] {
+            assert_eq!(unit_of_time(name), unit, "{name}");
+        }
+        assert!(is_like_time("now[ms]") && is_like_time("uptime_us") && is_like_time("clk (s)"));
+        assert!(
+            is_like_time("minutes") && is_like_time("elapsed (min)") && !is_like_time("ax_min")
+        );
+        assert_eq!(stated_unit("时间（分钟）"), Some(TimeUnit::Minutes));
+        let since = stated_unit("time (s since start)");
+        assert_eq!(since, Some(TimeUnit::Seconds));
+        assert!(says_unknown_unit("t [cs]") && says_unknown_unit("Time (1/60 sec)"));
+        assert!(!says_unknown_unit("time (UTC)") && !says_unknown_unit("t (min)"));
+        assert!(
+            !is_like_time("dt[ms]") && !is_like_time("loop time (us)") && !is_like_time("speed_ms")
+        );
+        for name in ["accel_ts", "t_acc", "accTimestamp", "acc time (ms)", "ta"] {
+            assert_eq!(stamps_of(name), Some(Sensor::Accelerometer), "{name}");
+        }
+        assert_eq!(stamps_of("gyro_t"), Some(Sensor::Gyroscope));
+        assert_eq!(
+            stamps_of("gyro_x")
+                .or(stamps_of("acc_count"))
+                .or(stamps_of("time")),
+            None
+        );
+    }
+}

@@ -1,0 +1,121 @@
+//! Stamps in minutes, in two columns, and without their leading zeros.
+
+use findings::Front;
+use stillpoint_recording::ReadOptions;
+
+use crate::session::{Session, is_it, read, read_as, session, table, xyz};
+
+/// A table of the session whose rows begin with a stamp of the time in milliseconds.
+fn stamped(header: &str, s: &Session, stamp: impl Fn(u64) -> String) -> String {
+    table(&format!("{header},ax,ay,az,gx,gy,gz"), |k| {
+        let stamp = stamp((1e3 * s.t[k]).round() as u64);
+        format!("{stamp},{},{}", xyz(&s.force[k], 1.0), xyz(&s.rate[k], 1.0))
+    })
+}
+
+/// The time of day of so many milliseconds after noon, with what separates their part of the second.
+fn after_noon(ms: u64, part: &str) -> String {
+    let seconds = ms / 1000;
+    format!("12:{:02}:{:02}{part}", seconds / 60, seconds % 60)
+}
+
+#[track_caller]
+fn refused(text: &str) -> String {
+    read_as(text, &ReadOptions::default())
+        .unwrap_err()
+        .text(Front::CommandLine)
+}
+
+#[test]
+fn minutes_are_a_unit_of_time_in_whatever_words() {
+    let s = session();
+    for header in [
+        "time (min)",
+        "minutes",
+        "time_min",
+        "Time in minutes",
+        "elapsed minutes",
+        "Zeit (Minuten)",
+        "时间（分钟）",
+    ] {
+        let text = stamped(header, &s, |ms| format!("{:.9}", ms as f64 / 60e3));
+        is_it(&read(&text), &s, 1e-4);
+    }
+    // In a unit that nobody knows it may be anything, though the rate is one of a sensor.
+    let text = stamped("time (jiffies)", &s, |ms| format!("{}", ms / 10));
+    assert!(refused(&text).contains("it does not know the one in `time (jiffies)`"));
+    // The minutes of a clock are none.
+    let text = stamped("hours,minutes", &s, |ms| format!("12,{}", ms / 60_000));
+    assert!(refused(&text).contains("no column with the time"));
+}
+
+#[test]
+fn seconds_and_their_part_in_another_column_are_one_stamp() {
+    let s = session();
+    let unix = |ms: u64, per: u64| {
+        let (seconds, part) = (1_715_000_000 + (ms + 123) / 1000, (ms + 123) % 1000);
+        format!("{seconds},{}", part * per)
+    };
+    for (header, per) in [
+        ("unix,ms", 1),
+        ("timestamp,millis", 1),
+        ("unixtime,milliseconds", 1),
+        ("sec,usec", 1000),
+        ("header.stamp.sec,header.stamp.nanosec", 1_000_000),
+    ] {
+        let found = read(&stamped(header, &s, |ms| unix(ms, per)));
+        is_it(&found, &s, 1e-4);
+        assert_eq!(found.description.format, "split_stamp");
+    }
+    let clock = |ms: u64| format!("{},{}", after_noon(ms, ""), ms % 1000);
+    is_it(&read(&stamped("time,ms", &s, clock)), &s, 1e-4);
+}
+
+#[test]
+fn a_column_of_milliseconds_that_goes_on_is_a_clock_of_its_own() {
+    let s = session();
+    let both = |ms: u64| format!("{},{ms}", 1_715_000_000 + ms / 1000);
+    let found = read(&stamped("unix,ms", &s, both));
+    assert_ne!(found.description.format, "split_stamp");
+    // What begins as a part and goes on past the second is refused at its line.
+    let later = |ms: u64| {
+        let part = if ms < 24_000 { ms % 1000 } else { ms };
+        format!("{},{part}", 1_715_000_000 + ms / 1000)
+    };
+    let words = refused(&stamped("unix,ms", &s, later));
+    assert!(words.contains("1715000024 and 24000"), "{words}");
+}
+
+#[test]
+fn milliseconds_without_their_zeros_are_counts_if_they_go_on_as_counts_do() {
+    let s = session();
+    let part = |ms: u64| (ms + 7) % 1000;
+    let at = |ms: u64| ms + 7;
+    let clock = |ms: u64| after_noon(at(ms), &format!(".{}", part(ms)));
+    let colons = |ms: u64| after_noon(at(ms), &format!(":{}", part(ms)));
+    let dated = |ms: u64| format!("2026-05-01 {}", clock(ms));
+    let unix = |ms: u64| format!("{}.{}", 1_715_000_000 + at(ms) / 1000, part(ms));
+    for text in [
+        stamped("time", &s, clock),
+        stamped("time", &s, colons),
+        stamped("timestamp", &s, dated),
+        stamped("t", &s, unix),
+    ] {
+        let found = read(&text);
+        is_it(&found, &s, 1e-4);
+        assert_eq!(found.description.format, "unpadded");
+    }
+    // Decimals whose last zeros are left out are decimals.
+    let decimals = |ms: u64| format!("{}", at(ms) as f64 / 1e3);
+    let found = read(&stamped("t", &s, decimals));
+    is_it(&found, &s, 1e-4);
+    assert_ne!(found.description.format, "unpadded");
+}
+
+#[test]
+fn parts_that_may_be_of_anything_are_refused() {
+    let s = session();
+    // Hundredths without zeros, which are no milliseconds.
+    let hundredths = |ms: u64| after_noon(ms, &format!(".{}", ms % 1000 / 10));
+    assert!(refused(&stamped("time", &s, hundredths)).contains("time goes back"));
+}
