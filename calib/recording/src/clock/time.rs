@@ -2,10 +2,11 @@
 
 use crate::Error;
 use crate::header::affine::Affine;
-use crate::recording::options::ReadOptions;
+use crate::header::names::says_unknown_unit;
+use crate::recording::options::{ReadOptions, Role};
 use crate::recording::samples::Samples;
 use crate::rows::table::Table;
-use crate::shown::figure;
+use crate::shown::{figure, shown};
 use crate::source::place::in_file;
 use crate::units::TimeUnit;
 use findings::{Finding, Findings, Kind, OptionName, Remedy};
@@ -141,6 +142,15 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
             }
         };
     }
+    let mut columns = table.roles.iter();
+    let unknown = |(role, name): &&(Role, String)| *role == Role::Time && says_unknown_unit(name);
+    if let Some((_, column)) = columns.find(unknown) {
+        let found = Finding::of(Kind::TimeUnitOpen).detail("column", shown(column));
+        return Err(in_file(
+            &table.name,
+            found.only_remedies([Remedy::such_as(OptionName::TimeUnit, "ms")]),
+        ));
+    }
     let Some(step) = step else {
         return Ok(TimeUnit::Seconds);
     };
@@ -160,6 +170,8 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
     if plausible(&TimeUnit::Seconds) {
         return Ok(TimeUnit::Seconds);
     }
+    // Of a packet with one stamp every sample is one.
+    let step = step / rows_per_stamp(table);
     let fitting = |rates: std::ops::Range<f64>| {
         let fits = |unit: &TimeUnit| rates.contains(&(unit.per_second() / step));
         COUNTED.into_iter().filter(fits).collect::<Vec<_>>()
@@ -225,9 +237,16 @@ fn of_epoch(stamp: i64) -> Option<TimeUnit> {
         .find(|u| years.contains(&(stamp as f64 / u.per_second())))
 }
 
-/// The median step of the sensor with more samples.
+/// The usual step of the sensor with more samples.
 fn usual_step(table: &Table) -> Option<f64> {
-    crate::recording::stream::median_step(&longer(table).t)
+    crate::clock::even::usual_step(&longer(table).t)
+}
+
+/// Returns the number of samples that share a stamp, on average, of the sensor with more of them.
+fn rows_per_stamp(table: &Table) -> f64 {
+    let samples = longer(table);
+    let stamps = samples.t.len().max(1) as f64;
+    1.0 + samples.other_twins().count() as f64 / stamps
 }
 
 fn longer(table: &Table) -> &Samples {
@@ -235,5 +254,32 @@ fn longer(table: &Table) -> &Samples {
         &table.accel
     } else {
         &table.gyro
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::Recording;
+
+    /// A recording of 1200 samples of 100 Hz that arrive eight at a time, 10 µs apart, in a unit that the file does not say.
+    fn in_bursts(per_second: f64) -> Recording {
+        let mut text = "t,ax,ay,az,gx,gy,gz\n".to_owned();
+        for k in 0..1200_u32 {
+            let arrived = 0.01 * f64::from(k / 8 * 8) + 1e-5 * f64::from(k % 8);
+            let noise = |seed: u32| f64::from(k * k * seed % 101) * 1e-4;
+            let [x, y, z] = [31, 37, 41].map(noise);
+            let (stamp, up) = (arrived * per_second, 9.8 + z);
+            text += &format!("{stamp:.6},{x},{y},{up},{y},{z},{x}\n");
+        }
+        Recording::from_bytes("bursts.csv", text.as_bytes(), &Default::default()).unwrap()
+    }
+
+    #[test]
+    fn the_unit_of_stamps_in_bursts_is_told_by_the_rate_of_all_samples() {
+        for per_second in [1.0, 1e3, 1e6] {
+            let stream = in_bursts(per_second).gyroscope.unwrap();
+            let rate = stream.usual_step().unwrap().recip();
+            assert!((rate - 100.0).abs() < 0.01, "{per_second}: {rate}");
+        }
     }
 }

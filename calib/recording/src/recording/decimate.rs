@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use sensor::Sensor;
 
 use super::{Recording, Stream};
+use crate::clock::even::bursts;
 
 /// Rates above this are thinned, and to about which, Hz.
 const FASTEST: f64 = 5000.0;
@@ -17,12 +18,10 @@ impl Recording {
     /// Returns true if [`Recording::decimated`] would change the recording.
     pub fn is_fast(&self) -> bool {
         let streams = [&self.accelerometer, &self.gyroscope];
-        let fast = |stream: &Stream| {
-            stream
-                .median_step()
-                .is_some_and(|step| step * FASTEST < 1.0)
-        };
-        streams.into_iter().flatten().any(fast)
+        streams
+            .into_iter()
+            .flatten()
+            .any(|s| fast_step(s).is_some())
     }
 
     /// The recording with sensors faster than 5 kHz read as means over blocks of samples, at about 1 kHz, and a warning
@@ -50,11 +49,15 @@ impl Recording {
         ];
         for (sensor, stream) in sensors {
             let Some(stream) = stream else { continue };
-            let Some(step) = stream.median_step().filter(|step| step * FASTEST < 1.0) else {
+            let Some(step) = fast_step(stream) else {
                 continue;
             };
             let rate = step.recip();
             let block = (rate / ENOUGH).round() as usize;
+            // The wait for a burst is no gap.
+            if let Some(bursts) = bursts(&stream.t) {
+                stream.t = bursts.even;
+            }
             *stream = means(stream, block, GAP * step);
             self.warnings.push(
                 Finding::of(Kind::Averaged)
@@ -67,6 +70,11 @@ impl Recording {
         }
         self
     }
+}
+
+/// The usual step of a sensor that is read as means, s.
+fn fast_step(stream: &Stream) -> Option<f64> {
+    stream.usual_step().filter(|step| step * FASTEST < 1.0)
 }
 
 /// Means over `block` samples each; a step longer than `gap` begins a new one, and what is left of the old is dropped.
@@ -103,5 +111,47 @@ mod tests {
         let found = means(&Stream { t, values }, 3, 5.0);
         assert_eq!(found.t, [1.0, 4.0, 108.0]);
         assert_eq!(found.values[2], Vector3::repeat(108.0));
+    }
+
+    /// A gyroscope of `rate` whose readings are the seconds, and whose samples arrive `size` at a time, `within` s apart.
+    fn arrived(rate: f64, size: usize, within: f64) -> Recording {
+        let true_time = |k: usize| k as f64 / rate;
+        let stamp = |k: usize| true_time(k / size * size + size - 1) + within * (k % size) as f64;
+        let stream = Stream {
+            t: (0..20_000).map(stamp).collect(),
+            values: (0..20_000).map(|k| Vector3::repeat(true_time(k))).collect(),
+        };
+        Recording {
+            gyroscope: Some(stream),
+            ..Recording::default()
+        }
+    }
+
+    #[test]
+    fn slow_samples_in_bursts_are_not_fast() {
+        for size in [2, 4, 8] {
+            for within in [1e-5, 1e-4, 1.9e-4] {
+                let slow = arrived(100.0, size, within);
+                assert!(!slow.is_fast(), "{size} samples {within} s apart");
+                assert_eq!(slow.clone().decimated().gyroscope, slow.gyroscope);
+            }
+        }
+    }
+
+    #[test]
+    fn fast_samples_in_bursts_are_means_at_even_times() {
+        let found = arrived(8000.0, 16, 1e-6).decimated();
+        let rate = found.warnings[0].value("rate").unwrap();
+        assert!((rate - 8000.0).abs() < 1.0, "{rate}");
+        let stream = found.gyroscope.unwrap();
+        assert_eq!(stream.len(), 2500);
+        let late = |k: usize| stream.t[k] - stream.values[k].x;
+        // All are late by half a burst, and the line through a burst by chance of its phase.
+        assert!(
+            (late(1200) - 0.5 * 15.0 / 8000.0).abs() < 2e-4,
+            "{}",
+            late(1200)
+        );
+        assert!((late(700) - late(1800)).abs() < 2e-4);
     }
 }

@@ -35,4 +35,4 @@ pub(crate) use samples::{line_numbers, memory, packets};
 pub use scalar::ScalarStream;
 pub use stream::{Gap, INSTANT, Stream, Temperature, is_before};
 pub(crate) use temperature::{counts as temperature_counts, thermometer};
-pub use write::{field_names, stream_to_csv, to_csv, to_parquet};
+pub use write::{FOLDER_FILES, FolderFile, field_names, stream_to_csv, to_csv, to_parquet};

@@ -175,7 +175,7 @@ impl Input {
             let si = scale.is_none_or(|s| (0.5..2.0).contains(&s));
             Some(SensorInput {
                 samples: stream.len(),
-                rate: stream.median_step().map(f64::recip),
+                rate: stream.usual_step().map(f64::recip),
                 unit: if si { unit } else { "raw" }.into(),
                 noise_density: noise_density(stream, intervals, of)
                     .map(|n| n * scale.unwrap_or(1.0)),
@@ -215,7 +215,7 @@ fn noise_density(
     let freedom: f64 = moments.iter().map(|m| m.count as f64 - 1.0).sum();
     let squares = |m: &Moments| m.covariance.trace() / 3.0 * (m.count as f64 - 1.0);
     let sum: f64 = moments.iter().map(squares).sum();
-    let density = (sum / freedom * stream.median_step()?).sqrt();
+    let density = (sum / freedom * stream.usual_step()?).sqrt();
     (freedom > 0.0 && density.is_finite()).then_some(density)
 }
 

@@ -13,6 +13,9 @@ const SOME: f64 = 0.02;
 const BETWEEN: std::ops::Range<f64> = WITHIN..0.7;
 const FEWER: f64 = 0.1;
 
+/// Parts of the stamps that all have such steps, and others.
+const PARTS: usize = 4;
+
 /// Seconds on either side that a sample's time is taken from.
 const REACH: f64 = 15.0;
 
@@ -43,39 +46,21 @@ pub struct Bursts {
 
 /// The even clock behind stamps that come in bursts, or several with one stamp; `None` where they do not.
 pub fn bursts(t: &[f64]) -> Option<Bursts> {
-    let whole = t.last()? - t.first()?;
-    let least = t.windows(2).map(|pair| pair[1] - pair[0]);
-    let least = least.fold(f64::INFINITY, f64::min);
-    if t.len() < 100 || least >= WITHIN * whole / (t.len() - 1) as f64 {
-        return None;
-    }
-    let period = period(t)?;
-    let steps: Vec<f64> = t
-        .windows(2)
-        .map(|pair| (pair[1] - pair[0]) / period)
-        .collect();
-    let count = steps.iter().filter(|step| **step < WITHIN).count();
-    let between = steps.iter().filter(|step| BETWEEN.contains(step)).count() as f64;
-    let share = count as f64 / steps.len() as f64;
-    let together = share > SOME && between < FEWER * count as f64;
-    if share < MANY && !together {
-        return None;
-    }
-    let size = steps.len() as f64 / (steps.len() - count).max(1) as f64;
-    let most = (INTERRUPTION + 2.0 * size) * period;
+    let arrivals = Arrivals::of(t)?;
+    let Arrivals { size, period, .. } = arrivals;
     let ahead = AHEAD + (2.0 * size) as usize;
-    let runs: Vec<&[f64]> = t.chunk_by(|a, b| b - a <= most).collect();
+    let runs = arrivals.runs(t);
     // Over a burst its error adds up: the usual time over many steps is that of whole bursts.
-    let period = mean_step(&runs, period).unwrap_or(period);
+    let step_of_all = mean_step(&runs, period).unwrap_or(period);
     let mut even = Vec::with_capacity(t.len());
     let (mut time, mut passed, mut lost) = (0.0, 0_u64, 0);
     for run in runs {
-        let ticks = ticks(run, period, ahead);
+        let ticks = ticks(run, step_of_all, ahead);
         let last = ticks.last().copied().unwrap_or(0);
         let step = if last > 0 {
             (run[run.len() - 1] - run[0]) / f64::from(last)
         } else {
-            period
+            step_of_all
         };
         let steady = |k: usize| run[0] + f64::from(ticks[k]) * step;
         let excess: Vec<f64> = (0..run.len()).map(|k| run[k] - steady(k)).collect();
@@ -86,7 +71,8 @@ pub fn bursts(t: &[f64]) -> Option<Bursts> {
         lost += u64::from(last + 1) - run.len() as u64;
     }
     let increases = even.windows(2).all(|pair| pair[0] < pair[1]);
-    (increases && passed > 0 && (share >= MANY || is_behind(&even, t, &steps, period))).then(|| {
+    let is_found = increases && passed > 0;
+    (is_found && (arrivals.are_many() || is_behind(&even, t, period, step_of_all))).then(|| {
         Bursts {
             size,
             even,
@@ -94,6 +80,69 @@ pub fn bursts(t: &[f64]) -> Option<Bursts> {
             lost,
         }
     })
+}
+
+/// The time over the samples where so many arrive together that the median step is one within a burst, or of a wait for the
+/// next; `None` for other stamps. In the unit of the stamps.
+pub(crate) fn step_of_bursts(t: &[f64]) -> Option<f64> {
+    let arrivals = Arrivals::of(t).filter(Arrivals::are_many)?;
+    let period = arrivals.period;
+    // Stamps whose unit changes on the way have all their short steps in one part.
+    let steps: Vec<f64> = t.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let is_short = |step: &&f64| **step < WITHIN * period;
+    let has_many = |part: &[f64]| {
+        let short = part.iter().filter(is_short).count();
+        (MANY..1.0).contains(&(short as f64 / part.len() as f64))
+    };
+    if !steps.chunks_exact(steps.len() / PARTS).all(has_many) {
+        return None;
+    }
+    Some(mean_step(&arrivals.runs(t), period).unwrap_or(period))
+}
+
+/// How samples arrive, some of them together.
+#[derive(Clone, Copy, Debug)]
+struct Arrivals {
+    /// The usual time over many steps, per step.
+    period: f64,
+    /// Share of the steps that are within a burst.
+    share: f64,
+    /// Samples of a burst, on average.
+    size: f64,
+}
+
+impl Arrivals {
+    /// Looks at stamps, in any unit; `None` where they do not come in bursts.
+    fn of(t: &[f64]) -> Option<Self> {
+        let whole = t.last()? - t.first()?;
+        let least = t.windows(2).map(|pair| pair[1] - pair[0]);
+        let least = least.fold(f64::INFINITY, f64::min);
+        if t.len() < 100 || least >= WITHIN * whole / (t.len() - 1) as f64 {
+            return None;
+        }
+        let period = period(t)?;
+        let steps = t.windows(2).map(|pair| (pair[1] - pair[0]) / period);
+        let count = steps.clone().filter(|step| *step < WITHIN).count();
+        let between = steps.filter(|step| BETWEEN.contains(step)).count() as f64;
+        let all = t.len() - 1;
+        let found = Self {
+            period,
+            share: count as f64 / all as f64,
+            size: all as f64 / (all - count).max(1) as f64,
+        };
+        let together = found.share > SOME && between < FEWER * count as f64;
+        (found.are_many() || together).then_some(found)
+    }
+
+    fn are_many(&self) -> bool {
+        self.share >= MANY
+    }
+
+    /// The stamps between interruptions.
+    fn runs<'a>(&self, t: &'a [f64]) -> Vec<&'a [f64]> {
+        let most = (INTERRUPTION + 2.0 * self.size) * self.period;
+        t.chunk_by(|a, b| b - a <= most).collect()
+    }
 }
 
 /// The usual time over many steps, per step.
@@ -150,9 +199,9 @@ fn ticks(t: &[f64], period: f64, ahead: usize) -> Vec<u32> {
 }
 
 /// Returns true if hardly any stamp differs from the even clock by more than a long step (95th percentile).
-fn is_behind(even: &[f64], t: &[f64], steps: &[f64], period: f64) -> bool {
-    let rank = steps.len() * 19 / 20;
-    let longest = crate::order_statistic::nth_smallest(steps.iter().copied(), rank);
+fn is_behind(even: &[f64], t: &[f64], usual: f64, period: f64) -> bool {
+    let steps = t.windows(2).map(|pair| (pair[1] - pair[0]) / usual);
+    let longest = crate::order_statistic::nth_smallest(steps, (t.len() - 1) * 19 / 20);
     let most = longest.unwrap_or(0.0).max(1.0) * period;
     let late = even.iter().zip(t).filter(|(e, t)| (*t - *e).abs() > most);
     (late.count() as f64) < LATER * t.len() as f64

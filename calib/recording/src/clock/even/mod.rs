@@ -13,10 +13,12 @@ mod bursts;
 mod line;
 mod scatter;
 mod ticks;
+mod usual_step;
 
 pub use bursts::{Bursts, bursts};
 use line::lines;
 use scatter::{EXACT, Scatter};
+pub(crate) use usual_step::usual_step;
 
 /// Samples on either side of one that its time is taken from, s: longer than the beat of most rates with a
 /// millisecond, shorter than the drift of an oscillator.
