@@ -1,5 +1,7 @@
 //! Single readings far from their neighbours.
 
+mod alone;
+
 use nalgebra::Vector3;
 use sensor::Sensor;
 
@@ -21,8 +23,8 @@ const QUIET: f64 = 8.0;
 /// ... and its neighbours differ by less than this share of it.
 const NEIGHBOURS: f64 = 0.25;
 
-/// Fewer spikes than this are knocks, and are left; but one is enough where it is larger than everything
-/// else by so many times.
+/// Fewer spikes than this may be knocks, and are left; but one is enough where it is larger than everything
+/// else by so many times, or where nothing else in the recording shares it.
 const FEWEST: usize = 5;
 const ALONE: f64 = 3.0;
 
@@ -47,7 +49,10 @@ const MOST: f64 = 0.02;
 /// The recording with its spikes replaced by the mean of their neighbours, and what was found; `None` where
 /// there are none.
 pub fn without_spikes(recording: &Recording) -> Option<(Recording, Vec<Symptom>)> {
-    let found = Sensor::ALL.map(|sensor| found(sensor, recording.stream(sensor)?));
+    let found = Sensor::ALL.map(|sensor| {
+        let witness = witness(sensor).and_then(|other| recording.stream(other));
+        found(sensor, recording.stream(sensor)?, witness)
+    });
     if found.iter().all(Option::is_none) {
         return None;
     }
@@ -64,6 +69,15 @@ pub fn without_spikes(recording: &Recording) -> Option<(Recording, Vec<Symptom>)
     Some((cleaned, findings))
 }
 
+/// The sensor that feels a knock as well.
+fn witness(sensor: Sensor) -> Option<Sensor> {
+    match sensor {
+        Sensor::Accelerometer => Some(Sensor::Gyroscope),
+        Sensor::Gyroscope => Some(Sensor::Accelerometer),
+        Sensor::Magnetometer => None,
+    }
+}
+
 /// Puts the mean of the two neighbours in the place of each row.
 fn replace(values: &mut [Vector3<f64>], rows: &[usize]) {
     for &row in rows {
@@ -74,13 +88,28 @@ fn replace(values: &mut [Vector3<f64>], rows: &[usize]) {
     }
 }
 
-fn found(sensor: Sensor, stream: &Stream) -> Option<Symptom> {
+fn found(sensor: Sensor, stream: &Stream, witness: Option<&Stream>) -> Option<Symptom> {
     // A hand turns and shoves within one step of slow samples.
     if stream.median_step()? > SLOW {
         return None;
     }
-    let values = &stream.values;
-    let most = (MOST * values.len() as f64) as usize;
+    let most = (MOST * stream.len() as f64) as usize;
+    let mut spikes = enough(sensor, &stream.values, most);
+    spikes.extend(witness.map_or_else(Vec::new, |other| alone::alone(sensor, stream, other)));
+    let rows = rows_of(&spikes);
+    let times = rows.iter().map(|row| stream.t[row - FIRST_ROW]).collect();
+    let has = |axis: &usize| spikes.iter().any(|s| s.axis == *axis);
+    (!rows.is_empty() && rows.len() <= most.max(1)).then(|| Symptom::Spikes {
+        sensor,
+        rows,
+        times,
+        axes: (0..3).filter(has).collect(),
+        largest: largest(&spikes),
+    })
+}
+
+/// The spikes that stand out from what is around them, so many on each axis at `most`, where they are too many or too large for knocks.
+fn enough(sensor: Sensor, values: &[Vector3<f64>], most: usize) -> Vec<Spike> {
     let reach = usual_reach(values);
     let mut spikes = of_axes(sensor, values, (most, reach), false);
     let usual = median(spikes.iter().map(|s| s.size)).unwrap_or(0.0);
@@ -88,20 +117,26 @@ fn found(sensor: Sensor, stream: &Stream) -> Option<Symptom> {
     if sensor == Sensor::Gyroscope && transfer_fails {
         spikes = of_axes(sensor, values, (most, reach), true);
     }
-    let largest = spikes.iter().map(|s| s.size).fold(0.0, f64::max);
-    let has = |axis: &usize| spikes.iter().any(|s| s.axis == *axis);
-    let axes = (0..3).filter(has).collect();
+    let rows = rows_of(&spikes);
+    let is_certain = || largest(&spikes) > ALONE * extent_without(values, &rows);
+    let is_enough = rows.len() >= FEWEST || is_certain();
+    if is_enough && rows.len() <= most.max(1) {
+        spikes
+    } else {
+        Vec::new()
+    }
+}
+
+fn largest(spikes: &[Spike]) -> f64 {
+    spikes.iter().map(|s| s.size).fold(0.0, f64::max)
+}
+
+/// The rows of some spikes, each once, in order.
+fn rows_of(spikes: &[Spike]) -> Vec<usize> {
     let mut rows: Vec<usize> = spikes.iter().map(|s| s.at + FIRST_ROW).collect();
     rows.sort_unstable();
     rows.dedup();
-    let certain = || largest > ALONE * extent_without(values, &rows);
-    let enough = rows.len() >= FEWEST || certain();
-    (enough && !rows.is_empty() && rows.len() <= most.max(1)).then_some(Symptom::Spikes {
-        sensor,
-        rows,
-        axes,
-        largest,
-    })
+    rows
 }
 
 /// A reading far from its neighbours.
@@ -308,6 +343,8 @@ mod tests {
             panic!("{findings:?}");
         };
         assert_eq!((rows.as_slice(), axes.as_slice()), (&[2002][..], &[1][..]));
+        let said = findings[0].in_recording(&spiked);
+        assert_eq!(said.word("listed"), Some("2002; t = 20.00 s"));
     }
 
     #[test]

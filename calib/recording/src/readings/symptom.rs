@@ -99,6 +99,8 @@ pub enum Symptom {
         sensor: Sensor,
         /// Rows, in order.
         rows: Vec<usize>,
+        /// Their times, s.
+        times: Vec<f64>,
         /// Axes on which they stand out, 0 to 2.
         axes: Vec<usize>,
         /// The farthest one's distance from its neighbours.
@@ -193,6 +195,13 @@ fn in_words(places: &[(usize, usize, f64, f64)]) -> String {
     }
 }
 
+/// `3002, 6002; t = 30.00, 60.00 s`.
+fn rows_and_times(rows: &[usize], times: &[f64]) -> String {
+    let times = times.iter().take(LISTED).map(|t| format!("{t:.2}"));
+    let times: Vec<String> = times.collect();
+    format!("{}; t = {} s", listed(rows), times.join(", "))
+}
+
 fn listed(numbers: &[usize]) -> String {
     let shown: Vec<String> = numbers.iter().take(LISTED).map(usize::to_string).collect();
     match numbers.len().saturating_sub(LISTED) {
@@ -284,13 +293,14 @@ impl Symptom {
             Self::Spikes {
                 sensor,
                 rows,
+                times,
                 axes,
                 largest,
             } => of(Kind::Spikes, *sensor)
                 .count("count", rows.len())
                 .number("largest", *largest, unit(*sensor))
                 .detail("axes", axes_in_words(axes))
-                .detail("listed", listed(rows)),
+                .detail("listed", rows_and_times(rows, times)),
             Self::Vibration {
                 sensor,
                 intervals,

@@ -8,6 +8,8 @@ use sensor::Sensor;
 pub(in crate::calibrate) enum Kind {
     /// The bias of an axis is larger by this, m/s² or the gyroscope's unit.
     Bias(Sensor, usize, f64),
+    /// The biases of the axes are larger by a vector of this size.
+    Biases(Sensor, f64),
     /// The readings of an axis, or of all, are larger by this share.
     Scale(Sensor, Option<usize>, f64),
     /// The axes are turned by this angle, rad.
@@ -49,6 +51,19 @@ fn axis_name(axis: usize) -> &'static str {
     ["x", "y", "z"][axis.min(2)]
 }
 
+/// With the size of a step of the bias on some axis, or on all.
+fn bias(found: Finding, sensor: Sensor, axis: &'static str, size: f64) -> Finding {
+    let unit = match sensor {
+        Sensor::Accelerometer => "m/s^2",
+        Sensor::Gyroscope => "rad/s",
+        Sensor::Magnetometer => "",
+    };
+    found
+        .detail("axis", axis)
+        .number("size", size, unit)
+        .affects("corrected_reading", size.abs(), unit)
+}
+
 impl Change {
     /// The change as a finding.
     pub fn finding(&self) -> Finding {
@@ -63,15 +78,10 @@ impl Change {
         };
         match self.kind {
             Kind::Bias(sensor, axis, size) => {
-                let unit = match sensor {
-                    Sensor::Accelerometer => "m/s^2",
-                    Sensor::Gyroscope => "rad/s",
-                    Sensor::Magnetometer => "",
-                };
-                of(Found::BiasStep, sensor)
-                    .detail("axis", axis_name(axis))
-                    .number("size", size, unit)
-                    .affects("corrected_reading", size.abs(), unit)
+                bias(of(Found::BiasStep, sensor), sensor, axis_name(axis), size)
+            }
+            Kind::Biases(sensor, size) => {
+                bias(of(Found::BiasStep, sensor), sensor, "all axes", size)
             }
             Kind::Scale(sensor, axis, share) => {
                 let cause = match (sensor, axis) {

@@ -1,19 +1,18 @@
 //! An accelerometer that is another one from some static interval on: `‖T (A' − b)‖ = g`, `A'` the reading with a
 //! change taken off from there on.
 
-use nalgebra::{Matrix3, Rotation3, Vector3};
+use nalgebra::{Matrix3, Vector3};
 use recording::averages::median;
-use sensor::Sensor;
 
-use super::change::{Change, Kind, Place};
+use super::change::{Change, Place};
+use super::hypothesis::{CHANGES, Hypothesis, OWN, What};
 use super::rest::Rest;
 use super::weigh::{Explanation, solved_in_place};
 use crate::methods::{RawUnit, accelerometer_unit};
 
 /// Parameters of the base: an upper triangular matrix and a bias.
 const BASE: usize = 9;
-/// Most parameters of a change, and of both.
-const OWN: usize = 3;
+/// Most parameters of both.
 const ALL: usize = BASE + OWN;
 
 /// Fewest static intervals on either side, and the most that are looked at.
@@ -31,92 +30,12 @@ const CLEAR: f64 = 1e-2;
 /// Places whose criteria differ by less than this are not told apart.
 const INDIFFERENT: f64 = 10.0;
 
+/// Turned axes explain the rows so much better, by the criterion, than biases that step or drift: about a bias, the norm alone hardly
+/// tells a rotation from them. Six is strong evidence (Kass and Raftery, Bayes Factors, 1995, section 3.2).
+const MUCH: f64 = 6.0;
+
 /// Steps of a fit.
 const STEPS: usize = 30;
-
-/// Change to try.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum What {
-    Nothing,
-    Scale(usize),
-    AllScales,
-    Bias(usize),
-    Turned,
-    Flipped(usize),
-    Swapped([usize; 2]),
-}
-
-const CHANGES: [What; 14] = [
-    What::Scale(0),
-    What::Scale(1),
-    What::Scale(2),
-    What::AllScales,
-    What::Bias(0),
-    What::Bias(1),
-    What::Bias(2),
-    What::Turned,
-    What::Flipped(0),
-    What::Flipped(1),
-    What::Flipped(2),
-    What::Swapped([0, 1]),
-    What::Swapped([1, 2]),
-    What::Swapped([0, 2]),
-];
-
-impl What {
-    fn parameters(self) -> usize {
-        match self {
-            Self::Turned => 3,
-            Self::Nothing | Self::Flipped(_) | Self::Swapped(_) => 0,
-            _ => 1,
-        }
-    }
-
-    /// The reading with the change taken off, and its derivative by each parameter, zeros beyond these.
-    fn undone(self, raw: &Vector3<f64>, p: &[f64]) -> (Vector3<f64>, [Vector3<f64>; OWN]) {
-        let unit = |axis: usize| Vector3::ith(axis, 1.0);
-        let none = [Vector3::zeros(); OWN];
-        let one = |slope: Vector3<f64>| [slope, none[0], none[0]];
-        match self {
-            Self::Nothing => (*raw, none),
-            Self::Scale(k) => (raw + unit(k) * (p[0] * raw[k]), one(unit(k) * raw[k])),
-            Self::AllScales => (raw * (1.0 + p[0]), one(*raw)),
-            Self::Bias(k) => (raw + unit(k) * p[0], one(unit(k))),
-            Self::Turned => {
-                let turned = Rotation3::new(Vector3::new(p[0], p[1], p[2])) * raw;
-                (turned, [0, 1, 2].map(|k| unit(k).cross(&turned)))
-            }
-            Self::Flipped(k) => (raw - unit(k) * (2.0 * raw[k]), none),
-            Self::Swapped([a, b]) => {
-                let mut swapped = *raw;
-                swapped.swap_rows(a, b);
-                (swapped, none)
-            }
-        }
-    }
-
-    fn kind(self, p: &[f64]) -> Option<Kind> {
-        let share = |p: f64| 1.0 / (1.0 + p) - 1.0;
-        let sensor = Sensor::Accelerometer;
-        Some(match self {
-            Self::Nothing => return None,
-            Self::Scale(k) => Kind::Scale(sensor, Some(k), share(p[0])),
-            Self::AllScales => Kind::Scale(sensor, None, share(p[0])),
-            Self::Bias(k) => Kind::Bias(sensor, k, -p[0]),
-            Self::Turned => Kind::Turned(sensor, Vector3::new(p[0], p[1], p[2]).norm()),
-            Self::Flipped(k) => Kind::Flipped(sensor, k),
-            Self::Swapped(axes) => Kind::Swapped(sensor, axes),
-        })
-    }
-}
-
-/// From which row on what has changed; the row itself may be mixed and is then left out.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Hypothesis {
-    what: What,
-    at: usize,
-    mixed: bool,
-}
 
 /// The accelerometer by its static intervals.
 #[derive(Clone, Debug)]
@@ -152,10 +71,11 @@ pub(super) fn force(rests: &[Rest], gravity: f64) -> Option<Force> {
         None
     };
     let change = found.as_ref().and_then(|fit| {
+        let kind = fit.hypothesis.what.kind(&fit.p[BASE..])?;
         let (first, last) = as_good(fit, &raw, gravity, floor);
         let (after, before) = (used[first - 1], used[last.min(used.len() - 1)]);
         Some(Change {
-            kind: fit.hypothesis.what.kind(&fit.p[BASE..])?,
+            kind,
             place: Place {
                 after: (after.place, after.span.to),
                 before: (before.place, before.span.from),
@@ -165,7 +85,8 @@ pub(super) fn force(rests: &[Rest], gravity: f64) -> Option<Force> {
     let fit = found.unwrap_or(base);
     let from = used.get(fit.hypothesis.at).map_or(usize::MAX, |r| r.place);
     let direction = |rest: &Rest| {
-        let force = fit.corrected(&unit.to_si(&rest.force?.mean), rest.place >= from);
+        let passed = passed(rest.place, rests.len());
+        let force = fit.corrected(&unit.to_si(&rest.force?.mean), passed, rest.place >= from);
         Some(force.normalize()).filter(|u| u.norm().is_finite())
     };
     Some(Force {
@@ -208,6 +129,10 @@ fn best(raw: &[Vector3<f64>], gravity: f64, base: &Fit, floor: f64) -> Option<Fi
         .filter_map(|hypothesis| Fit::of(raw, gravity, hypothesis));
     let criterion = |fit: &Fit| fit.explanation().criterion(n, floor);
     let best = fits.min_by(|a, b| criterion(a).total_cmp(&criterion(b)))?;
+    let best = match best.hypothesis.what {
+        What::Turned => or_rival(best, raw, gravity, floor),
+        _ => best,
+    };
     // Against the base without a mixed row: that one interval disagrees is no change of the others.
     let (base, lost) = if best.hypothesis.mixed {
         let what = What::Nothing;
@@ -226,6 +151,36 @@ fn best(raw: &[Vector3<f64>], gravity: f64, base: &Fit, floor: f64) -> Option<Fi
     // Without a parameter of its own it is no more likely by chance, but there are many of them.
     let clear = own.parameters > 0 || own.left < CLEAR * base;
     (clear && own.holds(base, n - BASE - lost, tried)).then_some(best)
+}
+
+/// Turned axes, or the biases that step or drift where these explain the rows about as well or better.
+fn or_rival(turned: Fit, raw: &[Vector3<f64>], gravity: f64, floor: f64) -> Fit {
+    let n = raw.len();
+    let places = (SIDE..n).flat_map(|at| [false, true].map(|mixed| (at, mixed)));
+    let steps = places.filter(|&(at, mixed)| at + usize::from(mixed) + SIDE <= n);
+    let drift = Hypothesis {
+        what: What::Drift,
+        at: 0,
+        mixed: false,
+    };
+    let rivals = steps
+        .map(|(at, mixed)| Hypothesis {
+            what: What::Biases,
+            at,
+            mixed,
+        })
+        .chain([drift]);
+    let criterion = |fit: &Fit| fit.explanation().criterion(n, floor);
+    let fits = rivals.filter_map(|rival| Fit::of(raw, gravity, rival));
+    let best = fits.min_by(|a, b| criterion(a).total_cmp(&criterion(b)));
+    let limit = criterion(&turned) + MUCH;
+    best.filter(|rival| criterion(rival) < limit)
+        .unwrap_or(turned)
+}
+
+/// The share of the static intervals before one.
+fn passed(place: usize, count: usize) -> f64 {
+    place as f64 / count.saturating_sub(1).max(1) as f64
 }
 
 /// The first and the last row from which on the same change is about as good: where it lies is not known better.
@@ -315,10 +270,11 @@ impl Fit {
         (t, Vector3::new(p[6], p[7], p[8]))
     }
 
-    fn corrected(&self, raw: &Vector3<f64>, changed: bool) -> Vector3<f64> {
+    fn corrected(&self, raw: &Vector3<f64>, passed: f64, changed: bool) -> Vector3<f64> {
         let (t, bias) = self.base();
         let raw = if changed {
-            self.hypothesis.what.undone(raw, &self.p[BASE..]).0
+            let p = &self.p[BASE..];
+            self.hypothesis.what.undone(raw, passed, p).0
         } else {
             *raw
         };
@@ -333,11 +289,12 @@ impl Fit {
     ) -> impl Iterator<Item = (f64, [f64; ALL])> + 'a {
         let Hypothesis { what, at, mixed } = self.hypothesis;
         let (t, bias) = self.base();
+        let n = raw.len();
         let rows = raw.iter().enumerate();
         rows.filter(move |(k, _)| !(mixed && *k == at))
             .map(move |(k, raw)| {
                 let (raw, extra) = if k >= at {
-                    what.undone(raw, &self.p[BASE..])
+                    what.undone(raw, passed(k, n), &self.p[BASE..])
                 } else {
                     (*raw, [Vector3::zeros(); OWN])
                 };
@@ -367,6 +324,8 @@ impl Fit {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::Rotation3;
+
     use super::*;
 
     #[test]
@@ -405,5 +364,50 @@ mod tests {
         let counts = about(Vector3::new(32768.0, 32700.0, 32800.0), 1.2e-3);
         assert!(left(&counts) < 1e-9, "{}", left(&counts));
         assert!(left(&about(Vector3::zeros(), 1.0)) < 1e-9);
+    }
+
+    /// Means of static intervals about a bias, in 24 attitudes, with a change.
+    fn changed(change: impl Fn(usize, Vector3<f64>) -> Vector3<f64>) -> Vec<Vector3<f64>> {
+        let bias = Vector3::new(0.1, -0.2, 0.15);
+        let at = |k: usize| Rotation3::from_euler_angles(0.7 * k as f64, 1.3 * k as f64, 0.0);
+        let noise = |k: usize| {
+            let wave = |m: f64| (78.233 * m * (k + 1) as f64).sin();
+            NOISE_OF_MEAN * Vector3::new(wave(1.0), wave(1.7), wave(2.9))
+        };
+        let scale = Vector3::new(1.01, 0.99, 1.02);
+        let mean = |k: usize| {
+            let force = at(k) * Vector3::new(0.0, 0.0, 9.8);
+            change(k, force.component_mul(&scale) + bias) + noise(k)
+        };
+        (0..24).map(mean).collect()
+    }
+
+    const NOISE_OF_MEAN: f64 = 3e-4;
+
+    fn fit(raw: &[Vector3<f64>], what: What, at: usize) -> Fit {
+        let mixed = false;
+        Fit::of(raw, 9.8, Hypothesis { what, at, mixed }).unwrap()
+    }
+
+    #[test]
+    fn axes_that_turn_are_told_from_biases_that_step_or_drift() {
+        let floor = 24.0 * NOISE_OF_MEAN.powi(2);
+        let told = |raw: &[Vector3<f64>]| {
+            let turned = fit(raw, What::Turned, 12);
+            or_rival(turned, raw, 9.8, floor).hypothesis.what
+        };
+        let turned = changed(|k, raw| match k < 12 {
+            true => raw,
+            false => Rotation3::from_euler_angles(0.0, 0.1, 0.05) * raw,
+        });
+        assert_eq!(told(&turned), What::Turned);
+        let base = fit(&turned, What::Nothing, 24);
+        let found = best(&turned, 9.8, &base, floor).unwrap();
+        assert_eq!(found.hypothesis.what, What::Turned);
+        let step = Vector3::new(0.02, -0.015, 0.03);
+        let stepped = changed(|k, raw| if k < 12 { raw } else { raw + step });
+        assert_eq!(told(&stepped), What::Biases);
+        let drifting = changed(|k, raw| raw + step * (k as f64 / 12.0));
+        assert_eq!(told(&drifting), What::Drift);
     }
 }

@@ -10,10 +10,12 @@
 
 mod change;
 mod force;
+mod hypothesis;
 mod mirrored;
 mod rate;
 mod rest;
 mod turn;
+mod turned;
 mod turns;
 mod weigh;
 mod whole;

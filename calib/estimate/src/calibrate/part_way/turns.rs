@@ -6,10 +6,11 @@ use sensor::Sensor;
 
 use super::change::{Change, Kind, Place};
 use super::turn::{Carried, Rates};
+use super::turned;
 use super::weigh::{Explanation, solved};
 
 /// Elements of the matrix.
-const BASE: usize = 9;
+pub(super) const BASE: usize = 9;
 /// Fewest turns, and on either side of a change.
 const FEWEST: usize = 8;
 const SIDE: usize = 3;
@@ -22,7 +23,7 @@ const LEAST: f64 = 5e-3;
 /// ... and if at most one in so many does.
 const ONE_IN: usize = 5;
 /// Misses below this are alike, squared, rad².
-const FLOOR: f64 = 1e-12;
+pub(super) const FLOOR: f64 = 1e-12;
 
 /// A turn between two static intervals.
 #[derive(Clone, Debug)]
@@ -143,20 +144,21 @@ pub(super) fn robust_step(carried: &[Carried]) -> Option<Matrix3<f64>> {
     Some(Matrix3::from_fn(|i, j| step[3 * i + j]))
 }
 
-fn left(carried: &Carried, step: &DVector<f64>) -> Vector3<f64> {
+pub(super) fn left(carried: &Carried, step: &DVector<f64>) -> Vector3<f64> {
     let moves = carried.slopes.iter().zip(step.iter());
     moves.fold(carried.miss, |sum, (slope, s)| sum + slope * *s)
 }
 
 /// Normal equations of the misses.
-struct Sums {
-    normal: DMatrix<f64>,
+pub(super) struct Sums {
+    pub normal: DMatrix<f64>,
     right: DVector<f64>,
-    squares: f64,
+    /// Weighted sum of their squares.
+    pub squares: f64,
 }
 
 impl Sums {
-    fn new(size: usize) -> Self {
+    pub fn new(size: usize) -> Self {
         Self {
             normal: DMatrix::zeros(size, size),
             right: DVector::zeros(size),
@@ -164,7 +166,7 @@ impl Sums {
         }
     }
 
-    fn add(&mut self, carried: &Carried, extra: &[Vector3<f64>], weight: f64) {
+    pub fn add(&mut self, carried: &Carried, extra: &[Vector3<f64>], weight: f64) {
         let columns: Vec<&Vector3<f64>> = carried.slopes.iter().chain(extra).collect();
         for (i, one) in columns.iter().enumerate() {
             self.right[i] -= weight * one.dot(&carried.miss);
@@ -175,19 +177,19 @@ impl Sums {
         self.squares += weight * carried.miss.norm_squared();
     }
 
-    fn solution(&self) -> Option<DVector<f64>> {
+    pub fn solution(&self) -> Option<DVector<f64>> {
         solved(&self.normal, &self.right, 0.0)
     }
 
     /// Sum of squares at the solution.
-    fn left(&self, solution: &DVector<f64>) -> f64 {
+    pub fn left(&self, solution: &DVector<f64>) -> f64 {
         (self.squares - self.right.dot(solution)).max(0.0)
     }
 }
 
 /// Change to try: the readings are multiplied by `1 + Σ pᵢ Mᵢ`.
 #[derive(Clone, Copy, Debug)]
-enum What {
+pub(super) enum What {
     Scale(usize),
     AllScales,
     Turned,
@@ -202,7 +204,7 @@ impl What {
         Self::Turned,
     ];
 
-    fn generators(self) -> Vec<Matrix3<f64>> {
+    pub fn generators(self) -> Vec<Matrix3<f64>> {
         match self {
             Self::Scale(k) => {
                 let mut one = Matrix3::zeros();
@@ -269,10 +271,23 @@ fn change(
             before: turns[at].place.before,
         };
         let kind = what.kind(&solution.as_slice()[BASE..]);
-        Some((Change { kind, place }, explanation))
+        Some((at, mixed, Change { kind, place }, explanation))
     });
+    let mut holding: Vec<_> = holding.collect();
     let criterion = |e: &Explanation| e.criterion(2 * n, FLOOR * n as f64);
-    holding.min_by(|a, b| criterion(&a.1).total_cmp(&criterion(&b.1)))
+    holding.sort_by(|a, b| criterion(&a.3).total_cmp(&criterion(&b.3)));
+    let (at, mixed, first, explanation) = *holding.first()?;
+    if !matches!(first.kind, Kind::Turned(..)) {
+        return Some((first, explanation));
+    }
+    let rotation = turned::Rotation::of(turns, t, at, mixed);
+    if let Some(rotation) = rotation.filter(|r| r.is_certain(carried)) {
+        let kind = Kind::Turned(Sensor::Gyroscope, rotation.angle());
+        return Some((Change { kind, ..first }, explanation));
+    }
+    let others = holding.into_iter();
+    let mut others = others.filter(|found| !matches!(found.2.kind, Kind::Turned(..)));
+    others.next().map(|found| (found.2, found.3))
 }
 
 /// The sums with a change by `generators` from turn `at` on.
