@@ -6,7 +6,7 @@ mod common;
 
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, ChildStdin, Command, Stdio};
 use std::time::{Duration, Instant};
 
 use calib::Recording;
@@ -168,6 +168,64 @@ fn text_from_standard_input_is_kept_and_calibrated_as_the_file_would_be() {
     ));
     assert_eq!(json(&run)["accelerometer"], by_file["accelerometer"]);
     assert_eq!(json(&run)["gyroscope"], by_file["gyroscope"]);
+}
+
+/// Sends `text` and then its last row again and again, each time 10 ms later, until nobody takes it.
+fn send_on(mut input: ChildStdin, text: &str) -> std::io::Result<()> {
+    input.write_all(text.as_bytes())?;
+    let last = text.lines().last().unwrap();
+    let (stamp, reading) = last.split_once(',').unwrap();
+    let stamp: f64 = stamp.parse().unwrap();
+    for k in 1.. {
+        std::thread::sleep(Duration::from_millis(1));
+        writeln!(input, "{},{reading}", stamp + 0.01 * f64::from(k))?;
+    }
+    Ok(())
+}
+
+#[test]
+fn a_source_that_goes_on_is_calibrated_as_far_as_it_was_recorded() {
+    let (_dir, path) = folder();
+    let text = std::fs::read_to_string(path.join("good.csv")).unwrap();
+    let mut run = Command::new(env!("CARGO_BIN_EXE_stillpoint"))
+        .current_dir(&path)
+        .args(["live", "-", "--out", "session", "--poll", "0.02"])
+        .args(["--gravity", "9.80665", "--placements", "9"])
+        .args(["-o", "cal.json", "--json"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let input = run.stdin.take().unwrap();
+    let source = text.clone();
+    let source = std::thread::spawn(move || send_on(input, &source));
+    let run = run.wait_with_output().unwrap();
+    let said = stderr(&run);
+    assert_eq!(status(&run), 0, "{said}");
+    assert!(said.contains("Enough"), "{said}");
+    // It was still sending when the program ended.
+    assert!(source.join().unwrap().is_err());
+    let kept = std::fs::read_to_string(path.join("session/lines.txt")).unwrap();
+    assert!(kept.ends_with('\n'));
+    let begin = kept.len().min(text.len());
+    assert!(
+        kept[..begin] == text[..begin],
+        "what came is kept as it came"
+    );
+    // What it calibrated is what it left.
+    let again = stillpoint(
+        &path,
+        &[
+            "calibrate",
+            "session/lines.txt",
+            "--gravity",
+            "9.80665",
+            "--json",
+        ],
+    );
+    assert_eq!(json(&run), json(&again));
+    assert!(path.join("cal.json").is_file());
 }
 
 #[test]

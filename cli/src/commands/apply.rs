@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use calib::Recording;
 use calib::calibration::apply_under;
-use calib::recording::{field_names, stream_to_csv, to_csv, to_parquet};
+use calib::recording::{FOLDER_FILES, FolderFile, to_csv, to_parquet};
 
 use crate::commands::shared::inputs::{DeviceArgs, load, read};
 use crate::exit::{Failure, USAGE};
@@ -61,8 +61,8 @@ pub(super) enum Target {
     Stdout,
     File(Box<Output>),
     Parquet(Box<Output>),
-    /// `acc.csv`, `gyro.csv` and `mag.csv` of a folder, each sensor on its own clock.
-    Folder(Box<[Output; 3]>, Folder),
+    /// The files of a folder at the path, each sensor on its own clock.
+    Folder(Vec<Output>, PathBuf, Folder),
 }
 
 impl Target {
@@ -84,10 +84,10 @@ impl Target {
             });
         }
         let folder = Folder::make(path)?;
-        let acc = Output::claim_in(path, "acc.csv", replace, inputs)?;
-        let gyro = Output::claim_in(path, "gyro.csv", replace, inputs)?;
-        let mag = Output::claim_in(path, "mag.csv", replace, inputs)?;
-        Ok(Self::Folder(Box::new([acc, gyro, mag]), folder))
+        let claim = |file: &FolderFile| Output::claim_in(path, file.name, replace, inputs);
+        let outputs = FOLDER_FILES.iter().map(claim);
+        let outputs = outputs.collect::<Result<_, _>>()?;
+        Ok(Self::Folder(outputs, path.to_owned(), folder))
     }
 
     pub(super) fn write(self, corrected: &mut Recording) -> Result<(), Failure> {
@@ -98,27 +98,27 @@ impl Target {
             }
             Self::File(output) => output.write(to_csv(corrected).as_bytes()),
             Self::Parquet(output) => output.write(&to_parquet(corrected)?),
-            Self::Folder(outputs, _folder) => {
-                let [acc, gyro, mag] = *outputs;
-                let field = corrected.magnetometer.as_ref();
-                let names = field.map(|field| format!("t,{}", field_names(field)));
-                let mut filled = Vec::new();
-                for (output, stream, names) in [
-                    (acc, corrected.accelerometer.as_ref(), "t,ax,ay,az"),
-                    (gyro, corrected.gyroscope.as_ref(), "t,gx,gy,gz"),
-                    (
-                        mag,
-                        field.map(|field| &field.stream),
-                        names.as_deref().unwrap_or_default(),
-                    ),
-                ] {
-                    if let Some(stream) = stream {
-                        let text = stream_to_csv(stream, names);
-                        filled.push(output.fill(|out| out.write_all(text.as_bytes()))?);
-                    }
-                }
-                filled.into_iter().try_for_each(Filled::publish)
-            }
+            Self::Folder(outputs, path, _folder) => fill_folder(outputs, &path, corrected),
         }
     }
+}
+
+/// Writes the files of a folder that the recording has something for.
+fn fill_folder(outputs: Vec<Output>, folder: &Path, recording: &Recording) -> Result<(), Failure> {
+    let mut filled = Vec::new();
+    let mut without = Vec::new();
+    for (output, file) in outputs.into_iter().zip(&FOLDER_FILES) {
+        match (file.text)(recording) {
+            Some(text) => filled.push(output.fill(|out| out.write_all(text.as_bytes()))?),
+            None => without.push(folder.join(file.name)),
+        }
+    }
+    filled.into_iter().try_for_each(Filled::publish)?;
+    for old in without.iter().filter(|old| old.exists()) {
+        show::warn(&format!(
+            "{}: of an earlier recording, and read with the new one: remove it",
+            show::path(old)
+        ));
+    }
+    Ok(())
 }

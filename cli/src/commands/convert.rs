@@ -1,5 +1,7 @@
 //! `convert`: a recording in plain form.
 
+mod left_out;
+
 use ::findings::Front;
 use std::path::PathBuf;
 
@@ -14,6 +16,8 @@ use crate::show;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 A name without an extension is a folder, in which each sensor keeps its own clock.
+Other columns than those of the sensors are left out, which is said. Dates are
+not kept: stamps since an epoch count from the whole second of the first.
 
 Example:
   stillpoint convert log.ulg -o plain/
@@ -23,7 +27,7 @@ pub struct Args {
     /// File or folder; `-` reads standard input
     #[arg(value_name = "FILE")]
     recording: PathBuf,
-    /// Write here: `.csv`, `.parquet` (a feature of the build), or a folder for acc.csv and gyro.csv
+    /// Write here: `.csv`, `.parquet` (a feature of the build), or a folder for acc.csv, gyro.csv, mag.csv and temp.csv
     #[arg(short, value_name = "OUT", required = true)]
     output: PathBuf,
     #[command(flatten)]
@@ -52,10 +56,11 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     args.replace.end_if_all_exist()?;
     let mut recording = read(&args.recording, &args.read)?;
     let written = target.write(&mut recording);
-    recording
-        .warnings
-        .texts(Front::CommandLine)
-        .iter()
-        .for_each(|warning| show::warn(warning));
+    let mut warnings = recording.warnings.texts(Front::CommandLine);
+    warnings.extend(left_out::columns(&recording));
+    if extension.is_some() {
+        warnings.extend(left_out::samples(&recording));
+    }
+    warnings.iter().for_each(|warning| show::warn(warning));
     written
 }

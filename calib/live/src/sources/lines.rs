@@ -1,46 +1,36 @@
 //! Lines of text from standard input, a serial port or a file that grows.
 
+mod keeper;
+
 use std::fs::File;
-use std::io::{ErrorKind, Read};
+use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
+use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::time::{Duration, Instant};
 
 use calib::Recording;
 use calib::recording::{ReadOptions, Stream};
-use output::Growing;
 
+use self::keeper::{Kept, SharedKeeper, Told, keep};
 use crate::batch::{Batch, Event};
-use crate::sources::error::{Error, Limit};
+use crate::sources::error::Error;
 use crate::sources::serial;
 use crate::sources::{Finished, Opening, Source};
 
-/// Bytes of one read.
-const CHUNK: usize = 64 << 10;
-/// Wait before a file is asked again whether it has grown.
-const AGAIN: Duration = Duration::from_millis(50);
-/// A file that has not grown for so long is complete.
-const COMPLETE: Duration = Duration::from_secs(30);
 /// Reading all lines again takes at most this share of the time.
 const SHARE: u32 = 4;
 /// Nothing is understood of fewer lines.
 const FEWEST_LINES: usize = 20;
-/// Most bytes of a session, twenty minutes at 1 kHz: all of them are in memory when they are read.
-const MOST: u64 = 128 << 20;
-/// Most bytes of a line.
-const LONGEST_LINE: usize = 1 << 20;
-
-/// Message of the writing thread: the lines so far, or an error.
-type Told = Result<Kept, Error>;
 
 /// Text in any layout that [`Recording::read`] knows.
 ///
 /// A thread writes lines to `lines.txt` as they come, however long the last reading takes. They are read from there, all of
 /// them each time: layout and units are what the reader decides on the whole text, as it will in the end. Rereading waits
-/// where it takes long.
+/// where it takes long. Once the session is finished the file does not change any more, even where the source goes on.
 #[derive(Debug)]
 pub struct Lines {
     name: String,
+    keeper: SharedKeeper,
     kept: Receiver<Told>,
     path: PathBuf,
     so_far: Kept,
@@ -52,13 +42,6 @@ pub struct Lines {
     refusal: Option<String>,
     greeted: bool,
     ended: bool,
-}
-
-/// Content of the file, in whole lines.
-#[derive(Clone, Copy, Debug, Default)]
-struct Kept {
-    lines: usize,
-    bytes: u64,
 }
 
 impl Lines {
@@ -83,18 +66,15 @@ impl Lines {
         how: &Opening,
     ) -> Result<Self, Error> {
         let path = how.folder.join("lines.txt");
-        let mut keeper = Keeper {
-            name: name.clone(),
-            file: Growing::begin(&path)?,
-            open_line: Vec::new(),
-            kept: Kept::default(),
-        };
+        let keeper = SharedKeeper::begin(&name, &path)?;
         let (tell, kept) = channel();
         let thread = std::thread::Builder::new().name("lines".into());
-        let thread = thread.spawn(move || keep(&mut source, &mut keeper, &tell, grows));
+        let of_thread = keeper.clone();
+        let thread = thread.spawn(move || keep(&mut source, &of_thread, &tell, grows));
         thread.map_err(Error::at(Path::new("-")))?;
         Ok(Self {
             name,
+            keeper,
             kept,
             path,
             so_far: Kept::default(),
@@ -193,96 +173,11 @@ impl Source for Lines {
     }
 
     fn finish(&mut self) -> Result<Finished, Error> {
+        self.keeper.close(&self.path)?;
         Ok(Finished {
             recording: self.path.clone(),
             fallback: None,
         })
-    }
-}
-
-/// The file of lines, written before anybody is told.
-#[derive(Debug)]
-struct Keeper {
-    name: String,
-    file: Growing,
-    /// The beginning of a line whose end has not come.
-    open_line: Vec<u8>,
-    kept: Kept,
-}
-
-impl Keeper {
-    /// Writes the whole lines that there are now; nothing new where there are none.
-    fn take(&mut self, bytes: &[u8]) -> Result<Option<Kept>, Error> {
-        let too_much = |limit| Error::TooMuch {
-            name: self.name.clone(),
-            limit,
-        };
-        self.open_line.extend(bytes);
-        let Some(end) = self.open_line.iter().rposition(|b| *b == b'\n') else {
-            return match self.open_line.len() > LONGEST_LINE {
-                true => Err(too_much(Limit::Line(LONGEST_LINE))),
-                false => Ok(None),
-            };
-        };
-        let whole: Vec<u8> = self.open_line.drain(..=end).collect();
-        if self.kept.bytes + whole.len() as u64 > MOST {
-            return Err(too_much(Limit::Text(MOST)));
-        }
-        self.file.append(&whole)?;
-        self.kept.lines += whole.iter().filter(|b| **b == b'\n').count();
-        self.kept.bytes += whole.len() as u64;
-        Ok(Some(self.kept))
-    }
-
-    /// Ends the line that is open.
-    fn end(&mut self) -> Result<Option<Kept>, Error> {
-        match self.open_line.is_empty() {
-            true => Ok(None),
-            false => self.take(b"\n"),
-        }
-    }
-}
-
-/// Keeps what `source` gives until it ends, or until a file that `grows` is complete, or nobody listens.
-fn keep(source: &mut dyn Read, keeper: &mut Keeper, tell: &Sender<Told>, grows: bool) {
-    let mut chunk = vec![0; CHUNK];
-    let mut idle = Instant::now();
-    let mut stopped = None;
-    loop {
-        match source.read(&mut chunk) {
-            Ok(0) if grows && idle.elapsed() < COMPLETE => std::thread::sleep(AGAIN),
-            Ok(0) => break,
-            Ok(count) => {
-                idle = Instant::now();
-                let kept = keeper.take(&chunk[..count]).transpose();
-                let failed = matches!(kept, Some(Err(_)));
-                if kept.is_some_and(|kept| tell.send(kept).is_err()) || failed {
-                    return;
-                }
-            }
-            Err(error) if error.kind() == ErrorKind::Interrupted => {}
-            Err(error) => {
-                stopped = Some(error);
-                break;
-            }
-        }
-    }
-    // Of a source that has failed the line that is open is half a row.
-    let last = match stopped {
-        None => keeper.end().transpose(),
-        Some(source) => {
-            let name = if keeper.name == "-" {
-                "<stdin>"
-            } else {
-                &keeper.name
-            };
-            let path = PathBuf::from(name);
-            Some(Err(Error::Unreadable(calib::Error::Io { path, source })))
-        }
-    };
-    if let Some(last) = last {
-        // Nobody listens any more: what came is on disk all the same.
-        let _ = tell.send(last);
     }
 }
 
@@ -384,37 +279,25 @@ mod tests {
         assert!(matches!(end, Err(Error::Unreadable(_))), "{end:?}");
     }
 
-    /// A port that is pulled out once a row has come.
-    struct Pulled(Option<Vec<u8>>);
-
-    impl Read for Pulled {
-        fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
-            let bytes = self.0.take().ok_or(ErrorKind::BrokenPipe)?;
-            buffer[..bytes.len()].copy_from_slice(&bytes);
-            Ok(bytes.len())
-        }
-    }
-
     #[test]
-    fn a_source_that_fails_is_not_one_that_has_ended() {
+    fn a_finished_recording_stays_as_it_is_and_its_source_is_not_held_up() {
         let folder = tempfile::tempdir().unwrap();
-        let file = Growing::begin(&folder.path().join("lines.txt")).unwrap();
-        let mut keeper = Keeper {
-            name: "port".into(),
-            file,
-            open_line: Vec::new(),
-            kept: Kept::default(),
-        };
-        let (tell, told) = channel();
-        let sent = rows(0, 1) + "0.01,0.1";
-        let mut port = Pulled(Some(sent.into_bytes()));
-        keep(&mut port, &mut keeper, &tell, false);
-        drop(tell);
-        let told: Vec<Told> = told.iter().collect();
-        assert_eq!(told.len(), 2);
-        let error = told[1].as_ref().unwrap_err();
-        assert!(error.ends_a_session() && error.to_string().starts_with("port: "));
-        let kept = std::fs::read_to_string(folder.path().join("lines.txt")).unwrap();
-        assert_eq!(kept, rows(0, 1), "half a row is none");
+        let (send, mut lines) = lines(folder.path());
+        let text = format!("t,ax,ay,az,gx,gy,gz\n{}", rows(0, 50));
+        // The session ends within a row.
+        send.send(format!("{text}0.5,0.1").into()).unwrap();
+        wait_for(folder.path(), text.len());
+        let recording = lines.finish().unwrap().recording;
+        let changed = || std::fs::metadata(&recording).unwrap().modified().unwrap();
+        let at_the_end = changed();
+        // Nobody takes these unless the source is drained.
+        for k in 51..60 {
+            send.send(rows(k, k + 1).into()).unwrap();
+        }
+        drop(send);
+        std::thread::sleep(Duration::from_millis(50));
+        assert_eq!(std::fs::read_to_string(&recording).unwrap(), text);
+        assert_eq!(changed(), at_the_end);
+        lines.finish().unwrap();
     }
 }

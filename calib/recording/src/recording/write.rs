@@ -1,5 +1,7 @@
 //! Recordings as plain CSV or Parquet.
 
+mod folder;
+
 use findings::{Finding, Kind};
 use sensor::Sensor;
 use std::fmt::Write as _;
@@ -9,10 +11,13 @@ use file_formats::write_parquet;
 use super::{Magnetometer, Recording, Stream, Temperature};
 use crate::Error;
 
+pub use folder::{FOLDER_FILES, FolderFile};
+
 /// The recording as one plain CSV table, numbers to their last digit.
 ///
 /// Where the sensors have clocks of their own the gyroscope is interpolated to the stamps of the
-/// accelerometer that lie within its own; a warning is added that says so.
+/// accelerometer that lie within its own; a warning is added that says so. The temperature is that at each stamp, and a
+/// magnetometer alone keeps its stamps. Sensors of one dimension have no column.
 pub fn to_csv(recording: &mut Recording) -> String {
     let plain = Plain::of(recording);
     let mut text = plain.names.join(",") + "\n";
@@ -98,7 +103,7 @@ impl<'a> Plain<'a> {
         if let Some(field) = &recording.magnetometer {
             names.extend(field_names(field).split(',').map(str::to_owned));
             let stamps = streams.first().map(|first| &first.t);
-            if stamps != Some(&field.stream.t) {
+            if stamps.is_some_and(|stamps| *stamps != field.stream.t) {
                 recording
                     .warnings
                     .push(joined(Sensor::Magnetometer, "others"));
@@ -112,8 +117,11 @@ impl<'a> Plain<'a> {
         }
     }
 
+    /// Those of the first sensor; of a magnetometer, where it is alone.
     fn stamps(&self) -> &[f64] {
-        self.streams.first().map_or(&[][..], |stream| &stream.t)
+        let field = self.field.map(|field| &field.stream);
+        let first = self.streams.first().or(field);
+        first.map_or(&[][..], |stream| &stream.t)
     }
 
     fn rows(&self) -> usize {
@@ -169,5 +177,30 @@ fn within(stream: &Stream, other: &Stream) -> Stream {
     Stream {
         t: stream.t[range.clone()].to_vec(),
         values: stream.values[range].to_vec(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recording::ReadOptions;
+    use nalgebra::Vector3;
+
+    #[test]
+    fn a_magnetometer_alone_keeps_its_samples_and_its_stamps() {
+        let t: Vec<f64> = (0..100).map(|k| 0.05 * f64::from(k)).collect();
+        let of = |t: &f64| Vector3::new(20.0 + t, 5.0 - t, -40.0 + t.sin());
+        let values = t.iter().map(of).collect();
+        let mut alone = Recording {
+            magnetometer: Some(Magnetometer::in_microtesla(Stream { t, values })),
+            ..Recording::default()
+        };
+        let text = to_csv(&mut alone);
+        assert!(alone.warnings.is_empty());
+        let read = Recording::from_bytes("r", text.into_bytes(), &ReadOptions::default()).unwrap();
+        assert_eq!(
+            read.magnetometer.unwrap().stream,
+            alone.magnetometer.unwrap().stream
+        );
     }
 }
