@@ -76,7 +76,8 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let old = load(&args.calibration)?;
     let recording = read(&args.recording, &args.read)?;
     let mut remarks = recording.warnings.clone();
-    args.device.check(&old, &[&recording])?;
+    // What the old biases make of it is renewed; doubts are about what the new ones leave.
+    args.device.refuse(&old, &[&recording])?;
     let (detector, _) = args.detector.detector()?;
     let segmentation = segment(&recording, &detector)?;
     let said = implausible(&recording, &segmentation, Some(&old), old.gravity);
@@ -92,6 +93,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     if args.accelerometer {
         new = update_accelerometer(&new, &recording, &segmentation)?;
     }
+    args.device.check(&new, &[&recording])?;
     let json = show::json(&new)?;
     if let Some(output) = output {
         output.write(json.as_bytes())?;

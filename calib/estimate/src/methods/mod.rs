@@ -1,5 +1,6 @@
 //! Ways from static intervals and turns to a calibration.
 
+mod bias_errors;
 pub mod earth;
 mod ending;
 pub(crate) mod first_guess;

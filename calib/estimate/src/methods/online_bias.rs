@@ -7,7 +7,7 @@ use recording::{Error, Recording};
 use sensor::{Sensor, inverse};
 use solver::{Options, Uncertainty, solve};
 
-use super::static_means_by;
+use super::{bias_errors, static_means_by};
 use crate::calibration::{BiasUpdate, Calibration, apply_with};
 use crate::residuals::GravityNorm;
 use crate::truth::{Models, Truth};
@@ -171,9 +171,10 @@ pub fn update_accelerometer(
             "1",
         )));
     }
-    let sigma = report.reduced_chi2().map_or(f64::NAN, f64::sqrt);
-    let change = |k: usize| report.parameters.values()[9 + k] - p[9 + k];
-    let std = Vector3::from_fn(|k, _| report.uncertainty.standard_error(k, sigma));
+    let values = report.parameters.values();
+    let change = |k: usize| values[9 + k] - p[9 + k];
+    let errors = bias_errors::covariance(&problem, values, start.names(), calibration);
+    let std = errors.map_or(Vector3::repeat(f64::NAN), |c| c.diagonal().map(f64::sqrt));
     let t = calibration.triad(Sensor::Accelerometer).map(|t| t.base().t);
     let t = t.unwrap_or_else(Matrix3::identity);
     let residual = t * Vector3::from_fn(|k, _| change(k));
@@ -322,6 +323,53 @@ mod tests {
         assert_eq!(new.history.len(), 2);
         assert_eq!(new.history[1].sensor, "accel");
         assert_eq!(new.accelerometer.unwrap().t, old.accelerometer.unwrap().t);
+    }
+
+    /// A calibration that states an error of every scale factor, 2e-5, and whose scale factors have it.
+    fn known_within(errors: [f64; 3]) -> Calibration {
+        let mut calibration = yesterday();
+        let names = ["accel.s_x", "accel.s_y", "accel.s_z"];
+        calibration.parameters = names.map(String::from).to_vec();
+        let variance = |i, k| if i == k { 4e-10 } else { 0.0 };
+        calibration.covariance = (0..3)
+            .map(|i| (0..3).map(|k| variance(i, k)).collect())
+            .collect();
+        let triad = calibration.triad_mut(Sensor::Accelerometer).unwrap();
+        for (k, error) in errors.into_iter().enumerate() {
+            triad.t[k][k] *= 1.0 + error;
+        }
+        calibration
+    }
+
+    #[test]
+    fn errors_of_few_rests_hold_whatever_the_residuals_are() {
+        use rand::SeedableRng;
+        use rand_distr::{Distribution, StandardNormal};
+        let faces = [Face::XUp, Face::YUp, Face::ZUp, Face::ZDown];
+        let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(5);
+        let mut draw = || -> f64 { StandardNormal.sample(&mut random) };
+        let (clean, rests) = today(&faces, 5.0);
+        let (mut square, mut largest) = (0.0, 0.0_f64);
+        const DRAWS: usize = 60;
+        for _ in 0..DRAWS {
+            let mut recording = clean.clone();
+            for value in &mut recording.accelerometer.as_mut().unwrap().values {
+                *value += Vector3::from_fn(|_, _| 1e-3 * draw());
+            }
+            let old = known_within([0; 3].map(|_| 2e-5 * draw()));
+            let new = update_accelerometer(&old, &recording, &rests).unwrap();
+            let triad = new.triad(Sensor::Accelerometer).unwrap();
+            for k in 0..3 {
+                let z = (triad.bias[k] - FORCE[k]) / triad.bias_std[k].unwrap();
+                square += z * z;
+                largest = largest.max(z.abs());
+            }
+        }
+        let rms = (square / (3 * DRAWS) as f64).sqrt();
+        assert!(
+            (0.5..1.3).contains(&rms) && largest < 4.5,
+            "{rms} {largest}"
+        );
     }
 
     #[test]

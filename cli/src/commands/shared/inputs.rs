@@ -1,6 +1,6 @@
 //! Arguments that commands share, and reading with a spinner.
 
-use ::findings::Front;
+use ::findings::{Finding, Front};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -309,19 +309,30 @@ impl DeviceArgs {
         calibration: &Calibration,
         recordings: &[&Recording],
     ) -> Result<(), Failure> {
-        for gate in &calibration.failed_gates {
-            show::warn(&format!(
-                "the calibration failed a gate: {}",
-                gate.text(Front::CommandLine)
-            ));
-        }
-        for recording in recordings.iter().filter(|_| !self.force_device) {
-            check_units(calibration, recording)?;
-            doubts(calibration, recording)?
-                .iter()
-                .for_each(|doubt| show::warn(&doubt.text(Front::CommandLine)));
+        for doubt in self.refuse(calibration, recordings)? {
+            show::warn(&doubt);
         }
         Ok(())
+    }
+
+    /// Refuses readings that the calibration is not for; doubts about the others, and its gates that failed.
+    pub fn refuse(
+        self,
+        calibration: &Calibration,
+        recordings: &[&Recording],
+    ) -> Result<Vec<String>, Failure> {
+        let gates = calibration.failed_gates.iter();
+        let failed = |gate: &Finding| {
+            let gate = gate.text(Front::CommandLine);
+            format!("the calibration failed a gate: {gate}")
+        };
+        let mut said: Vec<String> = gates.map(failed).collect();
+        for recording in recordings.iter().filter(|_| !self.force_device) {
+            check_units(calibration, recording)?;
+            let doubts = doubts(calibration, recording)?;
+            said.extend(doubts.iter().map(|doubt| doubt.text(Front::CommandLine)));
+        }
+        Ok(said)
     }
 }
 
