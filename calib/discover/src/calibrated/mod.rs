@@ -5,6 +5,8 @@ mod settle;
 use ::findings::{Finding, Kind};
 use estimate::calibrate::{Account, Frame, gyroscope_of_one_device, written_down};
 use estimate::calibration::Calibration;
+use estimate::methods::earth;
+use estimate::methods::joint::{JointFit, JointRequest, fit_joint};
 use recording::{Error, Recording};
 use sensor::EffectRef;
 pub(crate) use settle::{HeldShape, settle};
@@ -24,7 +26,11 @@ pub(super) fn calibrated(
     search: &mut Search,
     held: Vec<HeldShape>,
 ) -> Result<Calibration, Error> {
-    let (mut calibration, held) = determined(session, search, held)?;
+    let (calibration, held) = determined(session, search, held)?;
+    let mut calibration = match on_an_unknown_earth(session, &search.last)? {
+        Some(fit) => written(&fit, session.request.latitude.is_some(), session)?,
+        None => calibration,
+    };
     say_held(&mut calibration, &held);
     let warnings = &mut calibration.warnings;
     warnings.extend(unknown_temperature(&search.last));
@@ -48,6 +54,32 @@ pub(super) fn calibration_that(
     session: &Session<'_>,
     last: &State,
 ) -> Result<Calibration, Error> {
+    written(&last.fit, keeps_the_earth, session)
+}
+
+/// The fit of a model where the earth's rotation is uncertainty, as nobody says the latitude: at rest its vertical part does what the
+/// diagonal of a g-sensitivity does. A search has no such uncertainty, for the rotation is one of the things that it looks for. `None`
+/// where the model has the rotation.
+fn on_an_unknown_earth(session: &Session<'_>, last: &State) -> Result<Option<JointFit>, Error> {
+    let request = session.joint(&last.extension);
+    if session.request.latitude.is_some() || earth::is_among(request.gyroscope.effects()) {
+        return Ok(None);
+    }
+    let fit = fit_joint(&JointRequest {
+        earth: true,
+        compared: false,
+        before: Some(&last.fit),
+        ..request
+    })?;
+    Ok(Some(fit))
+}
+
+/// The calibration of a fit.
+fn written(
+    fit: &JointFit,
+    keeps_the_earth: bool,
+    session: &Session<'_>,
+) -> Result<Calibration, Error> {
     let recordings: Vec<&Recording> = session.ready();
     let choices: Vec<_> = session.recordings.iter().map(|(_, c)| c).collect();
     let mut warnings = session.remarks.clone();
@@ -59,7 +91,7 @@ pub(super) fn calibration_that(
         frame: Frame::default(),
         names_what_is_missing: true,
     };
-    let calibration = written_down(&last.fit, &recordings, &choices, &account, &mut warnings)?;
+    let calibration = written_down(fit, &recordings, &choices, &account, &mut warnings)?;
     let mut calibration = Calibration {
         warnings,
         ..calibration

@@ -82,6 +82,33 @@ mod tests {
     }
 
     #[test]
+    fn without_a_latitude_the_diagonal_of_a_g_sensitivity_is_as_uncertain_as_the_vertical_rate() {
+        let (mut square, mut count) = (0.0, 0.0);
+        for seed in 12..16 {
+            let mut spec = Spec::hand_held(seed).with_effect("gyro_g_sensitivity", 1.0);
+            spec.latitude = Some(50.0);
+            let session = spec.run().unwrap();
+            let found = discover(&[session.recording], &Request::new(spec.gravity)).unwrap();
+            let mut effects = found.findings.effects.iter();
+            let named = effects.find(|e| e.name == "gyro_g_sensitivity").unwrap();
+            let truth = &session.truth.gyroscope;
+            let error = |name: &str| {
+                let own = named.parameters.iter().find(|p| p.name == name).unwrap();
+                let place = truth.index(&format!("gyro_g_sensitivity.{name}")).unwrap();
+                (own.value - truth.values()[place], own.std.unwrap())
+            };
+            for name in ["xx", "yy", "zz"] {
+                let (error, std) = error(name);
+                square += (error / std).powi(2);
+                count += 1.0;
+            }
+            assert!(error("xx").1 > 1.3 * error("xy").1, "{named:?}");
+        }
+        let rms = f64::sqrt(square / count);
+        assert!(rms < 1.7, "{rms}");
+    }
+
+    #[test]
     fn an_error_of_the_gyroscope_does_not_cast_doubt_on_the_latitude() {
         let mut spec = Spec::hand_held(12).with_effect("gyro_g_sensitivity", 1.0);
         spec.latitude = Some(50.0);

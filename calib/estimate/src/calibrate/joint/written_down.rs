@@ -117,7 +117,9 @@ pub fn written_down(
         misfits.extend(temperature::changed(fit, recordings));
     }
     warnings.extend(misfits);
+    // More than the earth turns is an error of the gyroscope, whatever the latitude.
     let doubt = account.latitude.and_then(|l| LatitudeDoubt::of(fit, l));
+    let doubt = doubt.filter(LatitudeDoubt::is_of_the_earth);
     warnings.extend(doubt.map(|doubt| doubt.finding()));
     influences(fit, warnings);
     let both = [Sensor::Accelerometer, Sensor::Gyroscope];
