@@ -302,6 +302,8 @@ kinds! {
     BiasWandered = "bias_wandered",
     /// Static intervals in a part of the recording fit another accelerometer.
     OfAnotherAccelerometer = "of_another_accelerometer",
+    /// A recording that the fit did not see disagrees with the calibration, whatever its biases are.
+    ValidationDisagrees = "validation_disagrees",
     /// A sensor of one dimension that is not calibrated is left as it was read.
     ScalarLeftAsRead = "scalar_left_as_read",
     /// Only the bias of a sensor is known.

@@ -4,7 +4,7 @@
 //! calibration (held) ± its covariance ──► r, J on the recording ──► directions and biases out ──► χ²/dof
 //! ```
 
-use ::findings::{Finding, Level};
+use ::findings::{Finding, Kind, Level};
 use estimate::calibration::doubts;
 use estimate::methods::joint::{
     BiasNoise, Columns, Covariance, JointFit, Rows, Whitening, covariance_at, fit_joint,
@@ -19,12 +19,16 @@ use crate::findings::{Confirmation, Says, Validation};
 use crate::gap::channel::Channel;
 use crate::gap::sequence::{Misfit, Sequence, whitening_at};
 use crate::request::{Request, Session};
-use crate::search::Name;
+use crate::search::{Name, Search};
 use crate::state::State;
 
 /// Gauss–Newton steps of directions and biases: the problem is all but linear in them, and the first is
 /// taken at the recording's own fit.
 const STEPS: usize = 3;
+
+/// A gap of a channel from which on a recording disagrees with the calibration, alone and against that of the recordings of the fit. Of
+/// one device a gap beyond 3 is rare, for the errors of the calibration are in it; of two it is a hundred and more.
+const DISAGREES: f64 = 4.0;
 
 /// What a recording that the fit did not see shows.
 #[derive(Clone, Debug)]
@@ -86,10 +90,28 @@ pub fn validate(
             dof: after.dof,
         })
         .collect();
+    let mut doubts = doubts_of(recording, discovery)?;
+    if doubts.is_empty() {
+        doubts.extend(disagreement(&recording.name, search, &after.misfits));
+    }
     Ok(Validated {
         gaps,
         confirmations,
-        doubts: doubts_of(recording, discovery)?,
+        doubts,
+    })
+}
+
+/// The channel in which the calibration misses a recording most, where it misses that of the fit by much less.
+fn disagreement(recording: &str, search: &Search, missed: &[Misfit; 3]) -> Option<Finding> {
+    let own = Sequence::of(&search.last, search.last.noise).misfits(&search.last);
+    let times = |k: usize| missed[k].gap() / own[k].gap().max(1.0);
+    let worst = (0..missed.len()).max_by(|a, b| times(*a).total_cmp(&times(*b)))?;
+    (times(worst) > DISAGREES).then(|| {
+        Finding::of(Kind::ValidationDisagrees)
+            .in_recording(recording)
+            .number("missed", missed[worst].gap(), "")
+            .number("own", own[worst].gap(), "")
+            .detail("channel", Channel::ALL[worst].words())
     })
 }
 
@@ -361,6 +383,12 @@ mod tests {
         assert!((says[0].share - 1.0).abs() < 4.0 * says[0].std, "{says:?}");
         let stranger = Spec::hand_held(13).run().unwrap().recording;
         let validated = validate(&stranger, &request, &discovery).unwrap();
+        let is_said = |found: &Finding| found.kind == Kind::ValidationDisagrees;
+        assert!(
+            validated.doubts.iter().any(is_said),
+            "{:?}",
+            validated.doubts
+        );
         let (found, says) = (validated.gaps, validated.confirmations);
         assert_eq!(says[0].says, Says::SpeaksAgainst, "{says:?}");
         assert!(found[0].gap_after > 3.0, "{found:?}");

@@ -12,7 +12,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.04,
         reason: "the recording speaks against the latitude",
-        text: "the earth's rotation has a vertical part of {expected} at a latitude of {given}°. The recording shows {shown} ± {error}, as at a latitude of {seen}°, and speaks against the given latitude. {what} may be wrong[. The model was fitted at the latitude that the recording shows, because it explains as much as {instead}]",
+        text: "the earth's rotation has a vertical part of {expected} at a latitude of {given}. The recording shows {shown} ± {error}, as at a latitude of {seen}, and speaks against the given latitude. {what} may be wrong[. The model was fitted at the latitude that the recording shows, because it explains as much as {instead}]",
         advice: "check the sign and the value of the latitude",
         remedies: || {
             vec![Remedy::Omit {
@@ -204,6 +204,15 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         text: "{intervals:static interval} at {at} fit another accelerometer than the {used} that the program uses: with that one their gravity is off by {missed} (rms), with one of their own by {own}. Perhaps the file holds two devices, or a range or filter of the sensor was switched",
         advice: "",
         remedies: || vec![Remedy::Split],
+    },
+    Entry {
+        kind: Kind::ValidationDisagrees,
+        level: Level::Care,
+        severity: 1.0,
+        reason: "the calibration does not hold for the validation recording",
+        text: "the calibration misses this recording by {missed} times what the noise and the errors of the calibration explain, whatever its biases are ({channel}; {own} times in the recordings of the fit). Perhaps it is of another device, or the device has changed: temperature, a shock, another range",
+        advice: "do not use the calibration for this recording",
+        remedies: Vec::new,
     },
     Entry {
         kind: Kind::ScalarLeftAsRead,
