@@ -117,17 +117,15 @@ fn with_what_is_seen(found: Finding, seen: Seen) -> Finding {
 
 /// Names the rests without which a parameter would be another.
 pub fn influences(fit: &JointFit, warnings: &mut Findings) {
-    for influence in fit.influences() {
-        if influence.change > INFLUENTIAL && influence.change.is_finite() {
-            let rest = &fit.data.rests[influence.rest];
-            warnings.push(
-                Finding::of(Kind::InfluentialInterval)
-                    .in_recording(&fit.data.sources[rest.recording].name)
-                    .at_interval(rest.interval)
-                    .between(rest.span.from, rest.span.to)
-                    .detail("parameter", influence.parameter.clone())
-                    .number("change", influence.change, "1"),
-            );
-        }
+    for influence in fit.influential(INFLUENTIAL) {
+        let rest = &fit.data.rests[influence.rest];
+        warnings.push(
+            Finding::of(Kind::InfluentialInterval)
+                .in_recording(&fit.data.sources[rest.recording].name)
+                .at_interval(rest.interval)
+                .between(rest.span.from, rest.span.to)
+                .detail("parameter", influence.parameter.clone())
+                .number("change", influence.change, "1"),
+        );
     }
 }

@@ -1,5 +1,6 @@
-//! Influence of every static interval on the result.
+//! Static intervals that the result rests on.
 
+use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
 use crate::methods::joint::blocks::basis::Basis;
@@ -9,82 +10,146 @@ use crate::methods::joint::fit::JointFit;
 /// Smallest squared pivot of `I − H` in the rows of a static interval; below it the other rows do not determine these.
 const HELD_UP: f64 = 1e-8;
 
-/// The influence of one rest.
+/// The influence of one static interval.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Influence {
     /// Place of the rest in the data.
     pub rest: usize,
-    /// Sum of the leverages of its rows: the number of parameters that they determine.
-    pub leverage: f64,
     /// The shared parameter that moves most without it.
     pub parameter: String,
-    /// By how much, in its standard errors; infinite where nothing else determines it.
+    /// By how much, in its standard errors.
     pub change: f64,
 }
 
+/// How a static interval is taken out of a fit.
+struct Deletion<'a> {
+    basis: Basis,
+    reduced: &'a Columns,
+    /// Covariance of the shared parameters, by the weights alone.
+    covariance: Vec<Vec<f64>>,
+}
+
+/// Share of `least` from which on a change is worked out in full.
+const WORTH_A_LOOK: f64 = 0.5;
+
 impl JointFit {
-    /// Leverage and leave-one-out change of every rest: its means deleted, its turns kept.
+    /// The static intervals without whose means a shared parameter moves by more than `least` of its standard errors, their turns kept.
     ///
     /// Deleting rows is giving them a free parameter each: with `E` their unit columns whitened and `P` the
     /// projection orthogonal to the Jacobian, the parameters move by `−(JᵀJ)⁻¹ Jᵀ E (Eᵀ P E)⁻¹ Eᵀ r`.
-    /// Exact for the linearised problem under any covariance of the rows.
-    pub fn influences(&self) -> Vec<Influence> {
-        let basis = Basis::of(&self.jacobian);
+    /// Exact for the linearised problem under any covariance of the rows. A first look takes the whitened rows for those of the interval,
+    /// which they are but for what a wandering bias mixes into them.
+    pub fn influential(&self, least: f64) -> Vec<Influence> {
         let shared: Vec<usize> = (0..self.free.len())
             .filter(|&k| self.free[k] < self.shared)
             .collect();
-        let reduced = &self.reduced;
         let stated = self.shared_uncertainty().covariance;
         let errors: Vec<f64> = (0..shared.len()).map(|k| stated[k][k].sqrt()).collect();
-        let covariance = self.covariance_of_weights();
+        let deletion = Deletion {
+            basis: Basis::of(&self.jacobian),
+            reduced: &self.reduced,
+            covariance: self.covariance_of_weights(),
+        };
+        let largest = |moved: Vec<f64>| {
+            let changes = moved.into_iter().zip(&errors).map(|(by, error)| by / error);
+            changes.enumerate().max_by(|a, b| a.1.total_cmp(&b.1))
+        };
         (0..self.data.rests.len())
-            .map(|rest| {
-                let (leverage, moved) =
-                    self.leverage_and_changes(rest, &basis, reduced, &covariance);
-                let changes = moved.iter().zip(&errors).map(|(by, error)| by / error);
-                let largest = changes.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
-                let name = |k: usize| self.parameters.names()[self.free[shared[k]]].clone();
-                Influence {
-                    rest,
-                    leverage,
-                    parameter: largest.map(|(k, _)| name(k)).unwrap_or_default(),
-                    change: largest.map_or(0.0, |(_, change)| change),
+            .filter_map(|rest| {
+                let rows = self.rows_of_means(rest);
+                let (_, roughly) = largest(deletion.of_rows(&rows, &self.residuals)?)?;
+                if roughly < WORTH_A_LOOK * least {
+                    return None;
                 }
+                let columns = self.whitened_units(&rows);
+                let (k, change) = largest(deletion.of_columns(&columns, &self.residuals)?)?;
+                (change > least).then(|| Influence {
+                    rest,
+                    parameter: self.parameters.names()[self.free[shared[k]]].clone(),
+                    change,
+                })
             })
             .collect()
     }
 
-    /// The leverage of a rest, and by how much every shared parameter would move.
-    fn leverage_and_changes(
-        &self,
-        rest: usize,
-        basis: &Basis,
-        reduced: &Columns,
-        covariance: &[Vec<f64>],
-    ) -> (f64, Vec<f64>) {
-        let rows: Vec<usize> = (0..self.first_rows[1])
+    /// The rows of the mean readings in a static interval.
+    fn rows_of_means(&self, rest: usize) -> Vec<usize> {
+        (0..self.first_rows[1])
             .filter(|&i| self.rest_of_row[i] == rest)
-            .collect();
-        let leverage = rows.iter().map(|&i| basis.leverage(i)).sum();
-        // The rows of a whitened problem stand for their rests: a walk mixes only little into them.
-        let gram = nalgebra::DMatrix::from_fn(rows.len(), rows.len(), |i, k| {
-            f64::from(u8::from(i == k)) - basis.row_product(rows[i], rows[k])
-        });
-        let r = nalgebra::DVector::from_fn(rows.len(), |i, _| self.residuals[rows[i]]);
-        let own = gram
-            .cholesky()
-            .filter(|c| c.l_dirty().diagonal().iter().all(|l| l * l > HELD_UP))
-            .map(|c| c.solve(&r));
-        let Some(deleted) = own else {
-            return (leverage, vec![f64::INFINITY; covariance.len()]);
-        };
-        let gradient = |b: usize| -> f64 {
-            let own = rows.iter().zip(deleted.iter());
-            own.map(|(&i, v)| reduced.get(i, b) * v).sum()
-        };
-        let gradient: Vec<f64> = (0..covariance.len()).map(gradient).collect();
-        let change = |of: &Vec<f64>| of.iter().zip(&gradient).map(|(c, g)| c * g).sum::<f64>();
-        let changes = covariance.iter().map(|of| change(of).abs()).collect();
-        (leverage, changes)
+            .collect()
     }
+
+    /// The unit columns of some rows, whitened by everything, each of length 1.
+    fn whitened_units(&self, rows: &[usize]) -> Vec<Vec<f64>> {
+        let column = |&row: &usize| {
+            let mut unit = vec![0.0; self.residuals.len()];
+            unit[row] = 1.0;
+            let whitened = self.whitening.finish_column(&unit);
+            let length = whitened.iter().map(|v| v * v).sum::<f64>().sqrt();
+            whitened.into_iter().map(|v| v / length).collect()
+        };
+        rows.iter().map(column).collect()
+    }
+}
+
+impl Deletion<'_> {
+    /// How far every shared parameter moves without some rows; `None` where the other rows do not determine these.
+    fn of_rows(&self, rows: &[usize], r: &[f64]) -> Option<Vec<f64>> {
+        let gram = DMatrix::from_fn(rows.len(), rows.len(), |i, k| {
+            f64::from(u8::from(i == k)) - self.basis.row_product(rows[i], rows[k])
+        });
+        let right = DVector::from_fn(rows.len(), |i, _| r[rows[i]]);
+        let deleted = solved(gram, &right)?;
+        let along = |b: usize| -> f64 {
+            let own = rows.iter().zip(deleted.iter());
+            own.map(|(&i, v)| self.reduced.get(i, b) * v).sum()
+        };
+        Some(self.moved(along))
+    }
+
+    /// The same without what some columns `E` of length 1 span.
+    fn of_columns(&self, columns: &[Vec<f64>], r: &[f64]) -> Option<Vec<f64>> {
+        let n = columns.len();
+        let seen: Vec<_> = columns
+            .iter()
+            .map(|e| self.basis.without_column(e))
+            .collect();
+        let gram = DMatrix::from_fn(n, n, |i, k| dot(&seen[i], &seen[k]));
+        let right = DVector::from_fn(n, |i, _| dot(&columns[i], r));
+        let deleted = solved(gram, &right)?;
+        let out: Vec<f64> = (0..r.len())
+            .map(|i| {
+                columns
+                    .iter()
+                    .zip(deleted.iter())
+                    .map(|(e, v)| e[i] * v)
+                    .sum()
+            })
+            .collect();
+        let along = |b: usize| -> f64 {
+            let rows = out.iter().enumerate().filter(|(_, v)| **v != 0.0);
+            rows.map(|(i, v)| self.reduced.get(i, b) * v).sum()
+        };
+        Some(self.moved(along))
+    }
+
+    /// The sizes of `C g`, `g` being what is deleted along every shared parameter.
+    fn moved(&self, along: impl Fn(usize) -> f64) -> Vec<f64> {
+        let gradient: Vec<f64> = (0..self.covariance.len()).map(along).collect();
+        self.covariance
+            .iter()
+            .map(|of| dot(of, &gradient).abs())
+            .collect()
+    }
+}
+
+/// `(Eᵀ P E)⁻¹ Eᵀ r`; `None` where the matrix is singular.
+fn solved(gram: DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
+    let factor = gram.cholesky()?;
+    let holds = factor.l_dirty().diagonal().iter().all(|l| l * l > HELD_UP);
+    holds.then(|| factor.solve(right))
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
