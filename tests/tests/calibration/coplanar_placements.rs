@@ -109,7 +109,7 @@ fn the_unknown_is_named(recording: &Recording, normal: &Vector3<f64>, seed: u64)
 
 #[test]
 fn seven_placements_in_the_plane_of_x_and_y_are_refused_for_what_lies_along_z() {
-    for seed in 0..10 {
+    for seed in 0..4 {
         let session = Row::Coplanar.spec(seed).run().unwrap();
         the_unknown_is_named(&session.recording, &Vector3::z(), seed);
         for method in [Method::Stepwise, Method::Joint] {
@@ -121,7 +121,7 @@ fn seven_placements_in_the_plane_of_x_and_y_are_refused_for_what_lies_along_z() 
 
 #[test]
 fn seven_placements_in_any_plane_are_refused_for_what_lies_along_its_normal() {
-    for seed in 10..20 {
+    for seed in 10..14 {
         let session = Row::Coplanar.spec(seed).run().unwrap();
         let by = random_rotation(seed);
         let recording = turned(&session.recording, &by);
