@@ -11,6 +11,7 @@
 #![doc = include_str!("../ENGINES.md")]
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+mod calibrations;
 mod device;
 mod error;
 mod fault;
@@ -25,6 +26,7 @@ mod shard;
 pub mod statistics;
 mod store;
 
+pub use calibrations::calibrations_of;
 pub use device::Options;
 pub use error::Error;
 pub use hash::members;

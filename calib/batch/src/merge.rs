@@ -26,6 +26,11 @@ fn refused(faults: &[Fault]) -> Error {
 /// # Errors
 /// [`Error::Parts`] with everything that is missing, foreign or incomplete; [`Error::Io`].
 pub fn merge(paths: &[PathBuf]) -> Result<Merged, Error> {
+    joined(paths, true)
+}
+
+/// Joins the parts in `paths`; unless they must be all, shards without a part are passed over.
+pub(crate) fn joined(paths: &[PathBuf], all: bool) -> Result<Merged, Error> {
     let mut faults = Vec::new();
     let mut parts: Vec<(PathBuf, Part)> = Vec::new();
     for path in part_files(paths)? {
@@ -65,7 +70,8 @@ pub fn merge(paths: &[PathBuf]) -> Result<Merged, Error> {
             }),
         }
     }
-    for (k, _) in seen.iter().enumerate().filter(|(_, part)| part.is_none()) {
+    let missing = seen.iter().enumerate().filter(|(_, part)| part.is_none());
+    for (k, _) in missing.filter(|_| all) {
         faults.push(Fault::Missing {
             shard: Shard { k: k + 1, n },
         });

@@ -1,31 +1,20 @@
 //! Mean and covariance of a type's parameters: random effects by restricted likelihood.
 //!
-//! `y_d = θ_d + e_d`, `θ_d ~ N(μ, Σ)`, `e_d ~ N(0, C_d)` with the sessions' covariances known. The restricted likelihood is
-//! maximised by expectation and maximisation (Laird & Ware 1982, Biometrics 38, section 4), which keeps `Σ` positive.
-//! Outsiders have no say: from a robust start (orthogonalised Gnanadesikan–Kettenring) devices beyond the quantile are left out,
-//! the others fitted, and all judged again.
+//! `y_d = θ_d + e_d`, `θ_d ~ N(μ, Σ)`, `e_d ~ N(0, C_d)` with the sessions' covariances known (Laird & Ware 1982, Biometrics 38).
+//! Devices that do not belong have no say: `members.rs`.
+
+mod members;
+mod restricted_likelihood;
 
 use calib::Calibration;
 use calib::limits::parameter;
-use calib::prior::{PRIOR_SCHEMA, Prior, belonging};
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
-use rayon::prelude::*;
+use calib::prior::{PRIOR_SCHEMA, Prior};
+use nalgebra::{DMatrix, DVector};
 
+use self::members::members;
+use self::restricted_likelihood::Seen;
 use crate::error::Error;
 use crate::statistics::robust_location_scatter;
-
-/// A device beyond this quantile of its type is left out.
-const OUTSIDE: f64 = 1e-3;
-/// Rounds of leaving out and fitting.
-const ROUNDS: usize = 8;
-/// Steps of a fit, and the change of the covariance (in units of the robust spread) at which it ends. The start is a moment
-/// estimate, so that few are needed.
-const STEPS: usize = 200;
-const SETTLED: f64 = 1e-5;
-/// Variance of the type against the session's mean one that a start has at least: from nothing there is no way up.
-const LEAST: f64 = 0.02;
-/// Devices whose sums are made together: the order of sums does not depend on the number of threads.
-const TOGETHER: usize = 32;
 
 /// Estimated parameters of one device and their covariance.
 #[derive(Clone, Debug)]
@@ -117,7 +106,7 @@ pub fn fit_prior(names: &[String], sessions: &[Session]) -> Result<Prior, Error>
             .fold(f64::INFINITY, f64::min);
         scatter[(k, k)].max(least).max(f64::MIN_POSITIVE).sqrt()
     });
-    let scaled: Vec<(DVector<f64>, DMatrix<f64>)> = sessions
+    let scaled: Vec<Seen> = sessions
         .iter()
         .map(|s| {
             let values = (&s.values - &centre).component_div(&unit);
@@ -127,53 +116,30 @@ pub fn fit_prior(names: &[String], sessions: &[Session]) -> Result<Prior, Error>
             )
         })
         .collect();
-    let start = DMatrix::from_fn(p, p, |i, j| scatter[(i, j)] / (unit[i] * unit[j]));
-    // The robust scatter has the sessions' errors in it.
-    let mut outside: Vec<bool> = scaled
-        .iter()
-        .map(|(y, _)| belonging(y, &start).is_some_and(|b| b.p_value < OUTSIDE))
-        .collect();
-    let mut fit = None;
-    for _ in 0..ROUNDS {
-        let kept: Vec<_> = scaled
-            .iter()
-            .zip(&outside)
-            .filter(|(_, out)| !**out)
-            .map(|(s, _)| s)
-            .collect();
-        if kept.len() < needed {
-            return Err(Error::TooFew {
-                found: kept.len(),
-                parameters: p,
-                needed,
-            });
-        }
-        let found = Fit::start(&kept).maximised(&kept);
-        let judged: Vec<bool> = scaled
-            .iter()
-            .map(|(y, c)| {
-                let total = &found.sigma + c;
-                belonging(&(y - &found.mu), &total).is_none_or(|b| b.p_value < OUTSIDE)
-            })
-            .collect();
-        fit = Some(found);
-        if judged == outside {
-            break;
-        }
-        outside = judged;
+    let scatter = DMatrix::from_fn(p, p, |i, j| scatter[(i, j)] / (unit[i] * unit[j]));
+    let too_few = |found: usize| Error::TooFew {
+        found,
+        parameters: p,
+        needed,
+    };
+    let found = members(&scaled, &scatter).ok_or_else(|| too_few(0))?;
+    let kept = found.of_type.iter().filter(|own| **own).count();
+    if kept < needed {
+        return Err(too_few(kept));
     }
-    let fit = fit.unwrap_or_else(|| Fit::start(&[]));
+    let fit = found.fit;
     let rows = |m: &DMatrix<f64>| -> Vec<Vec<f64>> {
         (0..p)
             .map(|i| (0..p).map(|j| m[(i, j)] * unit[i] * unit[j]).collect())
             .collect()
     };
-    let out = sessions.iter().zip(&outside).filter(|(_, out)| **out);
-    let outsiders: Vec<String> = out.map(|(s, _)| s.id.clone()).collect();
+    let of_type = sessions.iter().zip(&found.of_type);
+    let outsiders = of_type.filter(|(_, own)| !**own);
+    let outsiders: Vec<String> = outsiders.map(|(s, _)| s.id.clone()).collect();
     Ok(Prior {
         schema: PRIOR_SCHEMA.into(),
         created_by: concat!("stillpoint ", env!("CARGO_PKG_VERSION")).into(),
-        devices: sessions.len() - outsiders.len(),
+        devices: kept,
         outsiders,
         without: 0,
         effects: Vec::new(),
@@ -187,110 +153,24 @@ pub fn fit_prior(names: &[String], sessions: &[Session]) -> Result<Prior, Error>
     })
 }
 
-struct Fit {
-    mu: DVector<f64>,
-    sigma: DMatrix<f64>,
-    /// Covariance of the error of `mu`.
-    of_mu: DMatrix<f64>,
-}
-
-type Scaled = (DVector<f64>, DMatrix<f64>);
-
-impl Fit {
-    /// By moments: the covariance of the devices less their sessions' mean one, no less than a part of that in any direction.
-    fn start(kept: &[&Scaled]) -> Self {
-        let p = kept.first().map_or(0, |(y, _)| y.len());
-        let n = kept.len().max(2) as f64;
-        let mu = kept.iter().fold(DVector::zeros(p), |sum, (y, _)| sum + y) / n;
-        let error = kept
-            .iter()
-            .fold(DMatrix::zeros(p, p), |sum, (_, c)| sum + c)
-            / n;
-        let whole = kept.iter().fold(DMatrix::zeros(p, p), |sum, (y, _)| {
-            let d = y - &mu;
-            sum + &d * d.transpose()
-        }) / (n - 1.0);
-        let of_mu = &whole / n;
-        let sigma = error.clone().cholesky().and_then(|factor| {
-            let l = factor.l();
-            let white = l.solve_lower_triangular(&whole)?;
-            let white = l.solve_lower_triangular(&white.transpose())?;
-            let axes = SymmetricEigen::new((&white + white.transpose()) * 0.5);
-            let spread = axes.eigenvalues.map(|v| (v - 1.0).max(LEAST));
-            let back = l * axes.eigenvectors;
-            Some(&back * DMatrix::from_diagonal(&spread) * back.transpose())
-        });
-        Self {
-            mu,
-            sigma: sigma.unwrap_or(whole),
-            of_mu,
-        }
-    }
-
-    /// The restricted likelihood's maximum over these devices, from here.
-    fn maximised(mut self, kept: &[&Scaled]) -> Self {
-        for _ in 0..STEPS {
-            let Some(next) = self.step(kept) else {
-                return self;
-            };
-            let change = (&next.sigma - &self.sigma).amax();
-            self = next;
-            if change < SETTLED {
-                break;
-            }
-        }
-        self
-    }
-
-    fn step(&self, kept: &[&Scaled]) -> Option<Self> {
-        let p = self.mu.len();
-        let weigh = |group: &[&Scaled]| -> Option<Vec<DMatrix<f64>>> {
-            group
-                .iter()
-                .map(|(_, c)| inverse(&(&self.sigma + c)))
-                .collect()
-        };
-        let groups: Vec<&[&Scaled]> = kept.chunks(TOGETHER).collect();
-        let weights: Vec<Vec<DMatrix<f64>>> =
-            groups.par_iter().map(|g| weigh(g)).collect::<Option<_>>()?;
-        let (mut total, mut sum) = (DMatrix::zeros(p, p), DVector::zeros(p));
-        for ((y, _), w) in kept.iter().zip(weights.iter().flatten()) {
-            total += w;
-            sum += w * y;
-        }
-        let of_mu = inverse(&total)?;
-        let mu = &of_mu * sum;
-        // Of Σ − Σ W Σ + Σ W V(μ) W Σ + u uᵀ the outer Σ are drawn out of the sum; the third term is what restricts: μ was estimated too.
-        let inner = |(group, weights): (&&[&Scaled], &Vec<DMatrix<f64>>)| {
-            let mut sum = DMatrix::zeros(p, p);
-            for ((y, _), w) in group.iter().zip(weights) {
-                let u = w * (y - &mu);
-                sum += w * &of_mu * w - w;
-                sum.ger(1.0, &u, &u, 1.0);
-            }
-            sum
-        };
-        let inner: Vec<DMatrix<f64>> = groups.par_iter().zip(&weights).map(inner).collect();
-        let inner = inner
-            .iter()
-            .fold(DMatrix::zeros(p, p), |sum, own| sum + own)
-            / kept.len() as f64;
-        let sigma = &self.sigma + &self.sigma * inner * &self.sigma;
-        Some(Self {
-            mu,
-            sigma: (&sigma + sigma.transpose()) * 0.5,
-            of_mu,
-        })
-    }
-}
-
-fn inverse(m: &DMatrix<f64>) -> Option<DMatrix<f64>> {
-    Some(m.clone().cholesky()?.inverse())
-}
-
 #[cfg(test)]
 mod tests {
+    use statrs::distribution::{ContinuousCDF, Normal};
+
     use super::*;
+
+    /// Normal numbers: SplitMix64 through the quantile function.
+    struct Random(u64);
+
+    impl Random {
+        fn normal(&mut self) -> f64 {
+            self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+            let bits = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+            let bits = (bits ^ (bits >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+            let bits = (bits ^ (bits >> 31)) >> 11;
+            Normal::standard().inverse_cdf((bits as f64 + 0.5) / (1_u64 << 53) as f64)
+        }
+    }
 
     /// One parameter, equal errors: the restricted maximum has a closed form, `s² − c`.
     #[test]
@@ -313,6 +193,69 @@ mod tests {
             "{prior:?}"
         );
         assert!((prior.mean_covariance[0][0] - variance / 10.0).abs() < 1e-5);
+    }
+
+    /// Sessions of `n` devices with `p` parameters that spread by one, errors of a third to two thirds, some `far` in one parameter.
+    fn fleet(random: &mut Random, n: usize, p: usize, far: &[(usize, f64)]) -> Vec<Session> {
+        let mut session = |k: usize| {
+            let error = 0.3 + 0.1 * (k % 4) as f64;
+            let size = (1.0 + error * error).sqrt();
+            let mut values = DVector::from_fn(p, |_, _| size * random.normal());
+            if let Some((device, by)) = far.iter().find(|(device, _)| *device == k) {
+                values[device % p] += by;
+            }
+            Session {
+                id: k.to_string(),
+                values,
+                covariance: DMatrix::identity(p, p) * (error * error),
+            }
+        };
+        (0..n).map(&mut session).collect()
+    }
+
+    fn names(p: usize) -> Vec<String> {
+        (0..p).map(|k| format!("p{k}")).collect()
+    }
+
+    /// Variance that a prior states, over the parameters.
+    fn mean_variance(prior: &Prior) -> f64 {
+        let p = prior.parameters.len();
+        (0..p).map(|k| prior.covariance[k][k]).sum::<f64>() / p as f64
+    }
+
+    #[test]
+    fn of_fleets_of_sound_devices_next_to_none_is_left_out_and_spreads_are_not_small() {
+        for (n, p, fleets) in [(72, 21, 3), (100, 21, 2), (40, 9, 8)] {
+            let mut random = Random(n as u64);
+            let (mut out, mut variance) = (0, 0.0);
+            for _ in 0..fleets {
+                let prior = fit_prior(&names(p), &fleet(&mut random, n, p, &[])).unwrap();
+                out += prior.outsiders.len();
+                variance += mean_variance(&prior) / f64::from(fleets);
+            }
+            // One fleet in twenty loses a device.
+            assert!(out <= 2, "{n} devices, {p} parameters: {out} left out");
+            // A variance of 1 from n values, in p parameters and so many fleets.
+            let error = 1.3 * (2.0 / (n * p) as f64 / f64::from(fleets)).sqrt();
+            assert!((variance - 1.0).abs() < 4.0 * error, "{n}, {p}: {variance}");
+        }
+    }
+
+    #[test]
+    fn devices_that_are_off_in_one_parameter_are_left_out_alone() {
+        for (n, p) in [(72, 21), (60, 9)] {
+            let mut random = Random(3);
+            let (mut found, mut sound) = (0, 0);
+            for _ in 0..2 {
+                let far = [(11, 8.0), (40, -20.0)];
+                let prior = fit_prior(&names(p), &fleet(&mut random, n, p, &far)).unwrap();
+                let is_far = |id: &&String| ["11", "40"].contains(&id.as_str());
+                let (of_far, others): (Vec<_>, Vec<_>) = prior.outsiders.iter().partition(is_far);
+                found += of_far.len();
+                sound += others.len();
+            }
+            assert!(found == 4 && sound <= 1, "{n}, {p}: {found}, {sound}");
+        }
     }
 
     #[test]

@@ -4,7 +4,7 @@ use findings::{Finding, Kind};
 use nalgebra::{DMatrix, DVector};
 use recording::Error;
 
-use super::belonging::{Belonging, belonging};
+use super::belonging::{Belonging, EstimatedType};
 use super::{Prior, PriorShare, PriorUse};
 use crate::calibration::Calibration;
 
@@ -38,12 +38,20 @@ impl Prior {
         let values = calibration.parameter_values();
         let spread = self.spread();
         let m = common.len();
-        let prior = DMatrix::from_fn(m, m, |i, j| spread[(common[i].1, common[j].1)]);
+        let of_common =
+            |all: &[Vec<f64>]| DMatrix::from_fn(m, m, |i, j| all[common[i].1][common[j].1]);
+        let covariance = of_common(&self.covariance);
+        let mean_covariance = of_common(&self.mean_covariance);
         let own = DMatrix::from_fn(m, m, |i, j| c[(common[i].0, common[j].0)]);
         let cross = DMatrix::from_fn(n, m, |i, j| c[(i, common[j].0)]);
         let gap = DVector::from_fn(m, |i, _| self.mean[common[i].1] - values[common[i].0]);
-        let total = &prior + &own;
-        let judged = belonging(&gap, &total);
+        let total = &covariance + &mean_covariance + &own;
+        let estimated = EstimatedType {
+            covariance: &covariance,
+            mean_covariance: &mean_covariance,
+            devices: self.devices,
+        };
+        let judged = estimated.belonging(&gap, &own);
         let Some((judged, solved)) = judged.zip(scaled_solve(&total, &cross, &gap)) else {
             return Err(Error::input(Finding::of(Kind::PriorDegenerate)));
         };

@@ -8,12 +8,13 @@
 //! C⁺ = C − C Sᵀ (S C Sᵀ + Σ)⁻¹ S C
 //! ```
 //!
-//! A device that is not of the type is told by `μ − S y` against `S C Sᵀ + Σ` and left as its session found it.
+//! A device that is not of the type is told by `μ − S y` against `S C Sᵀ + Σ`, with the errors of `μ` and `Σ`, and left as its
+//! session found it.
 
 mod belonging;
 mod inform;
 
-pub use belonging::{Belonging, belonging};
+pub use belonging::{Belonging, EstimatedType, belonging};
 
 use std::path::Path;
 
@@ -60,7 +61,7 @@ pub struct PriorUse {
     pub devices: usize,
     /// True if the device belongs to the type; if not the prior was not used.
     pub belongs: bool,
-    /// Chance of a device of the type being so far from its mean.
+    /// Chance of a device of the type being so far from its mean; that mean and spread are estimated counts.
     pub p_value: f64,
     /// The parameter that is furthest, and by how many standard deviations of type and session.
     pub furthest: Option<(String, f64)>,
