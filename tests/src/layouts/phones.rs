@@ -147,6 +147,25 @@ fn sensor_loggers(s: &Samples) -> Vec<Layout> {
     ]
 }
 
+/// A row for every event, with Android's number of its sensor's type.
+fn android_events(s: &Samples) -> Layout {
+    let mut text = String::from("timestamp_ns,type,x,y,z\n");
+    let mut event = |t: f64, kind: u8, v: &Vector3<f64>| {
+        let nanoseconds = (t * 1e9).round() as u64 + 123_456_000_000;
+        let _ = writeln!(
+            text,
+            "{nanoseconds},{kind},{:.7},{:.7},{:.7}",
+            v.x, v.y, v.z
+        );
+    };
+    let gyro = s.gyro.t.iter().zip(&s.gyro.values);
+    for ((t, f), (u, w)) in s.accel.t.iter().zip(&s.accel.values).zip(gyro) {
+        event(*t, 1, f);
+        event(*u, 4, w);
+    }
+    Layout::text("Android events", "events.csv", text)
+}
+
 fn physics_toolbox(s: &Samples, clock: bool) -> String {
     let mut text = String::from("time,gFx,gFy,gFz,wx,wy,wz,Bx,By,Bz,\n");
     for (t, f, w) in s.rows() {
@@ -253,6 +272,7 @@ pub(super) fn layouts(s: &Samples) -> Vec<Layout> {
     });
     all.extend(sensor_loggers(s));
     let coarse = [1e-4, 0.6e-3, 0.6e-4];
+    all.push(android_events(s));
     all.push(
         Layout::text("Physics Toolbox", "toolbox.csv", physics_toolbox(s, false))
             .one_clock()

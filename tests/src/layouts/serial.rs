@@ -55,6 +55,12 @@ pub(super) fn layouts(s: &Samples) -> Vec<Layout> {
             f[0], f[1], f[2], w[0], w[1], w[2]
         )
     });
+    let logged = lines(s, |t, f, w| {
+        format!(
+            "I ({t}) imu: ax:{} ay:{} az:{} gx:{} gy:{} gz:{}",
+            f[0], f[1], f[2], w[0], w[1], w[2]
+        )
+    });
     let jeff = format!(
         "Initializing I2C devices...\nTesting device connections...\nMPU6050 connection successful\n{}",
         lines(s, |_, f, w| format!(
@@ -108,6 +114,7 @@ pub(super) fn layouts(s: &Samples) -> Vec<Layout> {
             &unstamped,
         ),
         counted("serial plotter", plotter, &unstamped),
+        counted("ESP-IDF, Arduino-ESP32, Zephyr", logged, &stamped),
         counted("MPU6050_raw of I2Cdevlib", jeff, &unstamped),
         counted("Arduino IDE with time stamps", arduino, &stamped),
         counted("serial log torn at both ends", torn, &stamped),
