@@ -1,19 +1,34 @@
 //! Identification of the noise terms of a recording, with confidence intervals.
 
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+
 use super::allan::{AllanCurve, AllanPoint};
 use super::covariance::{PairCovariance, variance};
 use super::interval::{Interval, Scatter, invert};
-use super::octaves::{FEWEST_POINTS, Octaves};
 use super::term::NoiseTerm;
 
-/// Octaves in which the memory of the readings shows by itself.
-const NEAR: usize = 7;
+/// Rounds of weighting by the scatter that the last fit implies.
+const ROUNDS: usize = 8;
 
-/// Octaves further on, beyond which it is the long times that the terms miss.
-const APART: usize = 2;
+/// Level at which the five terms are taken to miss the curve.
+const MISFIT_LEVEL: f64 = 0.01;
 
-/// Octaves left out beyond those that a memory evidently shapes.
-const MARGIN: usize = 1;
+/// Search range of the relative model error.
+const MODEL_ERRORS: (f64, f64) = (1e-4, 3.0);
+
+/// Bisections for it, on its logarithm.
+const BISECTIONS: usize = 20;
+
+/// Octaves below which five terms cannot be told apart.
+const FEWEST_POINTS: usize = 6;
+
+/// A point needs this many times its averaging time in the recording: fewer, and its χ² has less
+/// than two degrees of freedom.
+const SPANS: usize = 4;
+
+/// Confidence of the five intervals of an axis together: each is stated at 99 %.
+const JOINT_CONFIDENCE: f64 = 0.95;
 
 /// Confidence of the interval of one measured point.
 const POINT_CONFIDENCE: f64 = 0.95;
@@ -44,14 +59,8 @@ pub struct NoiseTerms {
     /// Relative misfit of `σ²` that the five terms leave beyond their scatter (a filter or a
     /// resonance of the sensor, say); zero where they suffice. The intervals include it.
     pub model_error: f64,
-    /// Shortest averaging time fitted, s: longer than a sample where readings that are near in time go together.
-    pub shortest_tau: f64,
     /// Longest averaging time fitted, s.
     pub longest_tau: f64,
-    /// False if the recording tells no term: the readings have a memory too long for it, or steps wider than their noise.
-    pub is_known: bool,
-    /// Squared coefficients; that of quantisation is negative where a memory takes off more than rounding adds.
-    squares: [f64; 5],
     samples: usize,
     step: f64,
 }
@@ -62,37 +71,14 @@ impl NoiseTerms {
         &self.estimates[term as usize]
     }
 
-    /// The fitted Allan deviation at `tau`, which is no shorter than the shortest fitted.
+    /// The fitted Allan deviation at `tau`.
     pub fn deviation(&self, tau: f64) -> f64 {
-        variance(tau, &self.squares).max(0.0).sqrt()
-    }
-
-    /// Returns true if the terms were fitted to times as short as `tau`.
-    pub fn reach(&self, tau: f64) -> bool {
-        // Times are products of the same step.
-        tau > self.shortest_tau * (1.0 - 1e-9)
-    }
-
-    /// The same where the readings come in steps wider than their noise: a term may hide within a step if its deviation exceeds half
-    /// of one at no time, and what is seen may be the rounding.
-    pub fn within_steps(mut self, step: f64) -> Self {
-        for estimate in &mut self.estimates {
-            let times = [self.step, self.longest_tau];
-            let largest = times
-                .map(|tau| estimate.term.variance(tau))
-                .into_iter()
-                .fold(0.0, f64::max);
-            let hidden = 0.5 * step / largest.sqrt();
-            estimate.interval.lower = 0.0;
-            estimate.interval.upper = estimate.interval.upper.max(hidden);
-        }
-        self.is_known = false;
-        self
+        variance(tau, &self.squares()).sqrt()
     }
 
     /// 95 % confidence interval of one measured point, from the scatter that the terms imply.
     pub fn interval(&self, point: &AllanPoint) -> Interval {
-        let theta = self.squares;
+        let theta = self.squares();
         let implied = variance(point.tau, &theta);
         let scatter = PairCovariance::new([point.factor; 2], self.samples, self.step).at(&theta);
         let relative = scatter / (implied * implied);
@@ -105,6 +91,10 @@ impl NoiseTerms {
             upper: squares.upper.sqrt(),
         }
     }
+
+    fn squares(&self) -> [f64; 5] {
+        self.estimates.map(|e| e.value * e.value)
+    }
 }
 
 /// Fits the five noise terms to the octaves of a curve.
@@ -115,169 +105,253 @@ impl NoiseTerms {
 /// sign, so that two terms that this recording cannot tell apart both have wide ones. An upper end
 /// is never below what the recording could have seen (that of an estimate of zero).
 ///
-/// Where the five terms miss the curve by more than it scatters (at the 1 % level), the shortest times are left out, an
-/// octave after the other, until they do not: a filter in the sensor makes readings go together that are near in time, and
-/// only longer means have the density that the terms are defined by. Where too few octaves are left, no term is bounded. Where
-/// the long times miss the terms, every point gets the relative model error that makes the misfit as large as expected.
+/// Where the five terms miss the curve by more than it scatters (at the 1 % level), every point gets
+/// the relative model error that makes the misfit as large as expected.
 ///
 /// `None` with fewer than six octaves (about 256 samples), or where the signal never changes.
 pub fn identify(curve: &AllanCurve) -> Option<NoiseTerms> {
-    let all = Octaves::of(curve)?;
-    let free = without_memory(&all);
-    let is_known = free.is_some();
-    let mut octaves = free.unwrap_or(all);
+    let mut octaves = Octaves::of(curve)?;
     octaves.fit_model_error();
-    let squares = octaves.settle()?;
-    let fit = octaves.weighted(&squares)?;
-    let squares = fit.nonnegative(None);
-    let bounds = |term: NoiseTerm| match is_known && !hides(&octaves, term) {
-        true => fit.interval(term as usize),
-        false => None,
-    };
+    let theta = octaves.settle()?;
+    let fit = octaves.weighted(&theta)?;
+    let theta = fit.nonnegative(None);
     let estimates = NoiseTerm::ALL.map(|term| {
-        let bounds = bounds(term).unwrap_or(UNBOUNDED);
-        let square = squares[term as usize].max(0.0);
+        let k = term as usize;
+        let squares = fit.interval(k).unwrap_or(Interval {
+            lower: 0.0,
+            upper: f64::INFINITY,
+        });
         let interval = Interval {
-            lower: bounds.lower.min(square).sqrt(),
-            upper: bounds.upper.max(square).sqrt(),
+            lower: squares.lower.min(theta[k]).sqrt(),
+            upper: squares.upper.max(theta[k]).sqrt(),
         };
         Estimate {
             term,
-            value: square.sqrt(),
+            value: theta[k].sqrt(),
             interval,
         }
     });
     Some(NoiseTerms {
         estimates,
         model_error: octaves.model_error,
-        shortest_tau: octaves.points.first()?.tau,
         longest_tau: octaves.points.last()?.tau,
-        is_known,
-        squares,
         samples: curve.samples,
         step: curve.step,
     })
 }
 
-const UNBOUNDED: Interval = Interval {
-    lower: 0.0,
-    upper: f64::INFINITY,
-};
-
-/// What a memory takes off looks like rounding, of either sign: nothing is known of rounding beside it.
-fn hides(octaves: &Octaves, term: NoiseTerm) -> bool {
-    octaves.has_memory && term == NoiseTerm::Quantisation
+/// The χ² above which a misfit is no accident.
+fn limit(freedom: f64) -> f64 {
+    ChiSquared::new(freedom).map_or(f64::INFINITY, |law| law.inverse_cdf(1.0 - MISFIT_LEVEL))
 }
 
-/// The octaves from one on at which the readings have no memory left: the octave after the first from which on the five
-/// terms explain the curve. `None` where too few octaves are left.
-///
-/// Where they do so only from much longer times on, the long times are what they miss (a daily swing, say), and the octaves
-/// after the first alone decide.
-fn without_memory(all: &Octaves) -> Option<Octaves> {
-    let count = all.points.len();
-    let last = count - FEWEST_POINTS;
-    let first = |octaves: usize| {
-        let is_explained = |start: &usize| {
-            let to = count.min(start + octaves);
-            all.part(*start..to).are_explained()
-        };
-        (0..=last).find(is_explained)
-    };
-    let start = match (first(count), first(NEAR)) {
-        (Some(whole), Some(near)) if whole > near + APART => near,
-        (whole, near) => whole.or(near)?,
-    };
-    match start {
-        0 => Some(all.clone()),
-        start => (start + MARGIN <= last).then(|| all.part(start + MARGIN..count)),
-    }
+/// The points fitted, and how they scatter together.
+struct Octaves {
+    points: Vec<AllanPoint>,
+    covariance: Vec<Vec<PairCovariance>>,
+    /// Standard deviation of the model itself, relative to `σ²`.
+    model_error: f64,
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// White noise of density 1 at 50 Hz: SplitMix64, sums of twelve.
-    fn white(samples: usize, seed: u64) -> Vec<f64> {
-        let mut state = seed;
-        let mut uniform = move || {
-            state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-            let z = (state ^ (state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-            let z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-            ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-        };
-        let mut normal = move || (0..12).map(|_| uniform()).sum::<f64>() - 6.0;
-        (0..samples).map(|_| normal() * 50f64.sqrt()).collect()
+impl Octaves {
+    fn of(curve: &AllanCurve) -> Option<Self> {
+        let points: Vec<AllanPoint> = curve
+            .points
+            .iter()
+            .filter(|p| p.factor.is_power_of_two() && SPANS * p.factor <= curve.samples)
+            .copied()
+            .collect();
+        let varied = points
+            .iter()
+            .all(|p| p.deviation > 0.0 && p.deviation.is_finite());
+        if points.len() < FEWEST_POINTS || !varied {
+            return None;
+        }
+        let covariance = (0..points.len())
+            .map(|i| {
+                (0..=i)
+                    .map(|j| {
+                        let factors = [points[j].factor, points[i].factor];
+                        PairCovariance::new(factors, curve.samples, curve.step)
+                    })
+                    .collect()
+            })
+            .collect();
+        Some(Self {
+            points,
+            covariance,
+            model_error: 0.0,
+        })
     }
 
-    /// One pole with its corner at `corner` Hz, at 50 Hz.
-    fn low_pass(values: &[f64], corner: f64) -> Vec<f64> {
-        let keeps = (-std::f64::consts::TAU * corner / 50.0).exp();
-        let filtered = values.iter().scan(0.0, |last, value| {
-            *last = keeps * *last + (1.0 - keeps) * value;
-            Some(*last)
+    /// White noise through the first point: a start that every sensor is near at short times.
+    fn first_guess(&self) -> [f64; 5] {
+        let mut theta = [0.0; 5];
+        for (term, theta) in NoiseTerm::ALL.iter().zip(&mut theta) {
+            let share = |p: &AllanPoint| p.deviation.powi(2) / term.variance(p.tau);
+            *theta = self.points.iter().map(share).fold(f64::INFINITY, f64::min) / 5.0;
+        }
+        theta
+    }
+
+    /// The squared coefficients, weighted by the scatter that they imply.
+    fn settle(&self) -> Option<[f64; 5]> {
+        let mut theta = self.first_guess();
+        for _ in 0..ROUNDS {
+            theta = self.weighted(&theta)?.nonnegative(None);
+        }
+        Some(theta)
+    }
+
+    /// Finds the smallest model error that explains the misfit.
+    fn fit_model_error(&mut self) {
+        if self
+            .misfit()
+            .is_none_or(|(chi2, freedom)| chi2 <= limit(freedom))
+        {
+            return;
+        }
+        let (mut low, mut high) = MODEL_ERRORS;
+        for _ in 0..BISECTIONS {
+            self.model_error = (low * high).sqrt();
+            match self.misfit() {
+                Some((chi2, freedom)) if chi2 < freedom => high = self.model_error,
+                _ => low = self.model_error,
+            }
+        }
+    }
+
+    /// χ² of the fit and its degrees of freedom.
+    fn misfit(&self) -> Option<(f64, f64)> {
+        let theta = self.settle()?;
+        Some((self.weighted(&theta)?.chi2(&theta), self.freedom(&theta)))
+    }
+
+    fn freedom(&self, theta: &[f64; 5]) -> f64 {
+        let used = theta.iter().filter(|&&t| t > 0.0).count();
+        self.points.len().saturating_sub(used).max(1) as f64
+    }
+
+    /// The covariance matrix of the points, each divided by its `scale`, for squared coefficients
+    /// `theta`.
+    fn matrix(&self, theta: &[f64; 5], scale: &[f64]) -> DMatrix<f64> {
+        DMatrix::from_fn(scale.len(), scale.len(), |i, j| {
+            self.covariance[i.max(j)][i.min(j)].at(theta) / (scale[i] * scale[j])
+        })
+    }
+
+    /// The problem with the scatter that `theta` implies.
+    fn weighted(&self, theta: &[f64; 5]) -> Option<Weighted<'_>> {
+        let scale: Vec<f64> = self.points.iter().map(|p| variance(p.tau, theta)).collect();
+        let mut matrix = self.matrix(theta, &scale);
+        for k in 0..scale.len() {
+            matrix[(k, k)] += self.model_error.powi(2);
+        }
+        let root = Cholesky::new(matrix)?;
+        let lower = root.l();
+        let n = self.points.len();
+        let design = DMatrix::from_fn(n, 5, |i, k| {
+            NoiseTerm::ALL[k].variance(self.points[i].tau) / scale[i]
         });
-        filtered.collect()
+        let data = DVector::from_fn(n, |i, _| self.points[i].deviation.powi(2) / scale[i]);
+        Some(Weighted {
+            octaves: self,
+            design: lower.solve_lower_triangular(&design)?,
+            data: lower.solve_lower_triangular(&data)?,
+            scale,
+            root,
+        })
+    }
+}
+
+/// `‖d − A θ‖²` with whitened rows.
+struct Weighted<'a> {
+    octaves: &'a Octaves,
+    design: DMatrix<f64>,
+    data: DVector<f64>,
+    scale: Vec<f64>,
+    root: Cholesky<f64, Dyn>,
+}
+
+impl Weighted<'_> {
+    fn chi2(&self, theta: &[f64; 5]) -> f64 {
+        (&self.data - &self.design * DVector::from_row_slice(theta)).norm_squared()
     }
 
-    fn fit(values: Vec<f64>) -> NoiseTerms {
-        identify(&AllanCurve::of(values, 0.02)).unwrap()
+    /// The least-squares values of `terms` with the others held at `theta`; `None` where collinear.
+    ///
+    /// By the normal equations of whitened columns, whose slopes are far apart.
+    fn solve(&self, terms: &[usize], theta: &[f64; 5]) -> Option<[f64; 5]> {
+        let mut rest = *theta;
+        terms.iter().for_each(|&k| rest[k] = 0.0);
+        let data = &self.data - &self.design * DVector::from_row_slice(&rest);
+        let columns = self.design.select_columns(terms);
+        let values = Cholesky::new(columns.tr_mul(&columns))?.solve(&columns.tr_mul(&data));
+        terms
+            .iter()
+            .zip(values.iter())
+            .for_each(|(&k, &value)| rest[k] = value);
+        Some(rest)
     }
 
-    /// A filter leaves the density at low frequency, which is 1, as it is: the mean of many files shows a bias that
-    /// one hides in its scatter.
-    #[test]
-    fn a_filter_does_not_change_the_white_noise() {
-        type Filter = fn(&[f64]) -> Vec<f64>;
-        let filters: [(&str, Filter, f64); 4] = [
-            ("20 Hz", |v| low_pass(v, 20.0), 0.01),
-            ("5 Hz", |v| low_pass(v, 5.0), 0.015),
-            ("1 Hz", |v| low_pass(v, 1.0), 0.03),
-            (
-                "mean of five",
-                |v| v.windows(5).map(|w| w.iter().sum::<f64>() / 5.0).collect(),
-                0.02,
-            ),
-        ];
-        for (name, filter, tolerance) in filters {
-            let fits: Vec<NoiseTerms> = (0..12)
-                .map(|seed| fit(filter(&white(45_500, seed))[500..].to_vec()))
-                .collect();
-            let of = |fit: &NoiseTerms| *fit.get(NoiseTerm::WhiteNoise);
-            let mean = fits.iter().map(|fit| of(fit).value).sum::<f64>() / 12.0;
-            assert!((mean - 1.0).abs() < tolerance, "{name}: {mean}");
-            // Each holds with 99 %.
-            let held = fits
-                .iter()
-                .filter(|fit| of(fit).interval.holds(1.0))
-                .count();
-            assert!(held >= 11, "{name}: {held}");
-            assert!(
-                fits.iter()
-                    .all(|fit| fit.shortest_tau > 0.03 && fit.model_error == 0.0),
-                "{name}"
-            );
+    /// The best squared coefficients that are not negative, by trying every subset of the terms;
+    /// the term `held`, if any, keeps its value.
+    fn nonnegative(&self, held: Option<(usize, f64)>) -> [f64; 5] {
+        let mut start = [0.0; 5];
+        if let Some((k, value)) = held {
+            start[k] = value;
         }
-    }
-
-    #[test]
-    fn white_noise_is_fitted_from_one_sample_on() {
-        for seed in 0..12 {
-            let found = fit(white(45_000, seed));
-            assert!(found.shortest_tau < 0.021 && found.is_known, "{seed}");
+        let mut best = (start, self.chi2(&start));
+        for subset in 1..32_usize {
+            if held.is_some_and(|(k, _)| subset >> k & 1 == 1) {
+                continue;
+            }
+            let terms: Vec<usize> = (0..5).filter(|k| subset >> k & 1 == 1).collect();
+            let Some(theta) = self
+                .solve(&terms, &start)
+                .filter(|t| t.iter().all(|&t| t >= 0.0))
+            else {
+                continue;
+            };
+            let chi2 = self.chi2(&theta);
+            if chi2 < best.1 {
+                best = (theta, chi2);
+            }
         }
+        best.0
     }
 
-    #[test]
-    fn a_filter_with_too_few_octaves_beyond_it_leaves_the_terms_unbounded() {
-        let found = fit(low_pass(&white(2500, 1), 1.0)[500..].to_vec());
-        assert!(!found.is_known);
-        assert!(
-            found
-                .estimates
-                .iter()
-                .all(|e| !e.is_seen() && e.interval.upper.is_infinite())
-        );
+    /// The interval of squared coefficient `k`: the values under which the estimate with all five
+    /// terms of either sign, a fixed linear combination of the points, would not be surprising. The
+    /// other four are fitted anew for every value tried, because the scatter depends on them.
+    fn interval(&self, k: usize) -> Option<Interval> {
+        let estimate = self.solve(&[0, 1, 2, 3, 4], &[0.0; 5])?[k];
+        let gram = Cholesky::new(self.design.tr_mul(&self.design))?;
+        let mut unit = DVector::zeros(5);
+        unit[k] = 1.0;
+        let row = &self.design * gram.solve(&unit);
+        let weights = self.root.l().transpose().solve_upper_triangular(&row)?;
+        let scatter = |value: f64| self.scatter(&weights, &self.nonnegative(Some((k, value))));
+        Some(invert(
+            1.0 - (1.0 - JOINT_CONFIDENCE) / 5.0,
+            estimate,
+            scatter,
+        ))
+    }
+
+    /// The scatter of `Σ wᵢ σ²ᵢ/scaleᵢ` for squared coefficients `theta`.
+    ///
+    /// An Allan variance `v` scatters like `v χ²_ν/ν`, whose third moment is `2 Var²/v`; for a sum
+    /// of correlated ones, with covariance `C`, that becomes `2 Σ wᵢ (C w)ᵢ² / vᵢ`.
+    fn scatter(&self, weights: &DVector<f64>, theta: &[f64; 5]) -> Scatter {
+        let spread = self.octaves.matrix(theta, &self.scale) * weights;
+        let third = (0..weights.len()).map(|i| {
+            let implied = variance(self.octaves.points[i].tau, theta) / self.scale[i];
+            2.0 * weights[i] * spread[i].powi(2) / implied.max(f64::MIN_POSITIVE)
+        });
+        Scatter {
+            variance: weights.dot(&spread),
+            third: third.sum(),
+        }
     }
 }

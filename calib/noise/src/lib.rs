@@ -1,15 +1,14 @@
 //! Noise of a sensor, estimated from a static recording.
 //!
 //! ```text
-//! samples ──► outliers ──► lost, held ──► AllanAccumulator ──► AllanCurve ──► identify ──► NoiseTerms ──► settling time
-//! (streamed)  (left out)   steps, drift   (bounded memory)     σ(τ)           (generalised least squares, covariance of σ²)
+//! samples ──► lost, held ──► AllanAccumulator ──► AllanCurve ──► identify ──► NoiseTerms ──► settling time
+//! (streamed)  steps, drift   (bounded memory)     σ(τ)           (generalised least squares, covariance of σ²)
 //! ```
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod allan;
 mod changes;
-mod coarse;
 mod covariance;
 mod curves;
 mod held;
@@ -17,8 +16,6 @@ mod identify;
 mod interval;
 mod long_csv;
 mod lost;
-mod octaves;
-mod outliers;
 mod settling;
 mod stillness;
 mod summary;
@@ -27,13 +24,11 @@ mod warnings;
 
 pub use allan::{AllanAccumulator, AllanCurve, AllanPoint};
 pub use changes::{Drift, Step};
-pub use coarse::Coarse;
 pub use curves::{RecordingCurves, SensorAccumulator, SensorCurves};
 pub use held::Held;
 pub use identify::{Estimate, NoiseTerms, identify};
 pub use interval::Interval;
 pub use long_csv::curves_of_long_csv;
-pub use outliers::Outliers;
 pub use settling::settling_time;
 pub use stillness::{AtRest, Stillness};
 pub use summary::{

@@ -4,7 +4,6 @@ use nalgebra::Vector3;
 use recording::intervals::{Span, complement, union};
 
 use super::changes::Mean;
-use super::coarse::{Coarse, LeastSteps};
 
 /// Length of a block in which the spread is measured, s.
 const BLOCK: f64 = 1.0;
@@ -23,19 +22,12 @@ const MOVING: f64 = 10.0;
 /// recording.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Spreads {
-    closed: Vec<Closed>,
+    closed: Vec<(Span, f64, Vector3<f64>)>,
     open: Option<Block>,
     first: Option<f64>,
+    last: Option<Vector3<f64>>,
     latest: f64,
-    least_steps: LeastSteps,
-}
-
-/// A block that is full: when, and the standard deviation and the mean of each axis.
-#[derive(Clone, Copy, Debug)]
-struct Closed {
-    span: Span,
-    spread: Vector3<f64>,
-    mean: Vector3<f64>,
+    resolution: Option<f64>,
 }
 
 /// Running mean and sum of squares (Welford).
@@ -69,12 +61,9 @@ impl Block {
         self.count >= FEWEST && self.span.lasts(BLOCK)
     }
 
-    fn closed(&self) -> Closed {
-        Closed {
-            span: self.span,
-            spread: (self.squares / self.count as f64).map(f64::sqrt),
-            mean: self.mean,
-        }
+    /// Standard deviation over the three axes together.
+    fn spread(&self) -> f64 {
+        (self.squares.sum() / self.count as f64).sqrt()
     }
 }
 
@@ -83,11 +72,16 @@ impl Spreads {
     pub(super) fn push(&mut self, t: f64, value: &Vector3<f64>) {
         self.first.get_or_insert(t);
         self.latest = t;
-        self.least_steps.push(value);
+        if let Some(last) = self.last.replace(*value) {
+            let steps = (value - last).map(f64::abs);
+            for &step in steps.iter().filter(|step| **step > 0.0) {
+                self.resolution = Some(self.resolution.map_or(step, |r| r.min(step)));
+            }
+        }
         let mut block = self.open.take().unwrap_or_else(|| Block::starting(t));
         block.add(t, value);
         if block.is_full() {
-            self.closed.push(block.closed());
+            self.closed.push((block.span, block.spread(), block.mean));
         } else {
             self.open = Some(block);
         }
@@ -105,20 +99,8 @@ impl Spreads {
         std::array::from_fn(|k| {
             blocks
                 .iter()
-                .map(|block| (block.span, block.mean[k]))
+                .map(|(span, _, mean)| (*span, mean[k]))
                 .collect()
-        })
-    }
-
-    /// The axes that read in steps wider than their noise.
-    pub(super) fn coarse(&self) -> [Option<Coarse>; 3] {
-        let steps = self.least_steps.by_axis();
-        std::array::from_fn(|k| {
-            let blocks = self.closed.iter();
-            Coarse::of(
-                steps[k],
-                blocks.map(|block| (block.spread[k], block.mean[k])),
-            )
         })
     }
 
@@ -126,29 +108,22 @@ impl Spreads {
     /// and at least a step of the readings: a coarse sensor at rest shows the same number for seconds.
     fn motions(mut self) -> (Option<Span>, Vec<Span>) {
         if let Some(block) = self.open.take().filter(|block| block.count >= FEWEST) {
-            self.closed.push(block.closed());
+            self.closed.push((block.span, block.spread(), block.mean));
         }
         let whole = self.closed.first().zip(self.closed.last());
-        let whole = whole.map(|(first, last)| Span {
-            from: first.span.from,
-            to: last.span.to,
+        let whole = whole.map(|((first, ..), (last, ..))| Span {
+            from: first.from,
+            to: last.to,
         });
-        let mut spreads: Vec<f64> = self
-            .closed
-            .iter()
-            .map(|block| block.spread.norm())
-            .collect();
+        let mut spreads: Vec<f64> = self.closed.iter().map(|(_, spread, _)| *spread).collect();
         if spreads.is_empty() {
             return (whole, Vec::new());
         }
         let rank = (QUIET_SHARE * (spreads.len() - 1) as f64) as usize;
         let quiet = *spreads.select_nth_unstable_by(rank, f64::total_cmp).1;
-        let limit = MOVING * quiet.max(self.least_steps.least().unwrap_or(0.0));
-        let moving = self
-            .closed
-            .iter()
-            .filter(|block| block.spread.norm() > limit);
-        (whole, moving.map(|block| block.span).collect())
+        let limit = MOVING * quiet.max(self.resolution.unwrap_or(0.0));
+        let moving = self.closed.iter().filter(|(_, spread, _)| *spread > limit);
+        (whole, moving.map(|(span, ..)| *span).collect())
     }
 }
 

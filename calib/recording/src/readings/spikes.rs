@@ -1,18 +1,17 @@
 //! Single readings far from their neighbours.
 
 mod alone;
+mod resolution;
 
 use nalgebra::Vector3;
 use sensor::Sensor;
 
-use super::of_sensor::{FIRST_ROW, least_beside_zero, least_step};
+use self::resolution::{AROUND, MOST_MISSES, Resolution, Spike, resolution, usual_reach};
+use super::of_sensor::FIRST_ROW;
 use super::symptom::Symptom;
 use crate::averages::median;
-use crate::order_statistic::nth_smallest;
 use crate::recording::{Recording, Stream};
 
-/// Samples on each side that show what is usual around a reading.
-const AROUND: usize = 50;
 /// Fewest of them at the ends of a recording.
 const FEWEST_AROUND: usize = 20;
 
@@ -31,7 +30,6 @@ const ALONE: f64 = 3.0;
 /// A reading that leaves its neighbours by so many times what nearly all readings of the sensor reach is a
 /// spike even where the device moves.
 const HUGE: f64 = 5.0;
-const USUAL_SHARE: f64 = 0.98;
 
 /// Where as many were seen while the device was quiet, the usual one larger than this share of what nearly all readings reach, the
 /// transfer fails, and does so in turns as well ...
@@ -139,15 +137,6 @@ fn rows_of(spikes: &[Spike]) -> Vec<usize> {
     rows
 }
 
-/// A reading far from its neighbours.
-struct Spike {
-    axis: usize,
-    /// Its place among the samples.
-    at: usize,
-    /// Distance from the nearer neighbour.
-    size: f64,
-}
-
 /// The spikes of all axes, so many on each at `most`, of readings that nearly all lie within `reach`; `in_motion` too, where the device
 /// moves.
 fn of_axes(
@@ -214,34 +203,6 @@ fn of_axis(
         }
     }
     spikes
-}
-
-/// What nearly all readings reach.
-fn usual_reach(values: &[Vector3<f64>]) -> f64 {
-    let rank = (USUAL_SHARE * values.len() as f64) as usize;
-    nth_smallest(values.iter().map(Vector3::amax), rank).unwrap_or(0.0)
-}
-
-/// Places looked at in vain before the smaller ones are left.
-const MOST_MISSES: usize = 60;
-
-/// The smallest changes that an axis can show.
-struct Resolution {
-    /// The smallest step between neighbours.
-    step: f64,
-    /// The smallest reading that is not zero: half the width of a dead zone, where there is one.
-    beside_zero: f64,
-}
-
-fn resolution(sensor: Sensor, values: &[Vector3<f64>], axis: usize) -> Resolution {
-    Resolution {
-        step: least_step(values, axis).unwrap_or(0.0),
-        // Gyroscopes alone are made with dead zones.
-        beside_zero: match sensor {
-            Sensor::Accelerometer | Sensor::Magnetometer => 0.0,
-            Sensor::Gyroscope => least_beside_zero(values, axis).unwrap_or(0.0),
-        },
-    }
 }
 
 /// Returns true if the samples around are quiet and the spike is far from them.

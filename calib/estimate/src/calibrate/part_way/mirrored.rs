@@ -5,7 +5,7 @@ use recording::averages::median;
 use sensor::Sensor;
 
 use super::change::{Change, Kind, Place};
-use super::turns::Turning;
+use super::turn_sums::Turning;
 
 /// Fewest turns on either side.
 const SIDE: usize = 4;

@@ -15,6 +15,7 @@ mod mirrored;
 mod rate;
 mod rest;
 mod turn;
+mod turn_sums;
 mod turned;
 mod turns;
 mod weigh;
@@ -29,7 +30,7 @@ use recording::Recording;
 use recording::intervals::Segmentation;
 use rest::Rest;
 use turn::Rates;
-use turns::Turning;
+use turn_sums::Turning;
 
 /// A gyroscope that misses gravity by more than this after its fit is looked at from the readings on, rad.
 const LOST: f64 = 0.035;

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use super::turn::Carried;
-use super::turns::{BASE, FLOOR, Sums, Turning, What, left};
+use super::turn_sums::{BASE, FLOOR, Sums, Turning, What, left};
 use super::weigh::Explanation;
 
 /// Fewest turns on either side.
@@ -149,7 +149,7 @@ mod tests {
 
     use super::super::change::Place;
     use super::super::turn::Rates;
-    use super::super::turns::all_carried;
+    use super::super::turn_sums::all_carried;
     use super::*;
 
     const COUNT: usize = 20;

@@ -1,16 +1,15 @@
 //! A gyroscope that is another one from some turn on, and single turns that miss gravity where the others meet it.
 
-use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+use nalgebra::{DVector, Matrix3, Vector3};
 use recording::averages::median;
 use sensor::Sensor;
 
 use super::change::{Change, Kind, Place};
-use super::turn::{Carried, Rates};
+use super::turn::Carried;
+use super::turn_sums::{BASE, FLOOR, Sums, Turning, What, all_carried, left};
 use super::turned;
-use super::weigh::{Explanation, solved};
+use super::weigh::Explanation;
 
-/// Elements of the matrix.
-pub(super) const BASE: usize = 9;
 /// Fewest turns, and on either side of a change.
 const FEWEST: usize = 8;
 const SIDE: usize = 3;
@@ -22,17 +21,6 @@ const ALONE: f64 = 15.0;
 const LEAST: f64 = 5e-3;
 /// ... and if at most one in so many does.
 const ONE_IN: usize = 5;
-/// Misses below this are alike, squared, rad².
-pub(super) const FLOOR: f64 = 1e-12;
-
-/// A turn between two static intervals.
-#[derive(Clone, Debug)]
-pub(super) struct Turning<'a> {
-    pub rates: Rates<'a>,
-    pub before: Vector3<f64>,
-    pub after: Vector3<f64>,
-    pub place: Place,
-}
 
 /// Finds changes of the gyroscope over the turns; `start` is a first value of the matrix from the readings to rad/s.
 pub(super) fn changes(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Vec<Change> {
@@ -123,11 +111,6 @@ fn named(turns: &[Turning<'_>], carried: &[Carried], t: &Matrix3<f64>, limit: f6
     named
 }
 
-pub(super) fn all_carried(turns: &[Turning<'_>], t: &Matrix3<f64>) -> Vec<Carried> {
-    let carry = |turn: &Turning<'_>| turn.rates.carry(t, &turn.before, &turn.after);
-    turns.iter().map(carry).collect()
-}
-
 /// The step of the matrix that most turns agree on: weights `1 / (1 + (q / 3 s)²)`, `s` the median of the misses
 /// (Cauchy's, Holland & Welsch 1977).
 pub(super) fn robust_step(carried: &[Carried]) -> Option<Matrix3<f64>> {
@@ -142,93 +125,6 @@ pub(super) fn robust_step(carried: &[Carried]) -> Option<Matrix3<f64>> {
         step = sums.solution()?;
     }
     Some(Matrix3::from_fn(|i, j| step[3 * i + j]))
-}
-
-pub(super) fn left(carried: &Carried, step: &DVector<f64>) -> Vector3<f64> {
-    let moves = carried.slopes.iter().zip(step.iter());
-    moves.fold(carried.miss, |sum, (slope, s)| sum + slope * *s)
-}
-
-/// Normal equations of the misses.
-pub(super) struct Sums {
-    pub normal: DMatrix<f64>,
-    right: DVector<f64>,
-    /// Weighted sum of their squares.
-    pub squares: f64,
-}
-
-impl Sums {
-    pub fn new(size: usize) -> Self {
-        Self {
-            normal: DMatrix::zeros(size, size),
-            right: DVector::zeros(size),
-            squares: 0.0,
-        }
-    }
-
-    pub fn add(&mut self, carried: &Carried, extra: &[Vector3<f64>], weight: f64) {
-        let columns: Vec<&Vector3<f64>> = carried.slopes.iter().chain(extra).collect();
-        for (i, one) in columns.iter().enumerate() {
-            self.right[i] -= weight * one.dot(&carried.miss);
-            for (j, other) in columns.iter().enumerate() {
-                self.normal[(i, j)] += weight * one.dot(other);
-            }
-        }
-        self.squares += weight * carried.miss.norm_squared();
-    }
-
-    pub fn solution(&self) -> Option<DVector<f64>> {
-        solved(&self.normal, &self.right, 0.0)
-    }
-
-    /// Sum of squares at the solution.
-    pub fn left(&self, solution: &DVector<f64>) -> f64 {
-        (self.squares - self.right.dot(solution)).max(0.0)
-    }
-}
-
-/// Change to try: the readings are multiplied by `1 + Σ pᵢ Mᵢ`.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum What {
-    Scale(usize),
-    AllScales,
-    Turned,
-}
-
-impl What {
-    const ALL: [Self; 5] = [
-        Self::Scale(0),
-        Self::Scale(1),
-        Self::Scale(2),
-        Self::AllScales,
-        Self::Turned,
-    ];
-
-    pub fn generators(self) -> Vec<Matrix3<f64>> {
-        match self {
-            Self::Scale(k) => {
-                let mut one = Matrix3::zeros();
-                one[(k, k)] = 1.0;
-                vec![one]
-            }
-            Self::AllScales => vec![Matrix3::identity()],
-            Self::Turned => {
-                let unit = |k| Vector3::ith(k, 1.0);
-                (0..3).map(|k| unit(k).cross_matrix()).collect()
-            }
-        }
-    }
-
-    /// Returns the change of the readings that `p` reverses.
-    fn kind(self, p: &[f64]) -> Kind {
-        let share = |p: f64| 1.0 / (1.0 + p) - 1.0;
-        let sensor = Sensor::Gyroscope;
-        match self {
-            Self::Scale(k) => Kind::Scale(sensor, Some(k), share(p[0])),
-            Self::AllScales => Kind::Scale(sensor, None, share(p[0])),
-            Self::Turned => Kind::Turned(sensor, Vector3::from_column_slice(p).norm()),
-        }
-    }
 }
 
 /// A change from a turn on; the turn itself may be mixed and is then left out.

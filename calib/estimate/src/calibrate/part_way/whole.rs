@@ -5,7 +5,8 @@ use recording::Recording;
 use recording::averages::{median, root_mean_square};
 use recording::intervals::Segmentation;
 
-use super::turns::{Turning, all_carried, robust_step};
+use super::turn_sums::{Turning, all_carried};
+use super::turns::robust_step;
 
 /// Fewest turns.
 const FEWEST: usize = 6;

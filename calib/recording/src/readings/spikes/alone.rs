@@ -6,7 +6,7 @@
 use nalgebra::Vector3;
 use sensor::Sensor;
 
-use super::{AROUND, Resolution, Spike, resolution, usual_reach};
+use super::resolution::{AROUND, Resolution, Spike, resolution, usual_reach};
 use crate::averages::median;
 use crate::recording::Stream;
 
