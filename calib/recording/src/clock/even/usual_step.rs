@@ -92,7 +92,7 @@ mod tests {
     #[test]
     fn the_usual_step_beside_lost_samples_and_interruptions_is_the_median_step() {
         let mut stamps: Vec<f64> = (0..COUNT).map(|k| 1e-2 * k as f64).collect();
-        stamps.retain(|t| (*t * 1e3) as u64 % 7 != 0);
+        stamps.retain(|t| !((*t * 1e3) as u64).is_multiple_of(7));
         stamps.iter_mut().skip(2000).for_each(|t| *t += 40.0);
         assert_eq!(usual_step(&stamps), median_step(&stamps));
         for rounding in [1e-3, 1e-2] {
