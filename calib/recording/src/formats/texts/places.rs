@@ -11,21 +11,22 @@ const FEW: usize = 100;
 /// The places of the cells of a line, without blanks and quotes around them: between the separators that it holds most of, else
 /// between blanks.
 pub(crate) fn places(line: &str) -> Vec<Range<usize>> {
-    let count = |separator: &char| line.matches(*separator).count();
-    let separator = [',', '\t', ';'].into_iter().max_by_key(count);
-    let separates = |c: char| match separator.filter(|separator| count(separator) > 0) {
-        Some(separator) => c == separator,
-        None => c == ' ',
-    };
-    let by_blanks = separator.is_none_or(|separator| count(&separator) == 0);
+    let count = |separator: char| (line.matches(separator).count(), separator);
+    let most = [',', '\t', ';']
+        .into_iter()
+        .map(count)
+        .max_by_key(|(count, _)| *count);
+    let separator = most
+        .filter(|(count, _)| *count > 0)
+        .map_or(' ', |(_, separator)| separator);
     let begin = |cell: &str| cell.as_ptr() as usize - line.as_ptr() as usize;
     let place = |cell: &str| {
         let cell = cell.trim().trim_matches('"').trim();
         let begin = begin(cell);
         begin..begin + cell.len()
     };
-    let all = line.split(separates).map(place);
-    all.filter(|place| !by_blanks || !place.is_empty())
+    let all = line.split(separator).map(place);
+    all.filter(|place| separator != ' ' || !place.is_empty())
         .collect()
 }
 
