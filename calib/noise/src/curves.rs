@@ -6,10 +6,12 @@ use recording::{AccelUnit, GyroUnit, Recording, Stream};
 use sensor::Sensor;
 
 use super::allan::{AllanAccumulator, AllanCurve};
-use super::changes::{Drift, Step, drift, steps};
-use super::held::{Held, Repeats};
-use super::lost::{Piece, Regular};
-use super::stillness::{Spreads, Stillness};
+use super::samples::changes::{Drift, Step, drift, steps};
+use super::samples::coarse::Coarse;
+use super::samples::held::{Held, Repeats};
+use super::samples::lost::{Piece, Regular};
+use super::samples::outliers::{Outliers, WithoutOutliers};
+use super::samples::stillness::{Spreads, Stillness};
 
 /// The curves of the three axes of a sensor.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,7 +22,11 @@ pub struct SensorCurves {
     pub gaps: usize,
     /// Single samples and short stretches that are missing, bridged by straight lines; samples.
     pub bridged: usize,
-    /// Steps of the mean, by axis.
+    /// Single samples far from their neighbours, which are left out.
+    pub outliers: Outliers,
+    /// By axis, steps of the readings that are wider than their noise.
+    pub coarse: [Option<Coarse>; 3],
+    /// Steps of the mean, by axis; none where a step of the readings explains them.
     pub steps: [Vec<Step>; 3],
     /// Drift of the mean, by axis, where it has no steps.
     pub drift: [Option<Drift>; 3],
@@ -88,7 +94,7 @@ impl RecordingAccumulator {
     /// The curves, and whether they are of a rest.
     pub(super) fn finish(mut self) -> RecordingCurves {
         let sensors = [&mut self.accelerometer, &mut self.gyroscope];
-        let stillness = Stillness::of(sensors.map(|sensor| sensor.spreads.clone()));
+        let stillness = Stillness::of(sensors.map(|sensor| sensor.spreads().clone()));
         RecordingCurves {
             accelerometer: self.accelerometer.finish(),
             gyroscope: self.gyroscope.finish(),
@@ -106,9 +112,46 @@ impl SensorCurves {
     }
 }
 
-/// Three [`AllanAccumulator`]s behind one clock.
+/// Three [`AllanAccumulator`]s behind one clock, fed without outliers.
 #[derive(Debug, Default)]
 pub struct SensorAccumulator {
+    without_outliers: WithoutOutliers,
+    cleaned: Cleaned,
+}
+
+impl SensorAccumulator {
+    /// The next sample; stamps ascend.
+    pub fn push(&mut self, t: f64, value: Vector3<f64>) {
+        let cleaned = &mut self.cleaned;
+        let mut out = |t: f64, value: Vector3<f64>| cleaned.push(t, value);
+        self.without_outliers.push(t, value, &mut out);
+    }
+
+    /// The curves; the sampling interval is the mean step without gaps. `None` with fewer than two
+    /// samples.
+    pub fn finish(mut self) -> Option<SensorCurves> {
+        self.end();
+        let outliers = self.without_outliers.found().clone();
+        self.cleaned.finish(outliers)
+    }
+
+    /// The spreads of all samples.
+    fn spreads(&mut self) -> &Spreads {
+        self.end();
+        &self.cleaned.spreads
+    }
+
+    /// Hands on the samples that are not judged yet.
+    fn end(&mut self) {
+        let cleaned = &mut self.cleaned;
+        let mut out = |t: f64, value: Vector3<f64>| cleaned.push(t, value);
+        self.without_outliers.finish(&mut out);
+    }
+}
+
+/// What is made of samples that are no outliers.
+#[derive(Debug, Default)]
+struct Cleaned {
     axes: [AllanAccumulator; 3],
     regular: Regular,
     spreads: Spreads,
@@ -117,9 +160,8 @@ pub struct SensorAccumulator {
     bridged: usize,
 }
 
-impl SensorAccumulator {
-    /// The next sample; stamps ascend.
-    pub fn push(&mut self, t: f64, value: Vector3<f64>) {
+impl Cleaned {
+    fn push(&mut self, t: f64, value: Vector3<f64>) {
         self.spreads.push(t, &value);
         self.repeats.push(t, &value);
         let Self {
@@ -132,9 +174,7 @@ impl SensorAccumulator {
         regular.push(t, value, &mut |piece| add(axes, gaps, bridged, piece));
     }
 
-    /// The curves; the sampling interval is the mean step without gaps. `None` with fewer than two
-    /// samples.
-    pub fn finish(mut self) -> Option<SensorCurves> {
+    fn finish(mut self, outliers: Outliers) -> Option<SensorCurves> {
         let Self {
             axes,
             regular,
@@ -144,19 +184,33 @@ impl SensorAccumulator {
         } = &mut self;
         let step = regular.finish(&mut |piece| add(axes, gaps, bridged, piece))?;
         let covered = self.spreads.covered()?;
+        let coarse = self.spreads.coarse();
         let means = self.spreads.means();
-        let steps = means.each_ref().map(|axis| steps(axis));
+        // What is smaller than a step of the readings may be the step.
+        let is_seen = |k: usize, size: f64| coarse[k].is_none_or(|coarse| size.abs() > coarse.step);
+        let steps: [Vec<Step>; 3] = std::array::from_fn(|k| {
+            let all = steps(&means[k]).into_iter();
+            all.filter(|step| is_seen(k, step.size)).collect()
+        });
         let drift = std::array::from_fn(|k| {
             let is_steady = steps[k].is_empty();
-            is_steady.then(|| drift(&means[k])).flatten()
+            let drift = is_steady.then(|| drift(&means[k])).flatten();
+            drift.filter(|drift| is_seen(k, drift.change))
         });
+        // Readings of three coarse axes repeat for as long as nothing reaches the next step.
+        let held = match coarse.iter().all(Option::is_some) {
+            true => Held::default(),
+            false => self.repeats.held(),
+        };
         Some(SensorCurves {
             axes: self.axes.map(|axis| axis.finish(step)),
             gaps: self.gaps,
             bridged: self.bridged,
+            outliers,
+            coarse,
             steps,
             drift,
-            held: self.repeats.held(),
+            held,
             covered,
             in_counts: false,
         })

@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 
 use super::allan::AllanCurve;
 use super::curves::{RecordingCurves, SensorCurves};
-use super::identify::{NoiseTerms, identify};
-use super::settling::settling_time;
-use super::term::NoiseTerm;
+use super::terms::identify::{NoiseTerms, identify};
+use super::terms::settling::settling_time;
+use super::terms::term::NoiseTerm;
 use super::warnings;
 
 /// The schema this version writes.
@@ -47,10 +47,13 @@ pub struct SensorNoise {
     /// Samples that are missing singly or a few at a time, bridged by straight lines.
     #[serde(default)]
     pub bridged: usize,
+    /// Single samples far from their neighbours, which are left out.
+    #[serde(default)]
+    pub outliers: usize,
     /// The unit of the readings: m/s², rad/s, or counts.
     #[serde(default)]
     pub unit: String,
-    /// The densities that filters take; null without terms.
+    /// The densities that filters take; null without terms, or where the white noise is not bounded.
     #[serde(default)]
     pub densities: Option<Densities>,
     /// Stretches in which the readings stand still: begin and end, s.
@@ -63,7 +66,7 @@ pub struct SensorNoise {
 /// White noise and random walk of three axes as filters take them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Densities {
-    /// White noise.
+    /// White noise; the upper end of its interval where the recording only bounds it.
     pub noise_density: [f64; 3],
     /// rad/s/√Hz, m/s²/√Hz, or counts/√Hz.
     pub noise_density_unit: String,
@@ -82,6 +85,13 @@ pub struct AxisNoise {
     pub terms: Vec<TermValue>,
     /// Relative misfit of `σ²` beyond its scatter; the intervals include it.
     pub model_error: Option<f64>,
+    /// Shortest averaging time that the terms were fitted to, s: longer than a step where a filter, say, makes readings go
+    /// together that are near in time.
+    #[serde(default)]
+    pub shortest_tau: Option<f64>,
+    /// Smallest step of the readings, where it is wider than their noise; else null.
+    #[serde(default)]
+    pub coarse_step: Option<f64>,
     /// Steps of the mean: when, s, and by how much.
     #[serde(default)]
     pub steps: Vec<[f64; 2]>,
@@ -119,7 +129,7 @@ pub struct CurvePoint {
     pub tau: f64,
     /// Allan deviation.
     pub deviation: f64,
-    /// Lower end; null without a fit.
+    /// Lower end; null without a fit to this time.
     pub lower: Option<f64>,
     /// Upper end; null without a fit or without bound.
     pub upper: Option<f64>,
@@ -139,15 +149,18 @@ impl NoiseSummary {
         }
         let mut warnings = Findings::new();
         let mut settling = Vec::new();
+        let mut may_settle = true;
         let mut sensor = |curves: &Option<SensorCurves>, sensor: Sensor| {
             let curves = curves.as_ref()?;
-            let fits = curves.axes.each_ref().map(identify);
+            let fits = fits(curves);
             warnings.extend(warnings::of_sensor(curves, &fits, sensor));
             if sensor == Sensor::Gyroscope {
                 settling = fits
                     .iter()
                     .map(|fit| settling_time(fit.as_ref()?, curves.axes[0].step))
                     .collect();
+                // Where steps or a memory hide the terms, a longer recording does not show them, and that is said.
+                may_settle = fits.iter().flatten().all(|fit| fit.is_known);
             }
             Some(sensor_noise(curves, &fits, sensor))
         };
@@ -158,7 +171,7 @@ impl NoiseSummary {
             .collect::<Option<Vec<f64>>>()
             .filter(|times| !times.is_empty())
             .map(|times| times.into_iter().fold(0.0, f64::max));
-        if gyroscope.is_some() && initial_static_time.is_none() {
+        if gyroscope.is_some() && initial_static_time.is_none() && may_settle {
             warnings.push(Finding::of(Kind::SettlingUnknown).of_sensor(Sensor::Gyroscope));
         }
         Ok(Self {
@@ -172,6 +185,17 @@ impl NoiseSummary {
     }
 }
 
+/// The terms of each axis; those of coarse readings are bounded only.
+fn fits(curves: &SensorCurves) -> [Option<NoiseTerms>; 3] {
+    std::array::from_fn(|k| {
+        let fit = identify(&curves.axes[k])?;
+        Some(match curves.coarse[k] {
+            Some(coarse) => fit.within_steps(coarse.step),
+            None => fit,
+        })
+    })
+}
+
 fn sensor_noise(
     curves: &SensorCurves,
     fits: &[Option<NoiseTerms>; 3],
@@ -183,6 +207,8 @@ fn sensor_noise(
             .map(|fit| terms(fit, sensor, curves.in_counts))
             .unwrap_or_default(),
         model_error: fits[k].as_ref().map(|fit| fit.model_error),
+        shortest_tau: fits[k].as_ref().map(|fit| fit.shortest_tau),
+        coarse_step: curves.coarse[k].map(|coarse| coarse.step),
         steps: curves.steps[k].iter().map(|s| [s.t, s.size]).collect(),
         drift: curves.drift[k].map(|drift| drift.change),
         curve: points(&curves.axes[k], fits[k].as_ref()),
@@ -198,6 +224,7 @@ fn sensor_noise(
         step: curves.axes[0].step,
         gaps: curves.gaps,
         bridged: curves.bridged,
+        outliers: curves.outliers.count,
         unit: unit.into(),
         densities: densities(fits, sensor, curves.in_counts),
         held: held.map(|&Span { from, to }| [from, to]).collect(),
@@ -233,8 +260,20 @@ fn densities(fits: &[Option<NoiseTerms>; 3], sensor: Sensor, in_counts: bool) ->
             .to_owned()
     };
     let walks = of(NoiseTerm::RandomWalk);
+    let white = of(NoiseTerm::WhiteNoise);
+    // Too large a density makes a filter slow, too small a one makes it sure of what is wrong.
+    let white = white.map(|e| {
+        if e.is_seen() {
+            e.value
+        } else {
+            e.interval.upper
+        }
+    });
+    if white.iter().any(|density| density.is_infinite()) {
+        return None;
+    }
     Some(Densities {
-        noise_density: of(NoiseTerm::WhiteNoise).map(|e| e.value),
+        noise_density: white,
         noise_density_unit: unit(NoiseTerm::WhiteNoise),
         random_walk: walks.map(|e| e.value),
         random_walk_upper: walks.map(|e| bounded(e.interval.upper)),
@@ -247,7 +286,7 @@ fn bounded(upper: f64) -> Option<f64> {
 }
 
 fn terms(fit: &NoiseTerms, sensor: Sensor, in_counts: bool) -> Vec<TermValue> {
-    let value = |e: &super::identify::Estimate| {
+    let value = |e: &super::terms::identify::Estimate| {
         let (unit, density_unit) = units(e.term, sensor, in_counts);
         TermValue {
             term: e.term,
@@ -270,6 +309,7 @@ fn points(curve: &AllanCurve, fit: Option<&NoiseTerms>) -> Vec<CurvePoint> {
         .iter()
         .filter(|point| enough(point.factor))
         .map(|point| {
+            let fit = fit.filter(|fit| fit.reach(point.tau));
             let interval = fit.map(|fit| fit.interval(point));
             CurvePoint {
                 tau: point.tau,
@@ -372,5 +412,124 @@ mod tests {
             "{said}"
         );
         assert!(!summary("m/s^2", 0.0).warnings.has(Kind::MeanSteps));
+    }
+
+    /// Noise of standard deviation 1, from twelve numbers of even chance.
+    fn normal(k: usize) -> f64 {
+        (0..12).map(|n| by_chance(12 * k + n)).sum::<f64>() - 6.0
+    }
+
+    /// Ten minutes at 50 Hz.
+    fn of_values(value: impl Fn(usize) -> Vector3<f64>) -> NoiseSummary {
+        let mut recording = at_rest("m/s^2", 0.0);
+        if let Some(stream) = &mut recording.accelerometer {
+            stream.values = (0..stream.t.len()).map(value).collect();
+        }
+        let curves = RecordingCurves::of(&recording, None);
+        assert_eq!(curves.stillness.motions, []);
+        NoiseSummary::of(&curves).unwrap()
+    }
+
+    /// White noise of 1 a sample at 50 Hz, 1 m/s².
+    const DENSITY: f64 = 0.141_421_356_237;
+
+    fn white_of(axis: &AxisNoise) -> &TermValue {
+        &axis.terms[NoiseTerm::WhiteNoise as usize]
+    }
+
+    #[test]
+    fn readings_coarser_than_their_noise_bound_it_and_name_no_other_cause() {
+        // Four and 5.7 standard deviations, at the middle, at the edge and between.
+        for step in [4.0, 5.7] {
+            let at = Vector3::new(0.0, 0.5, 0.3) * step;
+            let value = |k: usize| {
+                let noise = Vector3::new(normal(3 * k), normal(3 * k + 1), normal(3 * k + 2));
+                ((at + noise) / step).map(f64::round) * step
+            };
+            let noise = of_values(value);
+            let kinds: Vec<Kind> = noise.warnings.iter().map(|found| found.kind).collect();
+            assert_eq!(kinds, [Kind::Quantised], "{:?}", noise.warnings);
+            assert_eq!(
+                noise.warnings.first().unwrap().word("axes"),
+                Some("x, y, z")
+            );
+            let found = noise.accelerometer.unwrap();
+            for axis in &found.axes {
+                let white = white_of(axis);
+                assert!(
+                    white.lower == 0.0 && white.upper.unwrap() > DENSITY,
+                    "{white:?}"
+                );
+                assert!((axis.coarse_step.unwrap() - step).abs() < 1e-9);
+            }
+            assert!(
+                found
+                    .densities
+                    .unwrap()
+                    .noise_density
+                    .iter()
+                    .all(|n| *n > DENSITY)
+            );
+        }
+    }
+
+    #[test]
+    fn single_samples_far_off_are_left_out_and_the_rest_is_used() {
+        let places = [1130, 18_500, 20_250];
+        let value = |k: usize| {
+            let spike = if places.contains(&k) { 5000.0 } else { 0.0 };
+            Vector3::new(normal(3 * k) + spike, normal(3 * k + 1), normal(3 * k + 2))
+        };
+        let noise = of_values(value);
+        let found = noise.warnings.first().unwrap();
+        let said = found.text(findings::Front::CommandLine);
+        assert_eq!(
+            (found.kind, found.value("count")),
+            (Kind::Spikes, Some(3.0))
+        );
+        assert!(
+            said.contains("3 single readings on x") && said.contains("t = 22.60, 370.00, 405.00 s"),
+            "{said}"
+        );
+        let sensor = noise.accelerometer.unwrap();
+        assert_eq!((sensor.samples, sensor.outliers), (30_000, 3));
+        let white = white_of(&sensor.axes[0]);
+        assert!(
+            white.lower < DENSITY && DENSITY < white.upper.unwrap(),
+            "{white:?}"
+        );
+    }
+
+    #[test]
+    fn a_filter_is_said_once_for_all_axes_and_with_the_times_that_hold() {
+        let mut filtered = Vector3::zeros();
+        let mut values = Vec::new();
+        for k in 0..30_000 {
+            let noise = Vector3::new(normal(3 * k), normal(3 * k + 1), normal(3 * k + 2));
+            filtered += 0.4665 * (noise - filtered);
+            values.push(filtered);
+        }
+        let noise = of_values(|k| values[k]);
+        let misses = noise
+            .warnings
+            .iter()
+            .filter(|f| f.kind == Kind::NoiseModelMisses);
+        let said: Vec<String> = misses
+            .map(|f| f.text(findings::Front::CommandLine))
+            .collect();
+        assert_eq!(said.len(), 1, "{said:?}");
+        assert!(
+            said[0].contains("accelerometer x, y, z") && said[0].contains("and longer"),
+            "{said:?}"
+        );
+        for axis in &noise.accelerometer.unwrap().axes {
+            assert!(axis.shortest_tau.unwrap() > 0.07 && axis.model_error == Some(0.0));
+            let white = white_of(axis);
+            assert!(
+                white.lower < DENSITY && DENSITY < white.upper.unwrap(),
+                "{white:?}"
+            );
+            assert!((white.value / DENSITY - 1.0).abs() < 0.08, "{white:?}");
+        }
     }
 }

@@ -4,10 +4,10 @@ use findings::{Finding, Kind, Level, OptionName, Remedy, human};
 use recording::intervals::Span;
 use sensor::Sensor;
 
-use super::changes::{Drift, Step};
 use super::curves::SensorCurves;
-use super::identify::NoiseTerms;
-use super::term::NoiseTerm;
+use super::samples::changes::{Drift, Step};
+use super::terms::identify::NoiseTerms;
+use super::terms::term::NoiseTerm;
 
 /// Steps named in a sentence.
 const LISTED: usize = 3;
@@ -33,12 +33,13 @@ pub(super) fn of_sensor(
         unit: unit(sensor, curves.in_counts),
     };
     let mut all = Vec::new();
+    all.extend(of.coarse(fits));
+    all.extend(of.outliers());
     for (axis, fit) in AXES.iter().zip(fits) {
-        all.extend(
-            of.fit(fit.as_ref())
-                .map(|found| found.detail("axis", *axis)),
-        );
+        let unknown = fit.is_none().then(|| of.finding(Kind::NoiseUnknown));
+        all.extend(unknown.map(|found| found.detail("axis", *axis)));
     }
+    all.extend(of.misses(fits));
     all.extend(of.missing());
     for (k, axis) in AXES.iter().enumerate() {
         let drift = curves.drift[k].map(|drift| of.drifted(&drift, fits[k].as_ref()));
@@ -49,32 +50,44 @@ pub(super) fn of_sensor(
     all
 }
 
+/// Names of the axes for which something holds.
+fn axes(holds: impl Fn(usize) -> bool) -> String {
+    let named = AXES.iter().enumerate().filter(|(k, _)| holds(*k));
+    let names: Vec<&str> = named.map(|(_, axis)| *axis).collect();
+    names.join(", ")
+}
+
 /// Unit of the readings.
 fn unit(sensor: Sensor, in_counts: bool) -> Unit {
     match sensor {
         _ if in_counts => Unit {
             reading: "counts",
+            density: "counts/√Hz",
             walk: "counts/√s",
         },
         Sensor::Gyroscope => Unit {
             reading: "rad/s",
+            density: "rad/s/√Hz",
             walk: "rad/s/√s",
         },
         Sensor::Accelerometer => Unit {
             reading: "m/s^2",
+            density: "m/s^2/√Hz",
             walk: "m/s^2/√s",
         },
         Sensor::Magnetometer => Unit {
             reading: "µT",
+            density: "µT/√Hz",
             walk: "µT/√s",
         },
     }
 }
 
-/// Units of a sensor's readings and of their random walk.
+/// Units of a sensor's readings, of their density and of their random walk.
 #[derive(Clone, Copy)]
 struct Unit {
     reading: &'static str,
+    density: &'static str,
     walk: &'static str,
 }
 
@@ -90,16 +103,79 @@ impl Of<'_> {
         Finding::of(kind).of_sensor(self.sensor)
     }
 
-    /// Returns the fault of a fit, if any.
-    fn fit(&self, fit: Option<&NoiseTerms>) -> Option<Finding> {
-        match fit {
-            None => Some(self.finding(Kind::NoiseUnknown)),
-            Some(fit) if fit.model_error > 0.0 => {
-                let misses = self.finding(Kind::NoiseModelMisses);
-                Some(misses.number("share", fit.model_error, "share"))
-            }
-            Some(_) => None,
+    /// Steps of the readings that are wider than their noise.
+    fn coarse(&self, fits: &[Option<NoiseTerms>; 3]) -> Option<Finding> {
+        let coarse = self.curves.coarse.iter();
+        let widest = coarse.flatten().max_by(|a, b| a.step.total_cmp(&b.step))?;
+        let is_coarse = |k: usize| self.curves.coarse[k].is_some();
+        let white = (0..3)
+            .filter(|&k| is_coarse(k))
+            .filter_map(|k| fits[k].as_ref());
+        let white = white.map(|fit| fit.get(NoiseTerm::WhiteNoise).interval.upper);
+        let error = widest.step / 12f64.sqrt();
+        let found = self
+            .finding(Kind::Quantised)
+            .detail("axes", axes(is_coarse))
+            .number("step", widest.step, self.unit.reading)
+            .number("noise", widest.spread, self.unit.reading)
+            .number("error", error, self.unit.reading);
+        Some(match white.reduce(f64::max) {
+            Some(white) => found.number("white", white, self.unit.density),
+            None => found,
+        })
+    }
+
+    /// Single samples that are left out.
+    fn outliers(&self) -> Option<Finding> {
+        let outliers = &self.curves.outliers;
+        let times: Vec<String> = outliers.times.iter().map(|t| format!("{t:.2}")).collect();
+        let more = match outliers.count > times.len() {
+            true => " and more",
+            false => "",
+        };
+        (outliers.count > 0).then(|| {
+            self.finding(Kind::Spikes)
+                .count("count", outliers.count)
+                .detail("axes", axes(|k| outliers.axes[k]))
+                .number("largest", outliers.largest, self.unit.reading)
+                .detail("times", format!("{} s{more}", times.join(", ")))
+        })
+    }
+
+    /// The times that the terms miss, of all axes that they miss. Where the readings are coarse, that is the cause.
+    fn misses(&self, fits: &[Option<NoiseTerms>; 3]) -> Option<Finding> {
+        let step = self.curves.axes[0].step;
+        let miss = |k: usize| {
+            let fit = fits[k]
+                .as_ref()
+                .filter(|_| self.curves.coarse[k].is_none())?;
+            let misses = fit.model_error > 0.0 || !fit.reach(step) || !fit.is_known;
+            misses.then_some(fit)
+        };
+        let missed: Vec<&NoiseTerms> = (0..3).filter_map(miss).collect();
+        let largest =
+            |of: fn(&NoiseTerms) -> f64| missed.iter().map(|fit| of(fit)).fold(0.0, f64::max);
+        let (error, shortest) = (
+            largest(|fit| fit.model_error),
+            largest(|fit| fit.shortest_tau),
+        );
+        let mut found = self
+            .finding(Kind::NoiseModelMisses)
+            .detail("axis", axes(|k| miss(k).is_some()));
+        if missed.is_empty() {
+            return None;
         }
+        if missed.iter().any(|fit| !fit.is_known) {
+            let longest = largest(|fit| fit.longest_tau);
+            return Some(found.number("longest", longest, "s").at_level(Level::Care));
+        }
+        if error > 0.0 {
+            found = found.number("share", error, "share");
+        }
+        if missed.iter().any(|fit| !fit.reach(step)) {
+            found = found.number("shortest", shortest, "s");
+        }
+        Some(found)
     }
 
     fn missing(&self) -> Vec<Finding> {

@@ -6,7 +6,9 @@ use nalgebra::Vector3;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
+use crate::accelerometer::{ForceMatrix, ForceRow, force_covariance, force_row};
 use crate::direction::{edges, faces};
+use crate::requirement::REQUIREMENT;
 use crate::session::{
     Chain, Information, Link, Noise, Place, Timing, place, reading_errors, variances,
 };
@@ -24,6 +26,8 @@ const BALANCE: f64 = 0.5;
 /// The errors of both sensors are in balance where that of the gyroscope is so much of what a quarter turn misses, as in the
 /// sessions that are best by their product without regard to the hand.
 const IN_BALANCE: f64 = 0.49;
+/// What a session costs whose norms of gravity alone do not tell the accelerometer's parameters, in `ln` of the errors.
+const NOT_BY_NORMS: f64 = 1.0;
 /// Directions closer than this are one.
 const SAME: f64 = 1e-6;
 
@@ -63,6 +67,7 @@ pub fn sequence(
         noise,
         first_known: begin == 1,
         others: Vec::new(),
+        told_by_norms: false,
         balance: balance(noise, timing),
     };
     let mut found = search.best(&fixed, others);
@@ -72,24 +77,30 @@ pub fn sequence(
 }
 
 /// The best session of `count` placements from nothing that a hand can follow: the faces first, then edges (and faces again)
-/// that lower the errors of both sensors most, as [`sequence`]; the placements in order beside it.
+/// that lower the errors of both sensors most, as [`sequence`]; the placements in order beside it. From as many placements on as
+/// [`REQUIREMENT`] asks for, the norms of gravity alone tell the accelerometer's parameters as well as it asks.
 pub fn session_of(count: usize, noise: &Noise, timing: &Timing) -> (Vec<Vector3<f64>>, Sequence) {
     // A corner is hard to hold, and turns between corners hard to say.
     let all = [faces().to_vec(), edges()].concat();
     let first: Vec<usize> = in_order_of_faces(&all).into_iter().take(count).collect();
-    let search = Search {
+    let mut search = Search {
         table: &Table::new(&all, noise, timing),
         known: &Information::zeros(),
         noise,
         first_known: false,
         others: (0..all.len()).collect(),
+        told_by_norms: false,
         balance: balance(noise, timing),
     };
     let edge = faces().len();
-    let begin = (first.len()..count)
+    let begin: Vec<usize> = (first.len()..count)
         .map(|k| edge + k % edges().len())
         .collect();
-    let mut found = search.best(&first, begin);
+    let mut found = search.best(&first, begin.clone());
+    if count >= REQUIREMENT.placements && !search.table.tells_by_norms(&found.order) {
+        search.told_by_norms = true;
+        found = search.best(&first, begin);
+    }
     let ups = found.order.iter().map(|k| all[*k]).collect();
     found.order = (0..found.order.len()).collect();
     (ups, found)
@@ -136,6 +147,8 @@ struct Table {
     first: Vec<Place>,
     later: Vec<Place>,
     hold: Vec<f64>,
+    /// What each says of the accelerometer by its norm alone.
+    norm: Vec<ForceRow>,
 }
 
 impl Table {
@@ -159,8 +172,18 @@ impl Table {
             first: all.iter().map(|up| place(up, 0, timing)).collect(),
             later: all.iter().map(|up| place(up, 1, timing)).collect(),
             hold: all.iter().map(hold).collect(),
+            norm: all.iter().map(force_row).collect(),
             turns,
         }
+    }
+
+    /// Returns true if the norms of gravity in these placements tell every parameter of the accelerometer as [`REQUIREMENT`] asks.
+    fn tells_by_norms(&self, order: &[usize]) -> bool {
+        let rows = order.iter().map(|k| self.norm[*k]);
+        let information: ForceMatrix = rows.map(|row| row * row.transpose()).sum();
+        let covariance = force_covariance(&information);
+        let largest = covariance.map(|c| c.diagonal().max().sqrt());
+        largest.is_some_and(|error| error <= REQUIREMENT.largest_error)
     }
 }
 
@@ -186,6 +209,8 @@ struct Search<'a> {
     first_known: bool,
     /// Candidates that may replace a placement.
     others: Vec<usize>,
+    /// True if the norms of gravity have to tell the accelerometer's parameters without the turns.
+    told_by_norms: bool,
     /// The gyroscope's error in rad/s for 1 m/s² of the accelerometer's where both are alike.
     balance: f64,
 }
@@ -257,7 +282,10 @@ impl<'a> Search<'a> {
         let turns = path.pairs();
         let efforts = turns.map(|(from, to, way)| effort(&self.table.turns[from][to][way]));
         let holds = path.order.iter().map(|k| self.table.hold[*k]);
-        let asked: f64 = efforts.chain(holds).sum();
+        let mut asked: f64 = efforts.chain(holds).sum();
+        if self.told_by_norms && !self.table.tells_by_norms(&path.order) {
+            asked += NOT_BY_NORMS;
+        }
         let information = last.map_or(*self.known, |chain| chain.clone().close());
         let ridge = Information::identity();
         let value = match variances(&information) {
@@ -346,6 +374,16 @@ mod tests {
     use super::*;
     use crate::direction::edges;
     use crate::session::{predict, session_information};
+
+    #[test]
+    fn the_norms_of_every_planned_session_tell_the_accelerometer() {
+        for count in [10, 11, 12, 13, 14] {
+            let (ups, _) = session_of(count, &Noise::default(), &Timing::default());
+            let table = Table::new(&ups, &Noise::default(), &Timing::default());
+            let order: Vec<usize> = (0..ups.len()).collect();
+            assert!(table.tells_by_norms(&order), "{count}: {ups:?}");
+        }
+    }
 
     #[test]
     fn a_planned_order_beats_random_ones_by_a_fifth() {

@@ -15,7 +15,7 @@ use calib::intervals::Span;
 use calib::noise::{AtRest, CurvePoint, NoiseSummary, NoiseTerm, SensorNoise, TermValue};
 use sensor::Sensor;
 use source::{Source, listed, moved};
-use words::{advice, extent, is_in_counts, sensors, shown_unit, significant};
+use words::{advice, extent, is_in_counts, largest_white, sensors, shown_unit, significant};
 
 use crate::commands::shared::pictures::named;
 use crate::exit::{Failure, USAGE};
@@ -256,21 +256,11 @@ fn sentence(summary: &NoiseSummary) -> String {
     )
 }
 
-/// The white noise of a sensor: the mean over its axes.
+/// The white noise of a sensor, largest of its axes.
 fn figure(name: &str, sensor: Sensor, noise: &SensorNoise) -> Figure {
-    let (unit, factor) = shown_unit(NoiseTerm::WhiteNoise, sensor, noise);
-    let terms = noise.axes.iter().flat_map(|axis| &axis.terms);
-    let white: Vec<f64> = terms
-        .filter(|t| t.term == NoiseTerm::WhiteNoise)
-        .map(|t| factor * t.value)
-        .collect();
-    let mean = white.iter().sum::<f64>() / white.len().max(1) as f64;
+    let largest = largest_white(noise, shown_unit(NoiseTerm::WhiteNoise, sensor, noise));
     let label = format!("{name}, white noise");
-    Figure::new(
-        &label,
-        format!("{} {unit}", significant(mean)),
-        extent(noise),
-    )
+    Figure::new(&label, largest, extent(noise))
 }
 
 fn provenance(summary: &NoiseSummary, recording: &Path) -> Vec<[String; 2]> {

@@ -14,8 +14,9 @@ use crate::read_args::ReadArgs;
 /// warning), and a recording without a rest of a minute is refused. A plain CSV is read as a stream: a
 /// day at 200 Hz takes hardly more memory than a minute.
 ///
-/// Samples that are missing singly or a few at a time are bridged, longer gaps are not; steps, drifts and readings that stand
-/// still are said. White noise and random walk are also given as the densities that filters take. Readings in counts have
+/// Samples that are missing singly or a few at a time are bridged, longer gaps are not; single samples far from their neighbours
+/// are left out; steps, drifts, readings that stand still and readings coarser than their noise are said. Behind a filter
+/// the terms are those of means that are long beside it. White noise and random walk are also given as the densities that filters take. Readings in counts have
 /// their noise in counts.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\

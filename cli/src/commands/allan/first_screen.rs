@@ -4,7 +4,7 @@ use ::findings::Front;
 use calib::noise::{NoiseSummary, NoiseTerm, TermValue};
 
 use super::args::Args;
-use super::words::{advice, extent, is_in_counts, sensors, shown_unit, significant};
+use super::words::{advice, extent, is_in_counts, largest_white, sensors, shown_unit, significant};
 use crate::commands::shared::first_screen::{Screen, Step};
 use crate::show;
 use crate::show::command_line;
@@ -52,12 +52,8 @@ fn verdict(summary: &NoiseSummary) -> String {
         };
         let (unit, factor) =
             unit.unwrap_or_else(|| shown_unit(NoiseTerm::WhiteNoise, sensor, noise));
-        let terms = noise.axes.iter().flat_map(|axis| &axis.terms);
-        let white = terms
-            .filter(|t| t.term == NoiseTerm::WhiteNoise)
-            .map(|t| t.value);
-        let largest = significant(factor * white.fold(0.0, f64::max));
-        format!("{} {largest} {unit}", name.to_lowercase())
+        let largest = largest_white(noise, (unit, factor));
+        format!("{} {largest}", name.to_lowercase())
     });
     let parts: Vec<String> = parts.collect();
     let advice = show::capital(&advice(summary));

@@ -1,6 +1,6 @@
 //! Figures of noise in the units and words that people use.
 
-use calib::noise::{NoiseSummary, NoiseTerm, SensorNoise};
+use calib::noise::{AxisNoise, NoiseSummary, NoiseTerm, SensorNoise, TermValue};
 use sensor::Sensor;
 
 /// The sensors there are, gyroscope first, in the order of their plots.
@@ -46,6 +46,33 @@ fn human(term: NoiseTerm, sensor: Sensor) -> (&'static str, f64) {
     }
 }
 
+/// Returns true if the white noise of an axis is not seen: steps of the readings or a filter hide it.
+fn has_hidden_noise(noise: &SensorNoise) -> bool {
+    let mut white = noise.axes.iter().filter_map(white);
+    white.any(|term| term.lower == 0.0)
+}
+
+/// The largest white noise of the axes, in a unit of which `factor` make that of the readings; that of an axis whose noise is
+/// not seen is its bound.
+pub fn largest_white(noise: &SensorNoise, (unit, factor): (&str, f64)) -> String {
+    let is_seen = |term: &&TermValue| term.lower > 0.0;
+    let terms: Vec<&TermValue> = noise.axes.iter().filter_map(white).collect();
+    let seen = terms.iter().copied().filter(is_seen).map(|term| term.value);
+    let seen = seen.fold(0.0, f64::max);
+    let bounds = terms.iter().copied().filter(|term| !is_seen(term));
+    let bound = bounds.map(|term| term.upper.unwrap_or(f64::INFINITY));
+    match bound.fold(0.0, f64::max) {
+        bound if bound.is_infinite() => "not known".into(),
+        bound if bound > seen => format!("below {} {unit}", significant(factor * bound)),
+        _ => format!("{} {unit}", significant(factor * seen)),
+    }
+}
+
+fn white(axis: &AxisNoise) -> Option<&TermValue> {
+    let mut terms = axis.terms.iter();
+    terms.find(|term| term.term == NoiseTerm::WhiteNoise)
+}
+
 /// Three significant figures.
 pub fn significant(v: f64) -> String {
     if v == 0.0 {
@@ -80,8 +107,12 @@ pub fn extent(noise: &SensorNoise) -> String {
         0 => String::new(),
         missing => format!(", {missing} missing and bridged"),
     };
+    let outliers = match noise.outliers {
+        0 => String::new(),
+        count => format!(", {count} left out"),
+    };
     format!(
-        "{} samples at {:.2} Hz, {length}{bridged}{gaps}",
+        "{} samples at {:.2} Hz, {length}{outliers}{bridged}{gaps}",
         noise.samples,
         1.0 / noise.step
     )
@@ -95,6 +126,9 @@ pub fn advice(summary: &NoiseSummary) -> String {
              smallest)",
             time.ceil()
         ),
+        (None, Some(gyroscope)) if has_hidden_noise(gyroscope) => {
+            "initial static time: not known, for the noise of the gyroscope is hidden".into()
+        }
         (None, Some(_)) => "initial static time: longer than this recording can tell".into(),
         (None, None) => "initial static time: no gyroscope in the recording".into(),
     }
@@ -117,6 +151,49 @@ mod tests {
             (unit, significant(9.806_65e-3 * factor)),
             ("mg", "1.00".into())
         );
+    }
+
+    fn with_white(terms: [(f64, f64, Option<f64>); 3]) -> SensorNoise {
+        let axis = |(value, lower, upper): (f64, f64, Option<f64>)| AxisNoise {
+            terms: vec![TermValue {
+                term: NoiseTerm::WhiteNoise,
+                name: String::new(),
+                unit: String::new(),
+                density_unit: None,
+                value,
+                lower,
+                upper,
+            }],
+            model_error: None,
+            shortest_tau: None,
+            coarse_step: None,
+            steps: Vec::new(),
+            drift: None,
+            curve: Vec::new(),
+        };
+        SensorNoise {
+            samples: 0,
+            step: 0.01,
+            gaps: 0,
+            bridged: 0,
+            outliers: 0,
+            unit: String::new(),
+            densities: None,
+            held: Vec::new(),
+            axes: terms.map(axis),
+        }
+    }
+
+    #[test]
+    fn noise_that_is_not_seen_is_shown_with_its_bound() {
+        let seen = (1.0, 0.9, Some(1.1));
+        let shown = [
+            (0.4, 0.3, Some(0.5)),
+            (0.4, 0.0, Some(2.5)),
+            (0.4, 0.0, None),
+        ]
+        .map(|last| largest_white(&with_white([seen, seen, last]), ("m", 2.0)));
+        assert_eq!(shown, ["2.00 m", "below 5.00 m", "not known"]);
     }
 
     #[test]

@@ -22,7 +22,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.001,
         reason: "the five usual kinds of noise do not describe {sensor} {axis}",
-        text: "the noise of {sensor} {axis} differs by {share} from the usual model of noise, perhaps by a filter, a vibration or a motion. The stated uncertainties include that",
+        text: "the noise of {sensor} {axis} differs[ by {share}] from the usual model of noise, perhaps by a filter, a vibration or a motion[. The stated terms are those of means over {shortest} and longer. They do not hold for single readings][. The stated uncertainties include a difference of {share}][. It differs over all times up to {longest}, so that no term is known: record ten times as long]",
         advice: "",
         remedies: Vec::new,
     },

@@ -29,7 +29,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         severity: 0.05,
         reason: "the {sensor} reads in steps wider than its noise",
         text: "the {sensor} reads in steps of {step} on {axes}, wider than its noise ({noise}). No mean at rest is \
-               known better than to {error}",
+               known better than to {error}[. The steps hide the noise, whose white part is only known to be below {white}]",
         advice: "",
         remedies: || vec![Remedy::RawReadings],
     },
@@ -79,9 +79,9 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.001,
         reason: "single readings of the {sensor} were replaced",
-        text: "the {sensor} has {count:single reading} on {axes} far from both neighbours, by up to {largest} (rows \
-               {listed}), as from transfer errors or knocks. The program puts the mean of the neighbours in place of \
-               each",
+        text: "the {sensor} has {count:single reading} on {axes} far from both neighbours, by up to {largest}, as \
+               from transfer errors or knocks[ (rows {listed}). The program puts the mean of the neighbours in place of \
+               each][ (t = {times}). The program leaves them out and uses the others]",
         advice: "",
         remedies: Vec::new,
     },

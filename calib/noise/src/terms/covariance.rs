@@ -20,13 +20,13 @@ const RANDOM: usize = 4;
 
 /// `Cov(σ²(τ₁), σ²(τ₂))` as a quadratic form in the squared coefficients of the five terms.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct PairCovariance {
+pub(crate) struct PairCovariance {
     quadratic: [[f64; 5]; 5],
 }
 
 impl PairCovariance {
     /// For averaging factors `m₁ ≤ m₂` in `samples` samples `step` seconds apart.
-    pub(super) fn new(m: [usize; 2], samples: usize, step: f64) -> Self {
+    pub(crate) fn new(m: [usize; 2], samples: usize, step: f64) -> Self {
         let places = m.map(|m| (samples + 1).saturating_sub(2 * m).max(1) as f64);
         let lags = Lags {
             m: m.map(|m| m as f64),
@@ -60,7 +60,7 @@ impl PairCovariance {
     }
 
     /// The covariance for squared coefficients `theta`.
-    pub(super) fn at(&self, theta: &[f64; 5]) -> f64 {
+    pub(crate) fn at(&self, theta: &[f64; 5]) -> f64 {
         let row = |a: usize| -> f64 {
             self.quadratic[a]
                 .iter()
@@ -171,7 +171,7 @@ fn second_difference(t: f64, m: f64) -> [f64; RANDOM] {
 }
 
 /// `σ²(τ)` for squared coefficients `theta`.
-pub(super) fn variance(tau: f64, theta: &[f64; 5]) -> f64 {
+pub(crate) fn variance(tau: f64, theta: &[f64; 5]) -> f64 {
     NoiseTerm::ALL
         .iter()
         .zip(theta)

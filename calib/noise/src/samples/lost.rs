@@ -22,7 +22,7 @@ const BRIDGED: u64 = 32;
 
 /// Element of a stream: a sample, a bridged sample or an interruption.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Piece {
+pub(crate) enum Piece {
     /// A sample that was read.
     Read(Vector3<f64>),
     /// One in place of a sample that is missing.
@@ -37,7 +37,7 @@ pub(super) enum Piece {
 /// samples that follow. A loss is bridged by the straight line between the means of as many samples on either side:
 /// white noise then grows by no more than 1.5 times the share that is missing, and the sum over long times goes on.
 #[derive(Debug, Default)]
-pub(super) struct Regular {
+pub(crate) struct Regular {
     step: Option<f64>,
     queue: VecDeque<(f64, Vector3<f64>)>,
     past: VecDeque<Vector3<f64>>,

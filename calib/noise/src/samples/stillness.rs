@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 use recording::intervals::{Span, complement, union};
 
 use super::changes::Mean;
+use super::coarse::{Coarse, LeastSteps};
 
 /// Length of a block in which the spread is measured, s.
 const BLOCK: f64 = 1.0;
@@ -21,13 +22,20 @@ const MOVING: f64 = 10.0;
 /// The spread and the mean of one sensor's readings, block by block: a few numbers a second, however long the
 /// recording.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Spreads {
-    closed: Vec<(Span, f64, Vector3<f64>)>,
+pub(crate) struct Spreads {
+    closed: Vec<Closed>,
     open: Option<Block>,
     first: Option<f64>,
-    last: Option<Vector3<f64>>,
     latest: f64,
-    resolution: Option<f64>,
+    least_steps: LeastSteps,
+}
+
+/// A block that is full: when, and the standard deviation and the mean of each axis.
+#[derive(Clone, Copy, Debug)]
+struct Closed {
+    span: Span,
+    spread: Vector3<f64>,
+    mean: Vector3<f64>,
 }
 
 /// Running mean and sum of squares (Welford).
@@ -61,46 +69,56 @@ impl Block {
         self.count >= FEWEST && self.span.lasts(BLOCK)
     }
 
-    /// Standard deviation over the three axes together.
-    fn spread(&self) -> f64 {
-        (self.squares.sum() / self.count as f64).sqrt()
+    fn closed(&self) -> Closed {
+        Closed {
+            span: self.span,
+            spread: (self.squares / self.count as f64).map(f64::sqrt),
+            mean: self.mean,
+        }
     }
 }
 
 impl Spreads {
     /// The next sample; stamps ascend.
-    pub(super) fn push(&mut self, t: f64, value: &Vector3<f64>) {
+    pub(crate) fn push(&mut self, t: f64, value: &Vector3<f64>) {
         self.first.get_or_insert(t);
         self.latest = t;
-        if let Some(last) = self.last.replace(*value) {
-            let steps = (value - last).map(f64::abs);
-            for &step in steps.iter().filter(|step| **step > 0.0) {
-                self.resolution = Some(self.resolution.map_or(step, |r| r.min(step)));
-            }
-        }
+        self.least_steps.push(value);
         let mut block = self.open.take().unwrap_or_else(|| Block::starting(t));
         block.add(t, value);
         if block.is_full() {
-            self.closed.push((block.span, block.spread(), block.mean));
+            self.closed.push(block.closed());
         } else {
             self.open = Some(block);
         }
     }
 
     /// From the first sample to the last.
-    pub(super) fn covered(&self) -> Option<Span> {
+    pub(crate) fn covered(&self) -> Option<Span> {
         let to = self.latest;
         self.first.map(|from| Span { from, to })
     }
 
     /// The means of the blocks, by axis.
-    pub(super) fn means(&self) -> [Vec<Mean>; 3] {
+    pub(crate) fn means(&self) -> [Vec<Mean>; 3] {
         let blocks = &self.closed;
         std::array::from_fn(|k| {
             blocks
                 .iter()
-                .map(|(span, _, mean)| (*span, mean[k]))
+                .map(|block| (block.span, block.mean[k]))
                 .collect()
+        })
+    }
+
+    /// The axes that read in steps wider than their noise.
+    pub(crate) fn coarse(&self) -> [Option<Coarse>; 3] {
+        let steps = self.least_steps.by_axis();
+        std::array::from_fn(|k| {
+            let blocks = self.closed.iter();
+            Coarse::of(
+                steps[k],
+                blocks.map(|block| (block.spread[k], block.mean[k])),
+            )
         })
     }
 
@@ -108,22 +126,29 @@ impl Spreads {
     /// and at least a step of the readings: a coarse sensor at rest shows the same number for seconds.
     fn motions(mut self) -> (Option<Span>, Vec<Span>) {
         if let Some(block) = self.open.take().filter(|block| block.count >= FEWEST) {
-            self.closed.push((block.span, block.spread(), block.mean));
+            self.closed.push(block.closed());
         }
         let whole = self.closed.first().zip(self.closed.last());
-        let whole = whole.map(|((first, ..), (last, ..))| Span {
-            from: first.from,
-            to: last.to,
+        let whole = whole.map(|(first, last)| Span {
+            from: first.span.from,
+            to: last.span.to,
         });
-        let mut spreads: Vec<f64> = self.closed.iter().map(|(_, spread, _)| *spread).collect();
+        let mut spreads: Vec<f64> = self
+            .closed
+            .iter()
+            .map(|block| block.spread.norm())
+            .collect();
         if spreads.is_empty() {
             return (whole, Vec::new());
         }
         let rank = (QUIET_SHARE * (spreads.len() - 1) as f64) as usize;
         let quiet = *spreads.select_nth_unstable_by(rank, f64::total_cmp).1;
-        let limit = MOVING * quiet.max(self.resolution.unwrap_or(0.0));
-        let moving = self.closed.iter().filter(|(_, spread, _)| *spread > limit);
-        (whole, moving.map(|(span, ..)| *span).collect())
+        let limit = MOVING * quiet.max(self.least_steps.least().unwrap_or(0.0));
+        let moving = self
+            .closed
+            .iter()
+            .filter(|block| block.spread.norm() > limit);
+        (whole, moving.map(|block| block.span).collect())
     }
 }
 
@@ -162,7 +187,7 @@ impl Stillness {
     }
 
     /// From the spreads of the sensors there are.
-    pub(super) fn of(sensors: impl IntoIterator<Item = Spreads>) -> Self {
+    pub(crate) fn of(sensors: impl IntoIterator<Item = Spreads>) -> Self {
         let (mut wholes, mut moving) = (Vec::new(), Vec::new());
         for spreads in sensors {
             let (whole, motions) = spreads.motions();

@@ -1,12 +1,14 @@
-//! Identification of the noise terms of a recording, with confidence intervals.
+//! Generalised least squares of the noise terms to the octaves of a curve.
+
+use std::ops::Range;
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-use super::allan::{AllanCurve, AllanPoint};
 use super::covariance::{PairCovariance, variance};
 use super::interval::{Interval, Scatter, invert};
 use super::term::NoiseTerm;
+use crate::allan::{AllanCurve, AllanPoint};
 
 /// Rounds of weighting by the scatter that the last fit implies.
 const ROUNDS: usize = 8;
@@ -21,7 +23,7 @@ const MODEL_ERRORS: (f64, f64) = (1e-4, 3.0);
 const BISECTIONS: usize = 20;
 
 /// Octaves below which five terms cannot be told apart.
-const FEWEST_POINTS: usize = 6;
+pub(crate) const FEWEST_POINTS: usize = 6;
 
 /// A point needs this many times its averaging time in the recording: fewer, and its χ² has less
 /// than two degrees of freedom.
@@ -30,115 +32,11 @@ const SPANS: usize = 4;
 /// Confidence of the five intervals of an axis together: each is stated at 99 %.
 const JOINT_CONFIDENCE: f64 = 0.95;
 
-/// Confidence of the interval of one measured point.
-const POINT_CONFIDENCE: f64 = 0.95;
+/// Where a memory counts, at least this share of `σ²` is left of the other terms at the shortest time.
+const LEFT_BY_MEMORY: f64 = 0.4;
 
-/// A noise coefficient with its interval, in the unit of [`NoiseTerm::unit`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Estimate {
-    /// The term.
-    pub term: NoiseTerm,
-    /// Its coefficient; zero where the fit does without.
-    pub value: f64,
-    /// The five intervals of an axis hold together with 95 % confidence (each with 99 %).
-    pub interval: Interval,
-}
-
-impl Estimate {
-    /// Returns true if the data need this term.
-    pub fn is_seen(&self) -> bool {
-        self.interval.lower > 0.0
-    }
-}
-
-/// The noise terms of one axis.
-#[derive(Clone, Debug, PartialEq)]
-pub struct NoiseTerms {
-    /// In the order of [`NoiseTerm::ALL`].
-    pub estimates: [Estimate; 5],
-    /// Relative misfit of `σ²` that the five terms leave beyond their scatter (a filter or a
-    /// resonance of the sensor, say); zero where they suffice. The intervals include it.
-    pub model_error: f64,
-    /// Longest averaging time fitted, s.
-    pub longest_tau: f64,
-    samples: usize,
-    step: f64,
-}
-
-impl NoiseTerms {
-    /// The estimate of one term.
-    pub fn get(&self, term: NoiseTerm) -> &Estimate {
-        &self.estimates[term as usize]
-    }
-
-    /// The fitted Allan deviation at `tau`.
-    pub fn deviation(&self, tau: f64) -> f64 {
-        variance(tau, &self.squares()).sqrt()
-    }
-
-    /// 95 % confidence interval of one measured point, from the scatter that the terms imply.
-    pub fn interval(&self, point: &AllanPoint) -> Interval {
-        let theta = self.squares();
-        let implied = variance(point.tau, &theta);
-        let scatter = PairCovariance::new([point.factor; 2], self.samples, self.step).at(&theta);
-        let relative = scatter / (implied * implied);
-        let squares = invert(POINT_CONFIDENCE, point.deviation.powi(2), |v| Scatter {
-            variance: relative * v * v,
-            third: 2.0 * (relative * v * v).powi(2) / v.max(f64::MIN_POSITIVE),
-        });
-        Interval {
-            lower: squares.lower.sqrt(),
-            upper: squares.upper.sqrt(),
-        }
-    }
-
-    fn squares(&self) -> [f64; 5] {
-        self.estimates.map(|e| e.value * e.value)
-    }
-}
-
-/// Fits the five noise terms to the octaves of a curve.
-///
-/// Generalised least squares of `σ²(τ)` with the full covariance of the overlapping estimates, which
-/// depends on the terms and is iterated; squared coefficients are held at or above zero. The
-/// intervals do not assume that any term is absent: they come from the fit of all five with either
-/// sign, so that two terms that this recording cannot tell apart both have wide ones. An upper end
-/// is never below what the recording could have seen (that of an estimate of zero).
-///
-/// Where the five terms miss the curve by more than it scatters (at the 1 % level), every point gets
-/// the relative model error that makes the misfit as large as expected.
-///
-/// `None` with fewer than six octaves (about 256 samples), or where the signal never changes.
-pub fn identify(curve: &AllanCurve) -> Option<NoiseTerms> {
-    let mut octaves = Octaves::of(curve)?;
-    octaves.fit_model_error();
-    let theta = octaves.settle()?;
-    let fit = octaves.weighted(&theta)?;
-    let theta = fit.nonnegative(None);
-    let estimates = NoiseTerm::ALL.map(|term| {
-        let k = term as usize;
-        let squares = fit.interval(k).unwrap_or(Interval {
-            lower: 0.0,
-            upper: f64::INFINITY,
-        });
-        let interval = Interval {
-            lower: squares.lower.min(theta[k]).sqrt(),
-            upper: squares.upper.max(theta[k]).sqrt(),
-        };
-        Estimate {
-            term,
-            value: theta[k].sqrt(),
-            interval,
-        }
-    });
-    Some(NoiseTerms {
-        estimates,
-        model_error: octaves.model_error,
-        longest_tau: octaves.points.last()?.tau,
-        samples: curve.samples,
-        step: curve.step,
-    })
-}
+/// Where no memory counts, less than this share of `σ²` at the shortest time is bias instability, walk and ramp.
+const MOST_BY_WALKS: f64 = 0.5;
 
 /// The χ² above which a misfit is no accident.
 fn limit(freedom: f64) -> f64 {
@@ -146,15 +44,19 @@ fn limit(freedom: f64) -> f64 {
 }
 
 /// The points fitted, and how they scatter together.
-struct Octaves {
-    points: Vec<AllanPoint>,
+#[derive(Clone)]
+pub(crate) struct Octaves {
+    pub points: Vec<AllanPoint>,
     covariance: Vec<Vec<PairCovariance>>,
     /// Standard deviation of the model itself, relative to `σ²`.
-    model_error: f64,
+    pub model_error: f64,
+    /// True if readings that are near in time go together (a filter, say): past that memory it takes `c/τ²` off `σ²`, as a
+    /// negative squared quantisation would.
+    pub has_memory: bool,
 }
 
 impl Octaves {
-    fn of(curve: &AllanCurve) -> Option<Self> {
+    pub fn of(curve: &AllanCurve) -> Option<Self> {
         let points: Vec<AllanPoint> = curve
             .points
             .iter()
@@ -181,7 +83,41 @@ impl Octaves {
             points,
             covariance,
             model_error: 0.0,
+            has_memory: false,
         })
+    }
+
+    /// The octaves of this range, none of which lies within the memory of the readings if the first are left out.
+    pub fn part(&self, range: Range<usize>) -> Self {
+        let rows = &self.covariance[range.clone()];
+        Self {
+            points: self.points[range.clone()].to_vec(),
+            covariance: rows.iter().map(|row| row[range.start..].to_vec()).collect(),
+            model_error: 0.0,
+            has_memory: range.start > 0,
+        }
+    }
+
+    /// Returns true if the terms miss the points by no more than chance does, and what scatters from reading to reading leads
+    /// them: readings that only wander are filtered ones, and a filter looks like a walk of the bias at times within its memory.
+    pub fn are_explained(&self) -> bool {
+        let Some(theta) = self.settle() else {
+            return false;
+        };
+        self.are_led_by_scatter(&theta)
+            && self
+                .chi2(&theta)
+                .is_some_and(|chi2| chi2 <= limit(self.freedom(&theta)))
+    }
+
+    fn are_led_by_scatter(&self, theta: &[f64; 5]) -> bool {
+        let mut slow = *theta;
+        slow[NoiseTerm::Quantisation as usize] = 0.0;
+        slow[NoiseTerm::WhiteNoise as usize] = 0.0;
+        let share = |p: &AllanPoint| variance(p.tau, &slow) / variance(p.tau, theta);
+        self.points
+            .first()
+            .is_some_and(|p| share(p) < MOST_BY_WALKS)
     }
 
     /// White noise through the first point: a start that every sensor is near at short times.
@@ -195,7 +131,7 @@ impl Octaves {
     }
 
     /// The squared coefficients, weighted by the scatter that they imply.
-    fn settle(&self) -> Option<[f64; 5]> {
+    pub fn settle(&self) -> Option<[f64; 5]> {
         let mut theta = self.first_guess();
         for _ in 0..ROUNDS {
             theta = self.weighted(&theta)?.nonnegative(None);
@@ -204,7 +140,7 @@ impl Octaves {
     }
 
     /// Finds the smallest model error that explains the misfit.
-    fn fit_model_error(&mut self) {
+    pub fn fit_model_error(&mut self) {
         if self
             .misfit()
             .is_none_or(|(chi2, freedom)| chi2 <= limit(freedom))
@@ -224,11 +160,28 @@ impl Octaves {
     /// χ² of the fit and its degrees of freedom.
     fn misfit(&self) -> Option<(f64, f64)> {
         let theta = self.settle()?;
-        Some((self.weighted(&theta)?.chi2(&theta), self.freedom(&theta)))
+        Some((self.chi2(&theta)?, self.freedom(&theta)))
+    }
+
+    fn chi2(&self, theta: &[f64; 5]) -> Option<f64> {
+        Some(self.weighted(theta)?.chi2(theta))
+    }
+
+    /// Returns true if squared coefficients are possible ones.
+    fn allow(&self, theta: &[f64; 5]) -> bool {
+        let [memory, others @ ..] = theta;
+        if others.iter().any(|&t| t < 0.0) || (*memory < 0.0 && !self.has_memory) {
+            return false;
+        }
+        let left = |p: &AllanPoint| {
+            let whole = variance(p.tau, &[0.0, theta[1], theta[2], theta[3], theta[4]]);
+            variance(p.tau, theta) >= LEFT_BY_MEMORY * whole
+        };
+        self.points.first().is_none_or(left)
     }
 
     fn freedom(&self, theta: &[f64; 5]) -> f64 {
-        let used = theta.iter().filter(|&&t| t > 0.0).count();
+        let used = theta.iter().filter(|&&t| t != 0.0).count();
         self.points.len().saturating_sub(used).max(1) as f64
     }
 
@@ -241,7 +194,7 @@ impl Octaves {
     }
 
     /// The problem with the scatter that `theta` implies.
-    fn weighted(&self, theta: &[f64; 5]) -> Option<Weighted<'_>> {
+    pub fn weighted(&self, theta: &[f64; 5]) -> Option<Weighted<'_>> {
         let scale: Vec<f64> = self.points.iter().map(|p| variance(p.tau, theta)).collect();
         let mut matrix = self.matrix(theta, &scale);
         for k in 0..scale.len() {
@@ -265,7 +218,7 @@ impl Octaves {
 }
 
 /// `‖d − A θ‖²` with whitened rows.
-struct Weighted<'a> {
+pub(crate) struct Weighted<'a> {
     octaves: &'a Octaves,
     design: DMatrix<f64>,
     data: DVector<f64>,
@@ -294,9 +247,9 @@ impl Weighted<'_> {
         Some(rest)
     }
 
-    /// The best squared coefficients that are not negative, by trying every subset of the terms;
-    /// the term `held`, if any, keeps its value.
-    fn nonnegative(&self, held: Option<(usize, f64)>) -> [f64; 5] {
+    /// The best squared coefficients that are not negative, but for what a memory takes off, by trying every subset of
+    /// the terms; the term `held`, if any, keeps its value.
+    pub fn nonnegative(&self, held: Option<(usize, f64)>) -> [f64; 5] {
         let mut start = [0.0; 5];
         if let Some((k, value)) = held {
             start[k] = value;
@@ -307,10 +260,7 @@ impl Weighted<'_> {
                 continue;
             }
             let terms: Vec<usize> = (0..5).filter(|k| subset >> k & 1 == 1).collect();
-            let Some(theta) = self
-                .solve(&terms, &start)
-                .filter(|t| t.iter().all(|&t| t >= 0.0))
-            else {
+            let Some(theta) = self.solve(&terms, &start).filter(|t| self.octaves.allow(t)) else {
                 continue;
             };
             let chi2 = self.chi2(&theta);
@@ -324,7 +274,7 @@ impl Weighted<'_> {
     /// The interval of squared coefficient `k`: the values under which the estimate with all five
     /// terms of either sign, a fixed linear combination of the points, would not be surprising. The
     /// other four are fitted anew for every value tried, because the scatter depends on them.
-    fn interval(&self, k: usize) -> Option<Interval> {
+    pub fn interval(&self, k: usize) -> Option<Interval> {
         let estimate = self.solve(&[0, 1, 2, 3, 4], &[0.0; 5])?[k];
         let gram = Cholesky::new(self.design.tr_mul(&self.design))?;
         let mut unit = DVector::zeros(5);

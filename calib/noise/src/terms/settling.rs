@@ -15,6 +15,11 @@ const PER_OCTAVE: f64 = 16.0;
 /// gains nothing (Liu et al. 2021, section 3.1). `None` where the deviation still falls at the
 /// longest averaging time: the recording is too short to tell.
 pub fn settling_time(terms: &NoiseTerms, shortest_tau: f64) -> Option<f64> {
+    if !terms.is_known {
+        return None;
+    }
+    // A memory makes the deviation smaller at times that no term was fitted to.
+    let shortest_tau = shortest_tau.max(terms.shortest_tau);
     let octaves = (terms.longest_tau / shortest_tau).log2().max(0.0);
     let steps = (octaves * PER_OCTAVE) as u32;
     let curve: Vec<(f64, f64)> = (0..=steps)

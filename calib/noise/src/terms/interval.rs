@@ -25,7 +25,7 @@ impl Interval {
 
 /// Moments of an estimate for a given true value `θ`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Scatter {
+pub(crate) struct Scatter {
     /// Variance.
     pub variance: f64,
     /// Third central moment.
@@ -40,7 +40,7 @@ pub(super) struct Scatter {
 /// An estimate far below zero contradicts every `θ ≥ 0`, and the plain upper end would collapse to zero
 /// just where the scatter is least understood. The upper end is therefore never below that of an
 /// estimate of zero, which is what the recording could have seen at best; that can only add confidence.
-pub(super) fn invert(confidence: f64, estimate: f64, scatter: impl Fn(f64) -> Scatter) -> Interval {
+pub(crate) fn invert(confidence: f64, estimate: f64, scatter: impl Fn(f64) -> Scatter) -> Interval {
     let tail = 0.5 * (1.0 - confidence);
     let excess = |estimate: f64, theta: f64, probability: f64| {
         let Scatter { variance, third } = scatter(theta);

@@ -15,6 +15,9 @@ const SHORTEST: usize = 5;
 /// Share of the samples that repeat by something other than chance from which it is said.
 const SHARE: f64 = 0.02;
 
+/// The same repeat more often than chance by so many standard deviations of what chance gives.
+const EVIDENT: f64 = 6.0;
+
 /// Rounds in which the share that is held settles.
 const ROUNDS: usize = 30;
 
@@ -29,7 +32,7 @@ pub struct Held {
 
 /// Counts equal neighbours.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Repeats {
+pub(crate) struct Repeats {
     samples: usize,
     /// Neighbours that are equal on each axis, and on all.
     equal: [usize; 3],
@@ -89,6 +92,10 @@ impl Repeats {
             self.equal.map(|n| n as f64 / pairs),
             self.all as f64 / pairs,
         );
+        // Of an axis that hardly ever changes, nearly all readings repeat by chance, and the few others tell little.
+        let by_chance: f64 = self.equal.iter().map(|&n| n as f64 / pairs).product();
+        let more = self.all as f64 / pairs - by_chance;
+        let is_evident = more > EVIDENT * (by_chance * (1.0 - by_chance) / pairs).sqrt();
         let is_no_chance = |length: usize| {
             length >= SHORTEST && pairs * chance.powi(length as i32 - 1) < NO_CHANCE
         };
@@ -98,7 +105,11 @@ impl Repeats {
             .filter(|(length, _)| is_no_chance(*length));
         Held {
             stretches: stretches.map(|(_, span)| *span).collect(),
-            share: if share > SHARE { share } else { 0.0 },
+            share: if share > SHARE && is_evident {
+                share
+            } else {
+                0.0
+            },
         }
     }
 }

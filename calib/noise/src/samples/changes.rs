@@ -35,7 +35,7 @@ const EXPLAINED: f64 = 0.9;
 const WHITE: f64 = 0.7;
 
 /// Mean of a block of samples.
-pub(super) type Mean = (Span, f64);
+pub(crate) type Mean = (Span, f64);
 
 /// A step of the mean.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,7 +59,7 @@ pub struct Drift {
 ///
 /// The difference of the means on either side of every place is compared with the usual one, so that white noise, flicker
 /// noise and a random walk of any size have their share; a step happens at once and lasts.
-pub(super) fn steps(means: &[Mean]) -> Vec<Step> {
+pub(crate) fn steps(means: &[Mean]) -> Vec<Step> {
     let mut found: Vec<Step> = Vec::new();
     let prefix = prefix(means);
     for width in WINDOWS.into_iter().take_while(|w| HELD * w <= means.len()) {
@@ -129,7 +129,7 @@ fn prefix(means: &[Mean]) -> Vec<f64> {
 }
 
 /// A drift of a mean that goes so smoothly that no noise explains it: a curve of third order through the means.
-pub(super) fn drift(means: &[Mean]) -> Option<Drift> {
+pub(crate) fn drift(means: &[Mean]) -> Option<Drift> {
     if means.len() < 2 * PARTS {
         return None;
     }
