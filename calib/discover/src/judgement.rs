@@ -4,7 +4,7 @@ use recording::Error;
 
 use super::fault::mixed::{explain_disturbed, leave_out_mixed, take_back};
 use super::flicker::{names_and_rest, without_flickering};
-use super::propose::{Proposed, instead_of_names};
+use super::propose::{Proposed, hidden_formula, instead_of_names};
 use super::remainder::unexplained::{Unexplained, rest_of};
 use super::remainder::withdrawn::{
     weigh_beside_shape, without_doubtful_steps, without_steps_of, without_undetermined,
@@ -20,7 +20,7 @@ pub struct Judged {
     pub search: Search,
     /// Disagreement that remains beside the names.
     pub rest: Option<Unexplained>,
-    /// The formula that explains the whole in their place.
+    /// The formula that explains the whole in their place, or what the noise of the biases hid.
     pub instead: Option<Proposed>,
 }
 
@@ -82,7 +82,7 @@ pub fn judged(
     let (mut search, mut rest) = (found.search, found.rest);
     let instead = instead_of_names(session, &search, found.of_base);
     let instead = instead.filter(|(formula, _)| may_replace(session, &formula.state));
-    let instead = instead.map(|(formula, mut whole)| {
+    let mut instead = instead.map(|(formula, mut whole)| {
         whole.instead_of = search.withdraw_all();
         rest = Some(whole);
         formula
@@ -91,6 +91,13 @@ pub fn judged(
         if review(session, &mut search, rest.as_ref())? {
             rest = rest_of(&search.last, alpha);
         }
+    }
+    if rest.is_none()
+        && let Some((formula, hidden)) = hidden_formula(session, &search.last)
+        && may_replace(session, &formula.state)
+    {
+        rest = Some(hidden);
+        instead = Some(formula);
     }
     explain_disturbed(session, &mut search)?;
     if let Some(found) = rest.as_mut() {

@@ -4,15 +4,14 @@ use std::borrow::{Borrow, Cow};
 use std::sync::Arc;
 
 use effects::{catalogue_of, follows_turns, stands_in_the_room};
-use estimate::calibrate::{Prepared, own_effects};
+use estimate::calibrate::{Prepared, corrected_before, of_the_detector, own_effects};
 use estimate::gravity::GravitySource;
 use estimate::methods::earth::on_the_earth;
 use estimate::methods::joint::{
     BiasNoise, ClockMode, DecidedClock, IN_A_SEARCH, JointFit, JointRequest,
 };
-use estimate::methods::{Choice, OfAnother, cut, cut_several};
+use estimate::methods::{Choice, cut, cut_several};
 use recording::intervals::Detector;
-use recording::readings::swings;
 use recording::watch::{Stage, Watch};
 use recording::{Error, Recording};
 use sensor::{EffectRef, Nature, Role, Sensor};
@@ -153,10 +152,8 @@ impl<'a> Session<'a> {
         })?;
         let mut remarks = ready.remarks.clone();
         for (recording, choice) in all.iter().zip(&choices) {
-            let swings = swings(recording, &choice.segmentation).into_iter();
-            remarks.extend(swings.map(|swing| swing.in_recording(recording)));
-            let another = choice.of_another.as_ref().map(OfAnother::finding);
-            remarks.extend(another.map(|found| found.in_recording(&recording.name)));
+            remarks.extend(of_the_detector(recording, choice));
+            remarks.extend(corrected_before(recording, &choice.segmentation));
         }
         Ok(Self {
             remarks,

@@ -69,6 +69,17 @@ impl State {
         })
     }
 
+    /// The same model with its biases' noise taken as known.
+    pub fn at_noise(&self, noise: BiasNoise) -> Self {
+        Self {
+            noise,
+            noise_given: true,
+            levels: OnceLock::new(),
+            walks: OnceLock::new(),
+            ..self.clone()
+        }
+    }
+
     /// Computes the projected residuals where the biases flicker as well as walk, with that noise.
     pub fn flickering(&self) -> (Projected, BiasNoise) {
         let (components, levels) = self.fit.flickering();

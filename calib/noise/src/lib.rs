@@ -24,7 +24,8 @@ pub use samples::held::Held;
 pub use samples::outliers::Outliers;
 pub use samples::stillness::{AtRest, Stillness};
 pub use summary::{
-    AxisNoise, CurvePoint, Densities, NOISE_SCHEMA, NoiseSummary, SensorNoise, TermValue,
+    AxisNoise, CurvePoint, Densities, NOISE_SCHEMA, NoiseSummary, RandomWalk, SensorNoise,
+    TermValue,
 };
 pub use terms::identify::{Estimate, NoiseTerms, identify};
 pub use terms::interval::Interval;

@@ -35,6 +35,15 @@ pub struct NoiseSummary {
     pub warnings: Findings,
 }
 
+/// The random walk density of a sensor: root mean square over its axes, in its own unit by `√s`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RandomWalk {
+    /// The density; an axis whose walk the recording only bounds counts with its bound.
+    pub density: f64,
+    /// True if it is a bound on some axis.
+    pub is_bound: bool,
+}
+
 /// Noise of one sensor.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SensorNoise {
@@ -135,6 +144,26 @@ pub struct CurvePoint {
     pub upper: Option<f64>,
     /// The deviation that the terms give.
     pub fitted: Option<f64>,
+}
+
+impl SensorNoise {
+    /// The random walk of the bias; `None` where the recording does not bound it on every axis.
+    pub fn random_walk(&self) -> Option<RandomWalk> {
+        let of = |terms: &[TermValue]| {
+            let term = terms.iter().find(|t| t.term == NoiseTerm::RandomWalk)?;
+            match term.lower > 0.0 {
+                true => Some((term.value, false)),
+                false => Some((term.upper?, true)),
+            }
+        };
+        let axes: Option<Vec<(f64, bool)>> = self.axes.iter().map(|a| of(&a.terms)).collect();
+        let axes = axes?;
+        let square = axes.iter().map(|(v, _)| v * v).sum::<f64>() / axes.len() as f64;
+        Some(RandomWalk {
+            density: square.sqrt(),
+            is_bound: axes.iter().any(|(_, is_bound)| *is_bound),
+        })
+    }
 }
 
 impl NoiseSummary {

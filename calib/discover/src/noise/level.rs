@@ -68,6 +68,12 @@ impl Level {
         self.of.is_none_or(|own| own == sensor)
     }
 
+    /// Returns true if the bias of the sensor that this setting is of has no noise.
+    pub fn is_without_noise(&self) -> bool {
+        self.of
+            .is_some_and(|sensor| self.noise == self.noise.with_shares(sensor, 0.0, 0.0))
+    }
+
     /// Returns true if errors of this sensor are tried at this setting.
     ///
     /// Errors of the gyroscope are tried at every setting: the turns are compared with the accelerometer's directions, so

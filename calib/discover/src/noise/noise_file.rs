@@ -45,16 +45,17 @@ pub fn noise_in(path: &Path) -> Result<GivenNoise, Error> {
     for (place, (sensor, noise)) in sensors.into_iter().enumerate() {
         let of = |kind| in_file(Finding::of(kind)).of_sensor(sensor);
         let noise = noise.ok_or_else(|| Error::input(of(Kind::NoiseOfOneSensor)))?;
-        let density = density(&noise).ok_or_else(|| Error::input(of(Kind::WalkUnbounded)))?;
-        if density.value > LARGEST {
+        let walk = noise.random_walk();
+        let walk = walk.ok_or_else(|| Error::input(of(Kind::WalkUnbounded)))?;
+        if walk.density > LARGEST {
             let found = of(Kind::WalkImpossible)
-                .number("density", density.value, "1")
+                .number("density", walk.density, "1")
                 .number("largest", LARGEST, "1");
             return Err(Error::input(found));
         }
-        given.noise.walk[place] = density.value;
+        given.noise.walk[place] = walk.density;
         given.noise.flicker[place] = instability(&noise);
-        if density.bounded {
+        if walk.is_bound {
             given.notes.push(of(Kind::WalkOnlyBounded));
         }
     }
@@ -87,29 +88,6 @@ fn instability(noise: &SensorNoise) -> [f64; 3] {
         term.map_or(0.0, |t| t.value)
     };
     [0, 1, 2].map(|axis| noise.axes.get(axis).map_or(0.0, |a| of(&a.terms)))
-}
-
-struct Density {
-    value: f64,
-    bounded: bool,
-}
-
-fn density(noise: &SensorNoise) -> Option<Density> {
-    let walk = |terms: &[TermValue]| {
-        let term = terms.iter().find(|t| t.term == NoiseTerm::RandomWalk)?;
-        if term.lower > 0.0 {
-            Some((term.value, false))
-        } else {
-            Some((term.upper?, true))
-        }
-    };
-    let axes: Option<Vec<(f64, bool)>> = noise.axes.iter().map(|a| walk(&a.terms)).collect();
-    let axes = axes?;
-    let square = axes.iter().map(|(v, _)| v * v).sum::<f64>() / axes.len() as f64;
-    Some(Density {
-        value: square.sqrt(),
-        bounded: axes.iter().any(|(_, bounded)| *bounded),
-    })
 }
 
 #[cfg(test)]

@@ -11,13 +11,13 @@ use super::{Proposed, propose_of};
 use crate::family::{coefficients, effect_family, may_be_missing};
 use crate::rank::APART;
 use crate::remainder::described::Described;
-use crate::remainder::unexplained::{Unexplained, rest_beside};
+use crate::remainder::unexplained::{Unexplained, rest_beside, rest_of};
 use crate::request::Session;
 use crate::search::Search;
 use crate::state::State;
 
 /// A product of which an effect of the catalogue leaves less than this share (`1 − ρ²`) is that effect's, no formula.
-const OWN: f64 = 0.05;
+pub(super) const OWN: f64 = 0.05;
 
 /// So many disturbances may be one error of the sensor.
 const SEVERAL: usize = 2;
@@ -43,7 +43,9 @@ pub fn instead_of_names(
         return None;
     }
     let described = of_base.unwrap_or_else(|| Described::of(base));
-    let whole = rest_beside(base, &described, session.request.alpha_of_rest())?;
+    let alpha = session.request.alpha_of_rest();
+    let whole = rest_beside(base, &described, alpha)
+        .or_else(|| rest_of(&base.at_noise(screened.noise), alpha))?;
     let found = propose_of(session, base, &whole, (&products, &screened))?;
     (found.ranked.by_ratio() > needed).then_some((found, whole))
 }

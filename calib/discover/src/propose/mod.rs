@@ -10,6 +10,7 @@ mod chosen;
 mod dictionary;
 mod forms;
 mod group_lasso;
+mod hidden;
 mod instead;
 mod most;
 mod screen;
@@ -21,6 +22,7 @@ use chosen::{Chosen, Stable};
 use dictionary::{Product, dictionary, log_formulas};
 use estimate::calibration::EffectParameter;
 pub use forms::forms;
+pub use hidden::hidden_formula;
 pub use instead::instead_of_names;
 use screen::{Screened, screen};
 use sensor::{EffectRef, Formula, Sensor};
@@ -90,8 +92,14 @@ pub struct Proposed {
 }
 
 impl Proposed {
+    /// Chance of so much by any formula of as many terms where nothing is missing.
+    fn p_value(&self) -> f64 {
+        (-self.ranked.evidence).exp().min(1.0)
+    }
+
     /// Builds the proposal as it is written to the file; `parameters` are those of the refit.
     pub fn written(self, channel: Channel, parameters: Vec<EffectParameter>) -> Proposal {
+        let adjusted_p_value = self.p_value();
         let mut formula = self.formula;
         for (term, p) in formula.terms.iter_mut().zip(&parameters) {
             term.size = p.value;
@@ -103,7 +111,7 @@ impl Proposed {
             terms: parameters,
             channel,
             statistic: self.ranked.statistic,
-            adjusted_p_value: (-self.ranked.evidence).exp().min(1.0),
+            adjusted_p_value,
             held_out_gap_before: self.gaps[0],
             held_out_gap_after: self.gaps[1],
             stability: self.stability,

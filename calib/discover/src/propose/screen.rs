@@ -1,5 +1,6 @@
 //! The products that may explain the rest: few enough for a cone program.
 
+use estimate::methods::joint::BiasNoise;
 use faer::Mat;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
@@ -32,7 +33,9 @@ pub struct Screened {
     pub bases: Vec<Mat<f64>>,
     /// Their whitened columns.
     columns: Vec<Mat<f64>>,
-    /// The disagreement at the densities of the walks that suit the best of them.
+    /// The noise of the biases that suits the best of them.
+    pub noise: BiasNoise,
+    /// The disagreement at that noise.
     pub whitened: Whitened,
     /// The `λ` below which noise alone would select.
     pub floor: f64,
@@ -66,9 +69,9 @@ impl Screened {
 /// The products with the best score of their own.
 pub fn screen(state: &State, products: &[Product]) -> Option<Screened> {
     let levels = state.levels();
-    let kept = best(products, &levels.first()?.whitened);
-    let level = likeliest(products, &kept, levels)?;
-    let whitened = levels[level].whitened.clone();
+    let kept = best(products, levels);
+    let level = &levels[likeliest(products, &kept, levels)?];
+    let whitened = level.whitened.clone();
     let law = ChiSquared::new(3.0).ok()?;
     let floor = law.inverse_cdf(1.0 - BY_CHANCE / products.len().max(1) as f64) / 3.0;
     let mut screened = Screened {
@@ -76,6 +79,7 @@ pub fn screen(state: &State, products: &[Product]) -> Option<Screened> {
         products: Vec::new(),
         bases: Vec::new(),
         columns: Vec::new(),
+        noise: level.noise,
         whitened,
         floor: floor.sqrt(),
     };
@@ -117,8 +121,26 @@ fn by_evidence(screened: Screened) -> Screened {
     }
 }
 
-fn best(products: &[Product], whitened: &Whitened) -> Vec<usize> {
-    let of = |p: &Product| log_p(&p.basis(whitened), whitened);
+/// The likeliest at the likeliest noise of the biases, or without any: what is taken for noise may be what they explain.
+fn best(products: &[Product], levels: &[Level]) -> Vec<usize> {
+    let nothing = levels
+        .first()
+        .map_or(0.0, |level| level.whitened.log_likelihood());
+    let of = |p: &Product| {
+        let own = levels
+            .iter()
+            .enumerate()
+            .filter(|(k, level)| *k == 0 || (level.is_for(p.sensor) && level.is_without_noise()));
+        let each = own.map(|(_, level)| {
+            let gained = 2.0 * (level.whitened.log_likelihood() - nothing);
+            let basis = p.basis(&level.whitened);
+            log_tail(
+                (gained + statistic(&basis, &level.whitened)).max(0.0),
+                basis.ncols() as f64,
+            )
+        });
+        each.fold(0.0, f64::min)
+    };
     let mut all: Vec<(f64, usize)> = products.iter().map(of).zip(0..).collect();
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
     all.into_iter().take(KEPT).map(|(_, k)| k).collect()

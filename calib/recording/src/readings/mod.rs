@@ -50,18 +50,6 @@ pub fn altered_bias(recording: &Recording, segmentation: &Segmentation) -> Optio
     dead_zone::found(&of).or_else(|| rezeroing::found(&of))
 }
 
-/// Swings with one period at rest, of readings whose steps do not hide them.
-pub fn swings(recording: &Recording, segmentation: &Segmentation) -> Vec<Symptom> {
-    let sensors = [Sensor::Accelerometer, Sensor::Gyroscope].into_iter();
-    let of = sensors.filter_map(|sensor| OfSensor::new(sensor, recording, segmentation));
-    let is_fine = |of: &OfSensor<'_>| {
-        dead_zone::found(of).is_none() && quantisation::found(of, None).is_none()
-    };
-    of.filter(is_fine)
-        .filter_map(|of| swing::found(&of))
-        .collect()
-}
-
 /// Everything that the readings show once it is known where the device was still.
 pub fn symptoms(recording: &Recording, segmentation: &Segmentation) -> Vec<Symptom> {
     let mut all = Vec::new();

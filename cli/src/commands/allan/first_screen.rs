@@ -23,10 +23,14 @@ pub fn screen(args: &Args, summary: &NoiseSummary) -> Screen {
         .output
         .as_deref()
         .map_or("noise.json".into(), command_line);
-    next.push(Step::new(
-        "use it in a search",
-        format!("stillpoint discover SESSION --noise {noise}"),
-    ));
+    // A search takes no walk that nothing bounds.
+    let mut walks = [&summary.accelerometer, &summary.gyroscope].into_iter();
+    if walks.all(|noise| noise.as_ref().is_some_and(|n| n.random_walk().is_some())) {
+        next.push(Step::new(
+            "use it in a search",
+            format!("stillpoint discover SESSION --noise {noise}"),
+        ));
+    }
     Screen {
         verdict: vec![verdict(summary)],
         tables: vec![table(summary)],

@@ -19,6 +19,10 @@ const RELATIVE_REFUSE: f64 = 0.05;
 const BIAS_WARN: f64 = 0.01;
 const BIAS_REFUSE: f64 = 0.05;
 
+/// Parameters of an accelerometer that are all known to this need no further placement, by whatever they are known: share of the scale, or
+/// of gravity.
+const KNOWN_WELL: f64 = 5e-4;
+
 /// The fit of an accelerometer, by whatever method.
 pub(in crate::calibrate) struct ForceEvidence<'a> {
     pub fitted: &'a Fitted,
@@ -117,11 +121,14 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
         return Err(Error::not_enough(with_weakest(found, fit)));
     }
     let found = plan::coverage(directions);
-    if !found.is_complete() {
+    let weakest = weakest(fit);
+    let is_known = weakest.is_some_and(|(_, error)| error <= KNOWN_WELL);
+    let is_full = found.missing_faces.is_empty() && count >= plan::REQUIREMENT.placements;
+    if !found.is_complete() && !(is_known && is_full) {
         let missing = Finding::of(Kind::PlacementsMissing)
             .of_sensor(Sensor::Accelerometer)
             .detail("found", found.found());
-        let missing = match weakest(fit) {
+        let missing = match weakest {
             Some((name, error)) => missing
                 .detail("parameter", name)
                 .detail("error", percent(error)),

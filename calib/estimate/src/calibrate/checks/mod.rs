@@ -19,7 +19,8 @@ pub(super) use determined::{
     ForceEvidence, RateEvidence, accelerometer_is_determined, gyroscope_is_determined,
 };
 pub(super) use norm::the_norm_tells_them;
-pub(super) use on_top::{corrected_before, reads_zero_at_rest};
+pub use on_top::corrected_before;
+pub(super) use on_top::reads_zero_at_rest;
 pub(super) use plausible::none_is_turned;
 pub(super) use plausible::{ForceFit, RateFit, diagonal_std, signed_axes, turned_field};
 pub use plausible::{Said, implausible, implausible_base};
@@ -45,8 +46,8 @@ const ENOUGH_RATE: f64 = 1000.0;
 /// Quiet stretches that are shown where none is quiet enough.
 const QUIETEST: usize = 3;
 
-/// Lists the findings about the segmentation of a recording.
-pub(super) fn of_the_detector(recording: &Recording, choice: &Choice) -> Vec<Finding> {
+/// Lists the findings about the readings of a recording and how it was cut.
+pub fn of_the_detector(recording: &Recording, choice: &Choice) -> Vec<Finding> {
     let found = symptoms(recording, &choice.segmentation);
     let found = found.iter().map(|found| found.in_recording(recording));
     let all = choice.remarks().into_iter().chain(found);

@@ -11,14 +11,17 @@ const ZERO: f64 = 5.0;
 /// ... in so many of the intervals, on each axis.
 const SHARE: f64 = 0.8;
 
+/// The mean over all intervals is zero to within so many of its standard errors, ...
+const TOGETHER: f64 = 3.0;
+
+/// ... which are no larger than this, rad/s: a bias is seldom smaller than larger ones.
+const TELLS: f64 = 1e-3;
+
 /// Fewest static intervals.
 const FEWEST: usize = 6;
 
-/// Says where the gyroscope reads nothing at rest.
-pub(in crate::calibrate) fn corrected_before(
-    recording: &Recording,
-    segmentation: &Segmentation,
-) -> Option<Finding> {
+/// Returns the finding that a gyroscope reads nothing at rest, as none does whose readings nobody corrected.
+pub fn corrected_before(recording: &Recording, segmentation: &Segmentation) -> Option<Finding> {
     reads_zero_at_rest(recording, segmentation).then(|| {
         Finding::of(Kind::BiasRemovedBefore)
             .in_recording(&recording.name)
@@ -62,7 +65,8 @@ fn is_zero_together(means: impl ExactSizeIterator<Item = f64> + Clone) -> bool {
     let n = means.len() as f64;
     let mean = means.clone().sum::<f64>() / n;
     let variance = means.map(|m| (m - mean).powi(2)).sum::<f64>() / (n - 1.0).max(1.0);
-    mean.abs() < ZERO * (variance / n).sqrt()
+    let error = (variance / n).sqrt();
+    error < TELLS && mean.abs() < TOGETHER * error
 }
 
 #[cfg(test)]

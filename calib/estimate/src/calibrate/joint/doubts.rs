@@ -13,11 +13,15 @@ const INFLUENTIAL: f64 = 4.0;
 /// An effect is said to be missing where chance makes the rows speak so for one in fewer recordings than this.
 const SPEAKS: f64 = 2e-3;
 
-/// The placements whose force no touch explains: nothing shook, and they are off by more than [`APART`].
+/// ... and by so many times what all turns miss: of turns that are spoilt none tells how a placement lies.
+const ABOVE_TURNS: f64 = 5.0;
+
+/// The placements whose force no touch explains: nothing shook, and they are off by more than [`APART`] and [`ABOVE_TURNS`].
 pub fn placements_apart(fit: &JointFit) -> Option<Finding> {
+    let missed = fit.gravity * fit.direction_rms();
     let apart = |a: &&Flagged| {
         let is_pushed = a.fault.opens_force() && a.reason == Reason::Disturbed;
-        is_pushed && !a.shook && a.size > APART
+        is_pushed && !a.shook && a.size > APART.max(ABOVE_TURNS * missed)
     };
     let all: Vec<String> = fit
         .flagged

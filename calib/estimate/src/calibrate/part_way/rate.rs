@@ -11,7 +11,7 @@ const FEWEST: usize = 8;
 const SIDE: usize = 4;
 
 /// A step is so many times what the means of neighbouring intervals otherwise differ by.
-const STANDS_OUT: f64 = 8.0;
+const STANDS_OUT: f64 = 5.0;
 
 /// It stays: the levels of both sides differ by this share of it.
 const STAYS: f64 = 0.6;

@@ -101,13 +101,14 @@ const WORTH_IT: f64 = 0.8;
 /// Returns a step that states the gain in scale factor errors from a known place; `None` if the gain is small.
 fn gained(calibration: &Calibration) -> Option<String> {
     let stds = calibration.accelerometer.iter().flat_map(|triad| {
-        let of = |k: usize| Some((triad.t_std[k][k]?, triad.t[k][k]));
+        // Of counts a scale factor is far from 1.
+        let of = |k: usize| Some(triad.t_std[k][k]? / triad.t[k][k].abs());
         (0..3).filter_map(of)
     });
-    let relative = calibration.gravity_source.std() / calibration.gravity;
+    let of_gravity = calibration.gravity_source.std() / calibration.gravity;
     let (mut now, mut then) = (0.0, 0.0);
-    for (std, scale) in stds {
-        let own = (std.powi(2) - (relative * scale).powi(2)).max(0.0).sqrt();
+    for std in stds {
+        let own = (std.powi(2) - of_gravity.powi(2)).max(0.0).sqrt();
         if std > now {
             (now, then) = (std, own);
         }

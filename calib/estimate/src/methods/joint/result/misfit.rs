@@ -10,7 +10,7 @@ use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::data::TurnSamples;
 use crate::methods::joint::faults::Scope;
 use crate::methods::joint::fit::JointFit;
-use crate::methods::joint::noise::weights::{NoiseLevel, Whitening};
+use crate::methods::joint::noise::weights::{ComponentKind, NoiseLevel, Whitening};
 use crate::methods::joint::orientation::Shown;
 use crate::methods::joint::result::channel::Channel;
 use crate::methods::small_sample::by_chance;
@@ -91,9 +91,18 @@ impl JointFit {
 
     /// Whitening by what was measured within the static intervals, and walks of the biases.
     pub(crate) fn noise_whitening(&self) -> Whitening {
+        self.whitening_by(ComponentKind::is_noise)
+    }
+
+    /// The same where the turns scatter as they do beside that noise.
+    pub(crate) fn noise_whitening_with_scatter(&self) -> Whitening {
+        self.whitening_by(|kind| kind.is_noise() || kind == ComponentKind::TurnScatter)
+    }
+
+    fn whitening_by(&self, is_taken: impl Fn(ComponentKind) -> bool) -> Whitening {
         let levels = self.levels.iter().copied();
-        let noise: Vec<NoiseLevel> = levels.filter(|level| level.kind.is_noise()).collect();
-        Whitening::new(self.whitening.white.clone(), &self.components, &noise)
+        let taken: Vec<NoiseLevel> = levels.filter(|level| is_taken(level.kind)).collect();
+        Whitening::new(self.whitening.white.clone(), &self.components, &taken)
     }
 
     /// Root mean square of `‖f‖ − g` over the static intervals that nothing disturbed, each weighted by what its noise

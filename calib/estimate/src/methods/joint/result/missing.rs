@@ -1,13 +1,14 @@
 //! An effect that the rows speak for, by a score test.
 
 use effects::catalogue_of;
-use faer::ColRef;
+use faer::{ColRef, Mat};
 use recording::Recording;
 use sensor::{EffectRef, Kinematics, Quantity, Role, Sensor};
 
 use crate::methods::joint::blocks::basis::Basis;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::fit::JointFit;
+use crate::methods::joint::noise::weights::Whitening;
 use crate::methods::joint::result::marginal::orthonormal;
 use crate::methods::joint::rows::error_columns::effect_columns;
 use crate::methods::joint::rows::sensitivity::Sensitivities;
@@ -33,7 +34,8 @@ impl JointFit {
     ///
     /// A score test (Rao 1948) needs no fit with the effect: `r` whitened residual, `J` its Jacobian, `E = ∂r/∂c` at `c = 0`;
     /// under the model `|P r|²`, `P` onto what `J` leaves of `E`, is `χ²` of the rank of that. It looks at the turns too, which
-    /// see most of what changes a direction and not a norm.
+    /// see most of what changes a direction and not a norm. Errors of the accelerometer show at rest: for them turns scatter as
+    /// they do, for what spoils the turns is none of theirs.
     pub fn missing(&self, recordings: &[&Recording]) -> Option<Missing> {
         let own = |effect: &EffectRef| {
             let mut own = self.models.iter().flat_map(|model| model.effects());
@@ -43,22 +45,19 @@ impl JointFit {
         let all = catalogue_of(Sensor::Accelerometer).chain(catalogue_of(Sensor::Gyroscope));
         let is_tried = |effect: &EffectRef| goes_by_signal(effect, is_told) && !own(effect);
         let tried: Vec<_> = all.filter(is_tried).collect();
-        let whitening = self.noise_whitening();
-        let model = Basis::of(&whitening.finish_columns(self.white_jacobian.clone()));
-        let residuals = whitening.finish_column(&self.white_residuals);
-        let residuals = ColRef::from_slice(&residuals);
+        let by_noise = Beside::of(self, self.noise_whitening());
+        let by_scatter = Beside::of(self, self.noise_whitening_with_scatter());
+        let rows = self.white_residuals.len();
         let sensitivities = self.sensitivities_with_covariates(recordings);
         let found = tried.iter().filter_map(|effect| {
             let p: Vec<f64> = effect.params().iter().map(|p| p.nominal).collect();
             let wanted: Vec<usize> = (0..p.len()).collect();
-            let mut columns =
-                effect_columns(&sensitivities, residuals.nrows(), effect, &p, &wanted);
-            whitening.white.apply(columns.as_mut());
-            let columns = Columns::cut(&columns, whitening.groups());
-            let left = model.without(&whitening.finish_columns(columns));
-            let basis = orthonormal(&left.to_dense());
-            let statistic = (basis.transpose() * residuals).squared_norm_l2();
-            let dof = basis.ncols();
+            let columns = effect_columns(&sensitivities, rows, effect, &p, &wanted);
+            let beside = match effect.sensor() {
+                Sensor::Accelerometer => &by_scatter,
+                _ => &by_noise,
+            };
+            let (statistic, dof) = beside.score(columns);
             (dof > 0).then(|| Missing {
                 effect: effect.clone(),
                 statistic,
@@ -92,6 +91,33 @@ impl JointFit {
             samples.for_each(|(truth, t)| set(truth, recording, *t));
         }
         all
+    }
+}
+
+/// The whitened residuals beside the parameters of the model.
+struct Beside {
+    whitening: Whitening,
+    model: Basis,
+    residuals: Vec<f64>,
+}
+
+impl Beside {
+    fn of(fit: &JointFit, whitening: Whitening) -> Self {
+        Self {
+            model: Basis::of(&whitening.finish_columns(fit.white_jacobian.clone())),
+            residuals: whitening.finish_column(&fit.white_residuals),
+            whitening,
+        }
+    }
+
+    /// `|P_E r|²` of columns (`m × k`) and its degrees of freedom.
+    fn score(&self, mut columns: Mat<f64>) -> (f64, usize) {
+        self.whitening.white.apply(columns.as_mut());
+        let columns = Columns::cut(&columns, self.whitening.groups());
+        let left = self.model.without(&self.whitening.finish_columns(columns));
+        let basis = orthonormal(&left.to_dense());
+        let explained = basis.transpose() * ColRef::from_slice(&self.residuals);
+        (explained.squared_norm_l2(), basis.ncols())
     }
 }
 

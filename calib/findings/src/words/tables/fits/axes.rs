@@ -90,11 +90,11 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
     },
     Entry {
         kind: Kind::AxesTurned,
-        level: Level::Remark,
-        severity: 0.01,
-        reason: "the gyroscope's axes are turned against the accelerometer's",
-        text: "the gyroscope's axes are turned against the accelerometer's[: {axes}][, by an angle that is no {angle}]. The calibration turns them back[. If both sensors are mounted alike, the {other} is mirrored (left-handed) instead]",
-        advice: "[use this calibration if the data sheet draws the axes of the gyroscope and the {other} turned so; if it draws them alike, correct the sign of the {other}]",
+        level: Level::Care,
+        severity: 1.0,
+        reason: "the axes of the gyroscope and the accelerometer do not agree",
+        text: "the gyroscope's axes are turned against the accelerometer's[: {axes}][, by an angle that is no {angle}]. The calibration turns them back[. If both sensors are mounted alike, as in nearly every device, the {other} is mirrored (left-handed) instead: a sign of it is wrong or two of its columns are exchanged]",
+        advice: "[use this calibration if the data sheet draws the axes of the gyroscope and the {other} turned so; if it draws them alike, correct the {other}]",
         remedies: Vec::new,
     },
     Entry {
