@@ -7,6 +7,7 @@ use calib::simulate::{
     Fault, HandHeld, Hidden, Motion, Pattern, Relaxation, Rezeroing, Session, Spec, Telegraph,
     Temperature,
 };
+use findings::Grade;
 use nalgebra::Vector3;
 use sensor::{Axis, Sensor};
 use stillpoint_tests::needed_data::needed;
@@ -202,6 +203,9 @@ fn a_dead_zone_is_a_fault_of_the_recording_where_only_turns_show_it_too() {
         let discovery = of(&[spec.run().unwrap().recording], &spec);
         assert_eq!(claims(&discovery), ["dead_zone 0"]);
         assert!(discovery.findings.unexplained.is_none());
+        // What calibrate asks care for, a search does too.
+        let verdict = discovery.findings.calibration.verdict();
+        assert_eq!(verdict.level, Grade::Care, "{half_width}");
     }
 }
 

@@ -25,6 +25,17 @@ x = "k * fy * fz"
 parameters = [{ name = "k", unit = "rad/s/(m/s^2)^2", typical = 5e-6 }]
 "#;
 
+/// The same on every axis, small.
+const SWIRLS: &str = r#"
+[[definitions]]
+name = "gyro_swirls"
+sensor = "gyroscope"
+x = "k * fy * fz"
+y = "k * fx * fz"
+z = "k * fx * fy"
+parameters = [{ name = "k", unit = "rad/s/(m/s^2)^2", typical = 1e-6 }]
+"#;
+
 /// A product of third order.
 const BEND: &str = r#"
 [[definitions]]
@@ -99,6 +110,27 @@ fn a_product_of_two_forces_in_a_rate_is_proposed_and_named_once_it_is_in_the_cat
     assert_eq!(findings.verdict, Verdict::Named);
     assert_eq!(findings.effects[0].name, "gyro_swirl");
     assert!(findings.proposed.is_none());
+}
+
+#[test]
+fn a_product_that_a_walk_of_the_bias_is_taken_for_is_proposed() {
+    let mut hidden = 0;
+    for seed in 1..=6 {
+        let (recording, request) = session_with(seed, SWIRLS);
+        let recordings = [recording];
+        let session = crate::Session::new(&recordings, &request).unwrap();
+        let base = State::fit(&session, Extension::default()).unwrap();
+        let is_hidden =
+            crate::remainder::unexplained::rest_of(&base, request.alpha_of_rest()).is_none();
+        hidden += usize::from(is_hidden);
+        let findings = discover(&recordings, &request).unwrap().findings;
+        println!(
+            "{seed} {is_hidden} {:?} {:?}",
+            findings.proposed.map(|p| p.equation),
+            findings.verdict
+        );
+    }
+    println!("{hidden}");
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use crate::methods::joint::{Flagged, JointFit, Missing, Reason, Scope, Seen};
 use findings::{Finding, Findings, Kind};
+use recording::averages::median;
 
 /// A placement off by so much, m/s², though nothing shook it, was not touched: the sensor lies otherwise in its case, or
 /// something lifts it.
@@ -13,12 +14,12 @@ const INFLUENTIAL: f64 = 4.0;
 /// An effect is said to be missing where chance makes the rows speak so for one in fewer recordings than this.
 const SPEAKS: f64 = 2e-3;
 
-/// ... and by so many times what all turns miss: of turns that are spoilt none tells how a placement lies.
+/// ... and by so many times what half of the turns miss: where all are spoilt none tells how a placement lies.
 const ABOVE_TURNS: f64 = 5.0;
 
 /// The placements whose force no touch explains: nothing shook, and they are off by more than [`APART`] and [`ABOVE_TURNS`].
 pub fn placements_apart(fit: &JointFit) -> Option<Finding> {
-    let missed = fit.gravity * fit.direction_rms();
+    let missed = fit.gravity * median(fit.chords.iter().copied()).unwrap_or(0.0);
     let apart = |a: &&Flagged| {
         let is_pushed = a.fault.opens_force() && a.reason == Reason::Disturbed;
         is_pushed && !a.shook && a.size > APART.max(ABOVE_TURNS * missed)
