@@ -7,6 +7,8 @@
 //! late  ▁▂▁▁█▁▂▁▁▁▂▁▁▅▅▆▅▅█▅▅▆▅▅     █ late once      ▅ behind by a step from here on: a sample is lost
 //! ```
 
+use std::collections::VecDeque;
+
 use crate::order_statistic::nth_smallest;
 
 /// Bursts on either side that a level is taken over, fewest first; together they hold so many samples and more.
@@ -38,10 +40,16 @@ pub(super) fn lost_before(late: &[f64], period: f64, size: f64) -> Vec<u32> {
     };
     // Rises that were counted, with the place where they were found.
     let mut counted: Vec<(usize, u32)> = Vec::new();
+    let levels = best.level.of_all(late, best.width);
     // Of fewer bursts near an end nothing is told.
     let half = best.width / 2;
     for at in half..(late.len() + 1).saturating_sub(half) {
-        let rise = best.at(late, at);
+        // From the end of the window before on, and with as many after it, the levels are at hand.
+        let before = at.checked_sub(best.width).map(|from| levels[from]);
+        let rise = match before.zip(levels.get(at)) {
+            Some((before, after)) => after - before - best.usual,
+            None => best.at(late, at),
+        };
         let is_loss = rise > best.least(late.len(), at, period) && best.stays(late, at, period);
         if !is_loss {
             continue;
@@ -81,6 +89,38 @@ impl Level {
         };
         nth_smallest(late.iter().copied(), rank).unwrap_or(0.0)
     }
+
+    /// The levels of `width` bursts, from each on.
+    fn of_all(self, late: &[f64], width: usize) -> Vec<f64> {
+        match self {
+            Self::Least => sliding_least(late, width),
+            Self::Median => late.windows(width).map(|window| self.of(window)).collect(),
+        }
+    }
+}
+
+/// The least of `width` values, from each on.
+fn sliding_least(values: &[f64], width: usize) -> Vec<f64> {
+    let mut least = Vec::with_capacity(values.len());
+    // Places whose values may still be the least, in the order of both.
+    let mut candidates: VecDeque<usize> = VecDeque::new();
+    for (at, value) in values.iter().enumerate() {
+        while candidates
+            .back()
+            .is_some_and(|&last| values[last] >= *value)
+        {
+            candidates.pop_back();
+        }
+        candidates.push_back(at);
+        let Some(from) = (at + 1).checked_sub(width) else {
+            continue;
+        };
+        while candidates.front().is_some_and(|&first| first < from) {
+            candidates.pop_front();
+        }
+        least.extend(candidates.front().map(|&first| values[first]));
+    }
+    least
 }
 
 /// The rise of a level from before a place to after it.
@@ -240,6 +280,17 @@ mod tests {
         let single = [(100, 1), (300, 1)];
         assert_eq!(lost(normal(0.1), &single), 0);
         assert_eq!(lost(one_sided(0.1), &single), 0);
+    }
+
+    #[test]
+    fn the_least_of_a_window_slides_along() {
+        let values: Vec<f64> = (0..300)
+            .map(|k| f64::from((k * k * 31 + 7 * k) % 101))
+            .collect();
+        for width in [1, 2, 16, 300] {
+            let slow: Vec<f64> = values.windows(width).map(|w| Level::Least.of(w)).collect();
+            assert_eq!(sliding_least(&values, width), slow, "{width}");
+        }
     }
 
     #[test]
