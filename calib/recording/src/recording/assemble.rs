@@ -338,9 +338,7 @@ fn finish<U>(
     gaps.retain(|gap| !frozen.iter().any(|f| f.is_between(gap.t0, gap.t1)));
     let behind = crate::clock::even::bursts(&stream.t);
     if let Some(behind) = &behind {
-        // A stall of the host delays samples and loses none.
-        let is_lost = |pair: &[f64]| pair[1] - pair[0] > 1.5 * behind.step;
-        gaps.retain(|gap| is_lost(&behind.even[gap.after..gap.after + 2]));
+        gaps.retain(|gap| behind.loses_samples(gap));
     }
     checks::bursts(name, sensor, &stream, &gaps, behind.as_ref(), &mut warnings);
     checks::gaps(name, sensor, &gaps, &mut warnings);

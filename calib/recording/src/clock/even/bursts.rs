@@ -6,6 +6,7 @@
 
 use super::line::lines;
 use super::losses::{lost_before, spread};
+use crate::recording::stream::Gap;
 
 /// A step shorter than this share of the mean is within a burst.
 const WITHIN: f64 = 0.2;
@@ -41,6 +42,9 @@ const PASSES: usize = 3;
 /// Bursts that arrive late by more than the longest usual step, as a share: more, and no even clock is behind.
 const LATER: f64 = 0.02;
 
+/// More steps than this between neighbours on the even clock: a sample is missing.
+const MISSING: f64 = 1.5;
+
 /// Samples that arrive together, and the even clock behind them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bursts {
@@ -52,6 +56,14 @@ pub struct Bursts {
     pub step: f64,
     /// Steps without a sample.
     pub lost: u64,
+}
+
+impl Bursts {
+    /// True if samples are missing in an interruption of the stamps: a stall of the host delays samples and loses none.
+    pub fn loses_samples(&self, gap: &Gap) -> bool {
+        let pair = self.even.get(gap.after).zip(self.even.get(gap.after + 1));
+        pair.is_none_or(|(before, after)| after - before > MISSING * self.step)
+    }
 }
 
 /// The even clock behind stamps that come in bursts, or several with one stamp; `None` where they do not.
@@ -341,6 +353,12 @@ mod tests {
             }
             let found = bursts(&stamps).unwrap();
             assert_eq!(found.lost, 0, "{shortest}");
+            let stream = crate::recording::Stream {
+                values: vec![nalgebra::Vector3::zeros(); stamps.len()],
+                t: stamps,
+            };
+            let gaps = stream.gaps();
+            assert!(gaps.len() > 10 && !gaps.iter().any(|gap| found.loses_samples(gap)));
             assert!(
                 (found.step * 100.0 - 1.0).abs() < 2e-5,
                 "{shortest}: {}",
