@@ -62,11 +62,11 @@ pub struct ReadArgs {
     #[arg(long, value_name = "PATTERN")]
     pub time_format: Option<String>,
 
-    /// Unit of the accelerometer: m/s^2, g, mg, cm/s^2 or counts.
+    /// Unit of the accelerometer: m/s^2, g, mg, cm/s^2, ft/s^2 or counts.
     #[arg(long, value_name = "UNIT")]
     pub accel_unit: Option<AccelUnit>,
 
-    /// Unit of the gyroscope: rad/s, deg/s, mdeg/s or counts.
+    /// Unit of the gyroscope: rad/s, mrad/s, deg/s, mdeg/s, deg/h, rpm or counts.
     #[arg(long, value_name = "UNIT")]
     pub gyro_unit: Option<GyroUnit>,
 

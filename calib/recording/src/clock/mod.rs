@@ -4,6 +4,7 @@ pub(crate) mod drift;
 pub(crate) mod even;
 pub(crate) mod held;
 pub(crate) mod offset;
+pub(crate) mod patterns;
 pub(crate) mod restarts;
 pub(crate) mod time;
 pub(crate) mod time_of_day;

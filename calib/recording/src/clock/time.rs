@@ -6,7 +6,7 @@ use crate::header::names::says_unknown_unit;
 use crate::recording::options::{ReadOptions, Role};
 use crate::recording::samples::Samples;
 use crate::rows::table::Table;
-use crate::shown::{figure, shown};
+use crate::shown::{figure, shown, significant};
 use crate::source::place::in_file;
 use crate::units::TimeUnit;
 use findings::{Finding, Findings, Kind, OptionName, Remedy};
@@ -102,7 +102,7 @@ fn of_expression(table: &Table, options: &ReadOptions, scale: f64) -> Result<Tim
             Finding::of(Kind::ExpressionUnit)
                 .in_file(&table.name)
                 .detail("unit", unit.name())
-                .detail("rate", figure(rate)),
+                .detail("rate", significant(rate, 6)),
         )),
     }
 }
@@ -136,7 +136,7 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
                     &table.name,
                     Finding::of(Kind::TimeUnitStated)
                         .detail("unit", unit.name())
-                        .detail("rate", figure(rate))
+                        .detail("rate", significant(rate, 6))
                         .only_remedies([Remedy::such_as(OptionName::TimeUnit, other.name())]),
                 ))
             }
@@ -198,7 +198,7 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
             Err(in_file(
                 &table.name,
                 Finding::of(Kind::TimeUnitOpen)
-                    .detail("step", figure(step))
+                    .detail("step", significant(step, 6))
                     .only_remedies([Remedy::such_as(OptionName::TimeUnit, unit)]),
             ))
         }

@@ -12,10 +12,15 @@ pub(crate) struct TimeOfDay {
     last: f64,
 }
 
-/// The seconds since midnight of `HH:MM:SS`, with decimals behind a point, a comma or a third colon.
+/// The seconds since midnight of `HH:MM:SS`, with decimals behind a point, a comma or a third colon; those since the hour of
+/// `MM:SS.s`, as spreadsheets show a time with its decimals.
 pub(crate) fn seconds(text: &str) -> Option<f64> {
     let (hours, rest) = text.trim().split_once(':')?;
-    let (minutes, rest) = rest.split_once(':')?;
+    let (hours, (minutes, rest)) = match rest.split_once(':') {
+        Some(parts) => (hours, parts),
+        None if rest.contains(['.', ',']) => ("0", (hours, rest)),
+        None => return None,
+    };
     let (seconds, decimals) = rest.split_once([':', '.', ',']).unwrap_or((rest, "0"));
     let number = |digits: &str, limit: f64| {
         let whole = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
@@ -53,11 +58,24 @@ mod tests {
     fn times_of_day_are_seconds_and_go_on_after_midnight() {
         assert_eq!(seconds("01:00:01:010"), Some(3601.01));
         assert_eq!(seconds("1:0:1.5"), Some(3601.5));
-        for text in ["25:00:00", "1:2", "a:b:c", "10:00:-1", "2026-01-01"] {
+        assert_eq!(seconds("59:59.9"), Some(3599.9));
+        assert_eq!(seconds("00:60,0"), Some(60.0));
+        for text in [
+            "25:00:00",
+            "1:2",
+            "60:00.0",
+            "1:2.x",
+            "a:b:c",
+            "10:00:-1",
+            "2026-01-01",
+        ] {
             assert_eq!(seconds(text), None, "{text}");
         }
         let mut clock = TimeOfDay::default();
         let read = ["23:59:59.5", "00:00:00.5"].map(|text| clock.read(text).unwrap());
         assert_eq!(read[1] - read[0], 1.0);
+        let mut clock = TimeOfDay::default();
+        let read = ["59:59.9", "00:00.0"].map(|text| clock.read(text).unwrap());
+        assert!((read[1] - read[0] - 0.1).abs() < 1e-9);
     }
 }

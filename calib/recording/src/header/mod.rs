@@ -23,7 +23,9 @@ use super::units::{Stated, TimeUnit, looks_like_unit};
 use crate::header::affine::Affine;
 use crate::header::by_unit::by_unit;
 use crate::header::gravity::Split;
-use crate::header::names::{is_like_time, may_be_linear, role_of, stated_unit, take_apart};
+use crate::header::names::{
+    is_like_time, is_temperature_beside, may_be_linear, role_of, stated_unit, take_apart,
+};
 use crate::header::suggest::{nearest, suggestion};
 use crate::header::triads::Triad;
 use crate::recording::options::{ColumnMap, Role};
@@ -259,6 +261,7 @@ fn roles_by_name(
         Some(Sensor::Gyroscope) => matches!(role, Role::Accel(_)),
         _ => false,
     };
+    let mut temperatures = Vec::new();
     for (index, name) in names.iter().enumerate() {
         let said = roles[..given].iter().any(|(_, column)| *column == index);
         let Some(role) = role_of(name, only).filter(|role| !said && !is_of_other(role)) else {
@@ -267,6 +270,13 @@ fn roles_by_name(
         match roles.iter().position(|(r, _)| *r == role) {
             None => roles.push((role, index)),
             Some(at) if at < given => {}
+            Some(at) if role == Role::Time && is_temperature_beside(name, &names[roles[at].1]) => {
+                temperatures.push(index);
+            }
+            Some(at) if role == Role::Time && is_temperature_beside(&names[roles[at].1], name) => {
+                temperatures.push(roles[at].1);
+                roles[at].1 = index;
+            }
             // Stamps in a unit that is known, rather than those in a zone of the earth.
             Some(at) if role == Role::Time => {
                 if strange_unit(&names[roles[at].1]) && !strange_unit(name) {
@@ -293,6 +303,12 @@ fn roles_by_name(
                     .into());
             }
         }
+    }
+    let has_one = roles.iter().any(|(role, _)| *role == Role::Temperature);
+    if let [temperature] = temperatures[..]
+        && !has_one
+    {
+        roles.push((Role::Temperature, temperature));
     }
     Ok(())
 }
@@ -398,4 +414,23 @@ pub(crate) fn roles_by_map(
         roles.push((*role, column));
     }
     Ok(roles)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_small_letter_is_the_time_and_the_capital_the_temperature() {
+        let layout = |first: &str, second: &str| {
+            let names = [first, second, "ax", "ay", "az"].map(str::to_owned);
+            let layout = Layout::of_names(names.to_vec(), &ColumnMap::default(), None).unwrap();
+            (layout.time, layout.temperature)
+        };
+        assert_eq!(layout("T", "t"), (Some(1), Some(0)));
+        assert_eq!(layout("t", "T"), (Some(0), Some(1)));
+        assert_eq!(layout("T (°C)", "t (s)"), (Some(1), Some(0)));
+        assert_eq!(layout("T", "temp"), (Some(0), Some(1)));
+        assert_eq!(layout("T [ms]", "t"), (Some(0), None));
+    }
 }

@@ -336,7 +336,11 @@ fn finish<U>(
     let stream = without_stale(name, sensor, stream, &frozen, &mut warnings);
     let mut gaps = stream.gaps();
     gaps.retain(|gap| !frozen.iter().any(|f| f.is_between(gap.t0, gap.t1)));
-    checks::bursts(name, sensor, &stream, &gaps, &mut warnings);
+    let behind = crate::clock::even::bursts(&stream.t);
+    if let Some(behind) = &behind {
+        gaps.retain(|gap| behind.loses_samples(gap));
+    }
+    checks::bursts(name, sensor, &stream, &gaps, behind.as_ref(), &mut warnings);
     checks::gaps(name, sensor, &gaps, &mut warnings);
     let stream = without_frozen(stream, &frozen);
     let unit = unit(&stream, &mut warnings)?;

@@ -9,6 +9,7 @@ use super::stream::extreme_steps;
 use super::temperature_counts::Offered;
 use super::{Gap, Stream, temperature_counts};
 use crate::Error;
+use crate::clock::even::Bursts;
 use crate::header::suggest::entry;
 use crate::rows::table::Table;
 use crate::shown::significant;
@@ -46,12 +47,18 @@ pub(crate) fn order(name: &str, samples: &Samples, warnings: &mut Findings) -> R
     Ok(())
 }
 
+/// Parts of the steps that are looked at one by one, and their least and largest length: in most of them short steps are among
+/// longer ones where samples arrive in bursts. A sampling that changes its rate has even steps in each.
+const PARTS: usize = 16;
+const PART: std::ops::RangeInclusive<usize> = 64..=512;
+
 /// Stamps of arrival instead of sampling: most steps far shorter than the mean.
 pub(crate) fn bursts(
     name: &str,
     sensor: Sensor,
     stream: &Stream,
     gaps: &[Gap],
+    behind: Option<&Bursts>,
     warnings: &mut Findings,
 ) {
     let (Some((least, _)), [first, .., last]) = (extreme_steps(&stream.t), &stream.t[..]) else {
@@ -62,8 +69,10 @@ pub(crate) fn bursts(
     let in_bursts = |step: &f64| *step < mean / 2.0;
     // No median is below the least.
     let median = Some(least).filter(in_bursts).and(stream.median_step());
-    if let Some(median) = median.filter(in_bursts) {
-        let rate = significant(1.0 / mean, 6);
+    let median = median.filter(in_bursts);
+    if let Some(median) = median.filter(|_| short_steps_are_among_longer_ones(stream, gaps)) {
+        let step = behind.map_or(mean, |found| found.step);
+        let rate = significant(1.0 / step, 6);
         warnings.push(
             Finding::of(Kind::StampsOfArrival)
                 .in_recording(name)
@@ -73,6 +82,20 @@ pub(crate) fn bursts(
                 .remedy(Remedy::set_to(OptionName::Rate, rate)),
         );
     }
+}
+
+/// Returns true if in most parts of a stream most steps are far shorter than the mean of that part.
+fn short_steps_are_among_longer_ones(stream: &Stream, gaps: &[Gap]) -> bool {
+    let is_usual = |&k: &usize| gaps.binary_search_by_key(&k, |gap| gap.after).is_err();
+    let usual = (0..stream.len().saturating_sub(1)).filter(is_usual);
+    let steps: Vec<f64> = usual.map(|k| stream.t[k + 1] - stream.t[k]).collect();
+    let length = (steps.len() / PARTS).clamp(*PART.start(), *PART.end());
+    let has_short_ones = |part: &&[f64]| {
+        let mean = part.iter().sum::<f64>() / part.len() as f64;
+        part.iter().filter(|step| **step < mean / 2.0).count() > part.len() / 2
+    };
+    let parts = steps.chunks(length);
+    2 * parts.clone().filter(has_short_ones).count() > parts.len()
 }
 
 /// Interruptions.
@@ -178,4 +201,34 @@ fn entries(table: &Table, options: &ReadOptions) -> String {
     let others = others.iter().filter(is_other);
     let others = others.map(|(role, column)| format!("{}={column},", role.name()));
     others.collect::<String>() + "temp=" + &own
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector3;
+
+    use super::*;
+
+    fn stream(t: Vec<f64>) -> Stream {
+        Stream {
+            values: vec![Vector3::zeros(); t.len()],
+            t,
+        }
+    }
+
+    #[test]
+    fn a_rate_that_changes_on_the_way_is_no_burst() {
+        let warned = |stream: &Stream| {
+            let mut warnings = Findings::new();
+            bursts("a.csv", Sensor::Gyroscope, stream, &[], None, &mut warnings);
+            warnings.iter().count() > 0
+        };
+        let changing = (0..8000_u32).map(|k| match k.checked_sub(6000) {
+            None => 0.01 * f64::from(k),
+            Some(slow) => 60.0 + 0.05 * f64::from(slow),
+        });
+        assert!(!warned(&stream(changing.collect())));
+        let by_tens = (0..8000).map(|k| 0.1 * f64::from(k / 10) + 1e-4 * f64::from(k % 10));
+        assert!(warned(&stream(by_tens.collect())));
+    }
 }

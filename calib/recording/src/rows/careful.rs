@@ -1,10 +1,11 @@
 //! One row, cell by cell.
 
-use findings::{Finding, Kind};
+use findings::{Finding, Kind, OptionName, Remedy};
 use nalgebra::Vector3;
 
 use super::{Others, Rows, Trouble, cell_of};
 use crate::Error;
+use crate::clock::patterns::pattern_of;
 use crate::header::quotes::open_quote;
 use crate::rows::number::{self, Fault, LARGEST};
 use crate::shown::shown_cell;
@@ -16,14 +17,7 @@ impl Rows<'_> {
     pub(super) fn row(&mut self, line: Line<'_>) -> Result<(), Trouble> {
         let layout = &self.start.layout;
         if self.start.header.as_deref() == Some(line.bytes) {
-            return Err(Trouble::Refused(
-                self.at(
-                    line,
-                    0,
-                    Finding::of(Kind::HeaderAgain)
-                        .count("header_line", self.start.header_line as usize),
-                ),
-            ));
+            return Err(Trouble::Header);
         }
         self.start
             .dialect
@@ -162,6 +156,15 @@ impl Rows<'_> {
         let found = Finding::of(fault.kind())
             .detail("cell", content)
             .detail("column", column);
+        let found = match fault {
+            Fault::Date | Fault::OtherDate => {
+                found.only_remedies([match pattern_of(&line.bytes[cell.clone()]) {
+                    Some(pattern) => Remedy::such_as(OptionName::TimeFormat, pattern),
+                    None => Remedy::set(OptionName::TimeFormat),
+                }])
+            }
+            _ => found,
+        };
         let error = self.at(line, cell.start, found);
         match fault {
             Fault::Missing | Fault::NotFinite => Trouble::Missing(error),

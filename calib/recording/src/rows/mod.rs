@@ -40,6 +40,8 @@ enum Trouble {
     Broken(Error),
     /// A number is missing; `--na drop` applies.
     Missing(Error),
+    /// The header again: some loggers write it every so many rows.
+    Header,
 }
 
 /// Readings of a row beside those of the accelerometer and the gyroscope.
@@ -63,6 +65,8 @@ pub(crate) struct Rows<'a> {
     rows: u64,
     skipped: usize,
     dropped: usize,
+    /// Lines with the header again.
+    headers: Vec<u64>,
     /// The trouble of the row before, which is forgiven if no row follows.
     pending: Option<Error>,
 }
@@ -81,6 +85,7 @@ impl<'a> Rows<'a> {
             rows: 0,
             skipped: 0,
             dropped: 0,
+            headers: Vec::new(),
             pending: None,
         }
     }
@@ -231,6 +236,7 @@ impl<'a> Rows<'a> {
     fn count(&mut self, kept: Result<(), Trouble>, line: u64) -> Result<(), Error> {
         match kept {
             Ok(()) => self.rows += 1,
+            Err(Trouble::Header) => self.headers.push(line),
             Err(Trouble::Missing(_)) if self.options.na_drop => self.dropped += 1,
             Err(Trouble::Missing(error) | Trouble::Broken(error)) => self.pending = Some(error),
             Err(Trouble::Refused(error)) => return Err(error),
@@ -329,6 +335,15 @@ impl<'a> Rows<'a> {
                     .in_recording(name)
                     .detail("which", "last")
                     .detail("why", error.to_string()),
+            );
+        }
+        if let Some(first) = self.headers.first() {
+            warnings.push(
+                Finding::of(Kind::HeaderAgain)
+                    .in_recording(name)
+                    .count("header_line", self.start.header_line as usize)
+                    .count("count", self.headers.len())
+                    .count("line", *first as usize),
             );
         }
         if self.skipped > 0 {

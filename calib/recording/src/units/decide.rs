@@ -82,8 +82,20 @@ pub(crate) fn accel_unit(
     }
     let by_rests = by_rests.filter(|_| stated.is_none());
     if by_rests.is_some_and(|level| !KNOWN.iter().any(|range| range.contains(&level))) {
-        let found = Finding::of(Kind::GravityOfNoUnit);
-        return Err(in_file(name, found.detail("radius", significant(norm, 4))));
+        let found = Finding::of(Kind::GravityOfNoUnit).detail("radius", significant(norm, 4));
+        let is_gravity =
+            |unit: &AccelUnit| NEAR_GRAVITY.contains(&(norm * unit.scale() / STANDARD_GRAVITY));
+        let fitting = AccelUnit::PHYSICAL.into_iter().find(is_gravity);
+        return Err(in_file(
+            name,
+            match fitting {
+                Some(unit) => found.only_remedies([Remedy::examples([
+                    (OptionName::AccelUnit, unit.name()),
+                    (OptionName::AccelUnit, AccelUnit::Counts.name()),
+                ])]),
+                None => found,
+            },
+        ));
     }
     let is_gravity = KNOWN[..2].iter().any(|range| range.contains(&norm));
     if let Some(strange) = said.strange.filter(|_| stated.is_none() && !is_gravity) {
@@ -381,4 +393,43 @@ fn refuse_restless_rest(
 fn median_norm(stream: &Stream) -> f64 {
     let norms = stream.values.iter().map(nalgebra::Vector3::norm);
     nth_smallest(norms, stream.len() / 2).unwrap_or(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector3;
+
+    use super::*;
+
+    #[test]
+    fn gravity_in_feet_is_known_by_its_length() {
+        let noise = |k: usize| 1e-2 * (((k * k * 31 + 7 * k) % 101) as f64 / 50.0 - 1.0);
+        let mut values = Vec::new();
+        for place in 0..10 {
+            let angle = f64::from(place);
+            let up = Vector3::new(angle.sin(), (2.3 * angle).cos(), 0.4 - 0.1 * angle).normalize();
+            for k in 0..500 {
+                let turning = if k < 100 { (k as f64).sin() } else { 0.0 };
+                let noise = Vector3::new(noise(k), noise(k + 7), noise(k + 31));
+                values.push(32.17 * up + noise + Vector3::repeat(5.0 * turning));
+            }
+        }
+        let stream = Stream {
+            t: (0..values.len()).map(|k| 0.01 * k as f64).collect(),
+            values,
+        };
+        let said = Said {
+            given: None,
+            stated: None,
+            strange: None,
+        };
+        let refused = accel_unit("a.csv", &stream, said, &mut Findings::new()).unwrap_err();
+        let text = refused.text(findings::Front::CommandLine);
+        assert!(text.contains("--accel-unit ft/s^2"), "{text}");
+        let given = Said {
+            given: Some(AccelUnit::FeetPerSecondSquared),
+            ..said
+        };
+        assert!(accel_unit("a.csv", &stream, given, &mut Findings::new()).is_ok());
+    }
 }

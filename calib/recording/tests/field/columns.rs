@@ -230,3 +230,23 @@ fn a_magnetometer_alone_is_called_so() {
     }));
     assert!(warm.is_magnetometer_only());
 }
+
+#[test]
+fn a_header_that_comes_again_is_left_out_and_said_once() {
+    let s = session();
+    let header = "t,ax,ay,az,gx,gy,gz";
+    let text = table(header, |k| {
+        let again = match k % 500 {
+            499 => format!("\n{header}"),
+            _ => String::new(),
+        };
+        let (force, rate) = (xyz(&s.force[k], 1.0), xyz(&s.rate[k], 1.0));
+        format!("{:.3},{force},{rate}{again}", s.t[k])
+    });
+    let found = read(&text);
+    is_it(&found, &s, 1e-4);
+    let again: Vec<_> = found.warnings.iter().collect();
+    assert!(matches!(again[..], [one] if one.kind == Kind::HeaderAgain));
+    assert_eq!(again[0].value("count"), Some(3.0));
+    assert_eq!(again[0].value("line"), Some(502.0));
+}

@@ -166,3 +166,17 @@ fn a_log_of_several_sensors_is_listed_with_the_options_that_choose() {
             .is_none()
     );
 }
+
+#[test]
+fn axes_behind_the_name_of_their_sensor_are_read() {
+    let s = session();
+    let axes = |v: &Vector3<f64>| format!("X={:.6} Y={:.6} Z={:.6}", v.x, v.y, v.z);
+    let text = table("", |k| {
+        let (force, rate) = (axes(&s.force[k]), axes(&s.rate[k]));
+        let ms = 1e3 * s.t[k];
+        format!("[{ms:.0}] Accel: {force} m/s^2  Gyro: {rate} rad/s  Temp: 25.3 C")
+    });
+    let found = read(&text);
+    is_it(&found, &s, 1e-4);
+    assert_eq!(found.description.format, "serial");
+}

@@ -119,3 +119,61 @@ fn parts_that_may_be_of_anything_are_refused() {
     let hundredths = |ms: u64| after_noon(ms, &format!(".{}", ms % 1000 / 10));
     assert!(refused(&stamped("time", &s, hundredths)).contains("time goes back"));
 }
+
+#[test]
+fn the_format_of_dates_that_is_offered_reads_them() {
+    let s = session();
+    let of_day = |ms: u64| (after_noon(ms, ""), ms % 1000);
+    type Stamp<'a> = &'a dyn Fn(u64) -> String;
+    let comma: Stamp<'_> = &|ms| {
+        let (time, part) = of_day(ms);
+        format!("\"27.10.2024 {time},{part:03}\"")
+    };
+    let noon: Stamp<'_> = &|ms| {
+        let (time, part) = of_day(ms);
+        format!("03/13/2025 {time}.{part:03} PM")
+    };
+    for (stamp, pattern) in [
+        (comma, "%d.%m.%Y %H:%M:%S,%f"),
+        (noon, "%m/%d/%Y %I:%M:%S%.f %p"),
+    ] {
+        let text = stamped("time", &s, stamp);
+        let said = refused(&text);
+        assert!(said.contains(pattern), "{said}");
+        let options = ReadOptions {
+            time_format: Some(pattern.to_owned()),
+            ..ReadOptions::default()
+        };
+        is_it(&read_as(&text, &options).unwrap(), &s, 1e-4);
+    }
+}
+
+#[test]
+fn a_temperature_called_t_in_capitals_is_no_time() {
+    let s = session();
+    let both = |ms: u64| format!("{:.2},{ms}", 24.0 + 1e-6 * ms as f64);
+    let found = read(&stamped("T,t", &s, both));
+    is_it(&found, &s, 1e-4);
+    let turned = |ms: u64| format!("{ms},{:.2}", 24.0 + 1e-6 * ms as f64);
+    is_it(&read(&stamped("t,T", &s, turned)), &s, 1e-4);
+}
+
+#[test]
+fn a_rate_out_of_range_has_few_digits() {
+    let s = session();
+    let said = refused(&stamped("time (ms)", &s, |ms| {
+        format!("{:.6}", ms as f64 / 2e4)
+    }));
+    assert!(said.contains("would be 1000000 Hz"), "{said}");
+}
+
+#[test]
+fn minutes_and_seconds_of_a_spreadsheet_are_a_time() {
+    let s = session();
+    let short = |ms: u64| format!("59:{:06.3}", ms as f64 / 1e3);
+    let text = stamped("Time", &s, |ms| match ms {
+        0..60_000 => short(ms),
+        _ => short(ms - 60_000).replace("59:", "00:"),
+    });
+    is_it(&read(&text), &s, 1e-4);
+}

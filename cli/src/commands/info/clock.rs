@@ -1,6 +1,6 @@
 //! The clock of a stream in figures.
 
-use calib::recording::Stream;
+use calib::recording::{Stream, bursts};
 
 /// A clock in figures.
 pub struct Clock {
@@ -10,7 +10,7 @@ pub struct Clock {
     pub start: f64,
     /// From the first stamp to the last, s.
     pub duration: f64,
-    /// Samples per second, gaps left out, Hz.
+    /// Samples per second, gaps left out, Hz; those of the even clock behind stamps in bursts.
     pub rate: f64,
     /// Root mean square of the steps about their median, s.
     pub jitter: f64,
@@ -25,7 +25,11 @@ impl Clock {
     pub fn of(stream: &Stream) -> Option<Self> {
         let (first, last) = stream.t.first().zip(stream.t.last())?;
         let step = stream.median_step().unwrap_or(0.0);
-        let gaps = stream.gaps();
+        let mut gaps = stream.gaps();
+        let behind = bursts(&stream.t);
+        if let Some(behind) = &behind {
+            gaps.retain(|gap| behind.loses_samples(gap));
+        }
         let lost: f64 = gaps.iter().map(|gap| gap.t1 - gap.t0).sum();
         let usual = stream
             .t
@@ -41,10 +45,10 @@ impl Clock {
             samples: stream.len(),
             start: *first,
             duration,
-            rate: if duration > lost {
-                steps as f64 / (duration - lost)
-            } else {
-                0.0
+            rate: match behind {
+                Some(behind) => behind.step.recip(),
+                None if duration > lost => steps as f64 / (duration - lost),
+                None => 0.0,
             },
             jitter: (squares / count.max(1) as f64).sqrt(),
             gaps: gaps.len(),

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use findings::{Finding, Findings, Kind};
+use findings::{Finding, Findings, Kind, OptionName, Remedy, significant};
 use recording::{
     ClockDrift, Recording, Stamps, Stream, bursts, clock_drift, clock_offset, even_clock,
 };
@@ -25,12 +25,15 @@ pub(in crate::calibrate) fn doubts(fit: &JointFit) -> Vec<Finding> {
     for source in &fit.data.sources {
         let clock = &source.clock;
         if clock.state == ClockState::Uncountable {
+            // Right where no sample is lost.
+            let rate = significant(1.0 / clock.step, 6);
             doubts.push(
                 Finding::of(Kind::ClockUncountable)
                     .in_recording(&source.name)
                     .of_sensor(Sensor::Gyroscope)
                     .number("scatter", clock.scatter, "s")
-                    .number("step", clock.step, "s"),
+                    .number("step", clock.step, "s")
+                    .only_remedies([Remedy::SensorStamps, Remedy::set_to(OptionName::Rate, rate)]),
             );
         }
         let scatters = clock.scatter > 0.0 && clock.state != ClockState::Uncountable;

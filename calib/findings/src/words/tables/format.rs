@@ -48,6 +48,15 @@ pub(super) const ENTRIES: &[Entry] = &[
         remedies: Vec::new,
     },
     Entry {
+        kind: Kind::HeaderAgain,
+        level: Level::Remark,
+        severity: 0.001,
+        reason: "the header comes again",
+        text: "the header of line {header_line} comes again {count:time}, first in line {line}. The program leaves these lines out",
+        advice: "",
+        remedies: Vec::new,
+    },
+    Entry {
         kind: Kind::RowsBroken,
         level: Level::Remark,
         severity: 0.05,

@@ -1,6 +1,12 @@
 //! Stamps of samples that arrive in bursts, coarser than the rate: they say when the host read the samples.
+//!
+//! ```text
+//! stamps ─ last sample of each burst, which waited least ─► losses: behind for good ─► line: ±15 to 120 s ─► even clock
+//! ```
 
 use super::line::lines;
+use super::losses::{lost_before, spread};
+use crate::recording::stream::Gap;
 
 /// A step shorter than this share of the mean is within a burst.
 const WITHIN: f64 = 0.2;
@@ -16,8 +22,13 @@ const FEWER: f64 = 0.1;
 /// Parts of the stamps that all have such steps, and others.
 const PARTS: usize = 4;
 
-/// Seconds on either side that a sample's time is taken from.
+/// Seconds on either side that a sample's time is taken from, at least and at most.
 const REACH: f64 = 15.0;
+const FARTHEST: f64 = 120.0;
+
+/// Error of the rate over a turn of a second that is sought by reaching farther: bursts that scatter by `σ` and are `B` apart
+/// make one of `σ √B / reach`, √s.
+const SLOPE: f64 = 1e-4;
 
 /// An interruption: this many mean steps, beyond a whole burst.
 const INTERRUPTION: f64 = 20.0;
@@ -25,11 +36,14 @@ const INTERRUPTION: f64 = 20.0;
 /// Steps that the period is looked for over.
 const LAG: usize = 512;
 
-/// Samples after one that tell whether it is late, beyond two bursts.
-const AHEAD: usize = 16;
+/// The step is found again with the samples that were lost, so many times at most.
+const PASSES: usize = 3;
 
-/// Samples that arrive late by more than the longest usual step, as a share: more, and no even clock is behind.
+/// Bursts that arrive late by more than the longest usual step, as a share: more, and no even clock is behind.
 const LATER: f64 = 0.02;
+
+/// More steps than this between neighbours on the even clock: a sample is missing.
+const MISSING: f64 = 1.5;
 
 /// Samples that arrive together, and the even clock behind them.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,41 +58,48 @@ pub struct Bursts {
     pub lost: u64,
 }
 
+impl Bursts {
+    /// True if samples are missing in an interruption of the stamps: a stall of the host delays samples and loses none.
+    pub fn loses_samples(&self, gap: &Gap) -> bool {
+        let pair = self.even.get(gap.after).zip(self.even.get(gap.after + 1));
+        pair.is_none_or(|(before, after)| after - before > MISSING * self.step)
+    }
+}
+
 /// The even clock behind stamps that come in bursts, or several with one stamp; `None` where they do not.
 pub fn bursts(t: &[f64]) -> Option<Bursts> {
     let arrivals = Arrivals::of(t)?;
     let Arrivals { size, period, .. } = arrivals;
-    let ahead = AHEAD + (2.0 * size) as usize;
     let runs = arrivals.runs(t);
     // Over a burst its error adds up: the usual time over many steps is that of whole bursts.
     let step_of_all = mean_step(&runs, period).unwrap_or(period);
     let mut even = Vec::with_capacity(t.len());
     let (mut time, mut passed, mut lost) = (0.0, 0_u64, 0);
+    let (mut read, mut late) = (0, 0);
+    let longest = longest_usual_step(t, period) * step_of_all;
     for run in runs {
-        let ticks = ticks(run, step_of_all, ahead);
+        let lasts = lasts(run, period);
+        // The last burst may be cut: its last sample is none.
+        let whole = &lasts[..lasts.len().saturating_sub(1).max(1)];
+        let (ticks, step) = ticks(run, &lasts, step_of_all);
+        let clock = clock(run, whole, &ticks, step);
+        let is_late = |&&k: &&usize| (run[k] - clock[k]).abs() > longest;
+        late += whole.iter().filter(is_late).count();
+        read += whole.len();
+        time += clock[clock.len() - 1] - clock[0];
+        even.extend(clock);
         let last = ticks.last().copied().unwrap_or(0);
-        let step = if last > 0 {
-            (run[run.len() - 1] - run[0]) / f64::from(last)
-        } else {
-            step_of_all
-        };
-        let steady = |k: usize| run[0] + f64::from(ticks[k]) * step;
-        let excess: Vec<f64> = (0..run.len()).map(|k| run[k] - steady(k)).collect();
-        let line = lines(&ticks, &excess, REACH / step);
-        even.extend((0..run.len()).map(|k| steady(k) + line[k]));
-        time += even[even.len() - 1] - even[even.len() - run.len()];
         passed += u64::from(last);
         lost += u64::from(last + 1) - run.len() as u64;
     }
     let increases = even.windows(2).all(|pair| pair[0] < pair[1]);
     let is_found = increases && passed > 0;
-    (is_found && (arrivals.are_many() || is_behind(&even, t, period, step_of_all))).then(|| {
-        Bursts {
-            size,
-            even,
-            step: time / passed as f64,
-            lost,
-        }
+    let is_behind = (late as f64) < LATER * read as f64;
+    (is_found && (arrivals.are_many() || is_behind)).then(|| Bursts {
+        size,
+        even,
+        step: time / passed as f64,
+        lost,
     })
 }
 
@@ -169,42 +190,77 @@ fn mean_step(runs: &[&[f64]], period: f64) -> Option<f64> {
     (steps > 0 && time > 0.0).then(|| time / steps as f64)
 }
 
-/// Steps between the first sample and each. Samples are late by chance, so that steps are counted between the least late
-/// of those that follow, `min_j (t_{k+j} − j P)`.
-fn ticks(t: &[f64], period: f64, ahead: usize) -> Vec<u32> {
-    let envelope = |k: usize| {
-        let window = &t[k..t.len().min(k + ahead)];
-        let expected = window.iter().enumerate();
-        let all = expected.map(|(j, t)| t - j as f64 * period);
-        all.fold(f64::INFINITY, f64::min)
+/// The last sample of each burst. It waited least: the others were taken before it, however long a stall of the host held them.
+fn lasts(run: &[f64], period: f64) -> Vec<usize> {
+    let ends = |k: &usize| {
+        run.get(k + 1)
+            .is_none_or(|next| next - run[*k] >= WITHIN * period)
     };
-    let mut last = envelope(0);
-    let mut tick = 0;
-    (0..t.len())
-        .map(|k| {
-            if k > 0 {
-                let now = envelope(k);
-                // With few samples left a late one looks like one that follows a loss.
-                let steps = if k + ahead <= t.len() {
-                    ((now - last) / period).round().max(1.0)
-                } else {
-                    1.0
-                };
-                tick += steps as u32;
-                last = now;
-            }
-            tick
-        })
-        .collect()
+    (0..run.len()).filter(ends).collect()
 }
 
-/// Returns true if hardly any stamp differs from the even clock by more than a long step (95th percentile).
-fn is_behind(even: &[f64], t: &[f64], usual: f64, period: f64) -> bool {
+/// Steps between the first sample and each, and the step.
+fn ticks(run: &[f64], lasts: &[usize], usual: f64) -> (Vec<u32>, f64) {
+    let mut step = usual;
+    let mut lost = vec![0; lasts.len()];
+    for _ in 0..PASSES {
+        let late: Vec<f64> = lasts.iter().map(|&k| run[k] - k as f64 * step).collect();
+        let [first, .., end, _] = lasts else {
+            break;
+        };
+        let between = lasts.len() - 1;
+        let size = (end - first) as f64 / (between - 1).max(1) as f64;
+        let mut found = lost_before(&late[..between], step, size);
+        found.push(0);
+        let missing: u32 = found[1..between].iter().sum();
+        step = (run[*end] - run[*first]) / ((end - first) as f64 + f64::from(missing));
+        let is_settled = found == lost;
+        lost = found;
+        if is_settled {
+            break;
+        }
+    }
+    let mut ticks = Vec::with_capacity(run.len());
+    let mut missing = 0;
+    for (last, lost) in lasts.iter().zip(lost) {
+        missing += lost;
+        ticks.extend((ticks.len()..=*last).map(|k| k as u32 + missing));
+    }
+    (ticks, step)
+}
+
+/// The even clock behind the last samples of the bursts, at every sample.
+fn clock(run: &[f64], lasts: &[usize], ticks: &[u32], step: f64) -> Vec<f64> {
+    let steady = |tick: u32| run[0] + f64::from(tick) * step;
+    let places: Vec<u32> = lasts.iter().map(|&k| ticks[k]).collect();
+    let late: Vec<f64> = lasts.iter().map(|&k| run[k] - steady(ticks[k])).collect();
+    let mut line = lines(&places, &late, REACH / step);
+    // The middle of more bursts scatters less from one to the next.
+    let scatter = spread(late.iter().zip(&line).map(|(late, line)| late - line)).unwrap_or(0.0);
+    let wait = (run[run.len() - 1] - run[0]) / lasts.len() as f64;
+    let reach = (scatter * wait.sqrt() / SLOPE).clamp(REACH, FARTHEST);
+    if reach > REACH {
+        line = lines(&places, &late, reach / step);
+    }
+    let mut after = 0;
+    let at = |k: usize| {
+        while after + 1 < places.len() && places[after] < ticks[k] {
+            after += 1;
+        }
+        let before = after.saturating_sub(1);
+        let passed = f64::from(ticks[k].saturating_sub(places[before]));
+        let between = f64::from((places[after] - places[before]).max(1));
+        let share = (passed / between).min(1.0);
+        steady(ticks[k]) + line[before] + share * (line[after] - line[before])
+    };
+    (0..run.len()).map(at).collect()
+}
+
+/// The longest step but one in twenty, in usual ones.
+fn longest_usual_step(t: &[f64], usual: f64) -> f64 {
     let steps = t.windows(2).map(|pair| (pair[1] - pair[0]) / usual);
     let longest = crate::order_statistic::nth_smallest(steps, (t.len() - 1) * 19 / 20);
-    let most = longest.unwrap_or(0.0).max(1.0) * period;
-    let late = even.iter().zip(t).filter(|(e, t)| (*t - *e).abs() > most);
-    (late.count() as f64) < LATER * t.len() as f64
+    longest.unwrap_or(0.0).max(1.0)
 }
 
 #[cfg(test)]
@@ -270,12 +326,72 @@ mod tests {
 
     #[test]
     fn a_hundred_samples_with_the_stamp_of_a_second_are_on_an_even_clock() {
-        let stamps: Vec<f64> = (0..12_000)
-            .map(|k| (f64::from(k) / 104.0).floor())
+        let truth: Vec<f64> = (0..12_000).map(|k| f64::from(k) / 104.3).collect();
+        let stamps: Vec<f64> = truth.iter().map(|t| t.floor()).collect();
+        let found = bursts(&stamps).unwrap();
+        // The last second is cut, and has no part in it.
+        assert!(scatter(&found, &truth) < 0.7 / 104.3);
+        assert!((found.step * 104.3 - 1.0).abs() < 1e-4, "{}", found.step);
+        assert_eq!(found.lost, 0);
+    }
+
+    #[test]
+    fn samples_that_a_stalled_host_reads_at_once_are_on_their_even_clock() {
+        // A host that reads every 16 ms, and is held up for 30 to 120 ms now and then.
+        for shortest in [0.0, 1e-7, 5e-5, 3e-4] {
+            let truth: Vec<f64> = (0..17_000).map(|k| f64::from(k) * 0.01).collect();
+            let mut stamps: Vec<f64> = Vec::with_capacity(truth.len());
+            for (k, t) in truth.iter().enumerate() {
+                let chance = (k.wrapping_mul(2_654_435_761) >> 7) % 1000;
+                let stall = if chance < 5 {
+                    0.03 + 0.018 * chance as f64
+                } else {
+                    0.0
+                };
+                let read = (t / 0.016).ceil() * 0.016 + 5e-7 * chance as f64 + stall;
+                stamps.push(stamps.last().map_or(read, |last| read.max(last + shortest)));
+            }
+            let found = bursts(&stamps).unwrap();
+            assert_eq!(found.lost, 0, "{shortest}");
+            let stream = crate::recording::Stream {
+                values: vec![nalgebra::Vector3::zeros(); stamps.len()],
+                t: stamps,
+            };
+            let gaps = stream.gaps();
+            assert!(gaps.len() > 10 && !gaps.iter().any(|gap| found.loses_samples(gap)));
+            assert!(
+                (found.step * 100.0 - 1.0).abs() < 2e-5,
+                "{shortest}: {}",
+                found.step
+            );
+            // Half a wait of the host at the ends of the line.
+            assert!(scatter(&found, &truth) < 2e-3, "{shortest}");
+        }
+    }
+
+    #[test]
+    fn packets_that_are_late_by_as_much_as_a_step_have_their_rate() {
+        use rand::SeedableRng;
+        use rand_distr::{Distribution, StandardNormal};
+        let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(5);
+        let late: Vec<f64> = (0..600)
+            .map(|_| {
+                let late: f64 = StandardNormal.sample(&mut random);
+                0.03 * late
+            })
+            .collect();
+        let truth: Vec<f64> = (0..6000).map(|k| f64::from(k) / 25.5).collect();
+        let stamps: Vec<f64> = (0..6000)
+            .map(|k| truth[k - k % 10 + 9] + late[k / 10])
             .collect();
         let found = bursts(&stamps).unwrap();
-        assert!((found.step * 104.0 - 1.0).abs() < 5e-3, "{}", found.step);
         assert_eq!(found.lost, 0);
+        assert!((found.step * 25.5 - 1.0).abs() < 5e-4, "{}", found.step);
+        assert!(
+            scatter(&found, &truth) < 0.015,
+            "{}",
+            scatter(&found, &truth)
+        );
     }
 
     #[test]

@@ -11,6 +11,7 @@
 
 mod bursts;
 mod line;
+mod losses;
 mod scatter;
 mod ticks;
 mod usual_step;

@@ -19,7 +19,7 @@ use crate::units::{AccelUnit, GyroUnit, TimeUnit};
 /// Numbers behind names or a label.
 pub(crate) static SERIAL: TextFormat = TextFormat {
     name: "serial",
-    about: "a serial log: `ax:-9 ay:..`, `a/g: -9 ..`, `22:13:01.123 -> -9,..`, `I (12345) imu: ax:-9 ..`; without stamps the rate has to be given",
+    about: "a serial log: `ax:-9 ay:..`, `[0] Accel: X=-9 Y=.. m/s^2`, `a/g: -9 ..`, `22:13:01.123 -> -9,..`, `I (12345) imu: ax:-9 ..`; without stamps the rate has to be given",
     parts: labelled,
 };
 
@@ -40,6 +40,11 @@ struct Numbers<'a> {
     /// Part of the program that wrote it.
     tag: Option<&'a str>,
     pairs: Vec<(&'a str, &'a str)>,
+    /// The sensor that was named last before each number; the `Accel` of `Accel: X=1 Y=2`.
+    sensors: Vec<Option<Sensor>>,
+    /// Units behind the numbers.
+    accel_unit: Option<AccelUnit>,
+    gyro_unit: Option<GyroUnit>,
 }
 
 impl Numbers<'_> {
@@ -50,7 +55,12 @@ impl Numbers<'_> {
 
     /// The roles of the numbers by their names; of `acc: 1, 2, 3` all three.
     fn roles(&self) -> Vec<Option<Role>> {
-        let mut roles: Vec<Option<Role>> = self.names().map(|name| role_of(name, None)).collect();
+        let role = |(name, sensor): (&str, &Option<Sensor>)| {
+            // An axis alone is that of the sensor before it.
+            let is_axis = matches!(name, "x" | "y" | "z" | "X" | "Y" | "Z");
+            role_of(name, sensor.filter(|_| is_axis))
+        };
+        let mut roles: Vec<Option<Role>> = self.names().zip(&self.sensors).map(role).collect();
         let name = |at: usize| self.pairs.get(at).map(|(name, _)| *name);
         for at in 0..roles.len() {
             let is_triad =
@@ -119,20 +129,57 @@ fn numbers(line: &str) -> Option<Numbers<'_>> {
         }
         _ => (None, line),
     };
-    let separates = |c: char| matches!(c, ',' | ';' | ' ' | '\t' | ':' | '=' | '|');
     let mut pairs = Vec::new();
-    let mut name = "";
+    let mut sensors = Vec::new();
+    let in_brackets = in_brackets(rest).filter(|_| stamp.is_none());
+    let is_in_brackets = in_brackets.is_some();
+    let rest = in_brackets.map_or(rest, |(number, rest)| {
+        pairs.push(("time", number));
+        sensors.push(None);
+        rest
+    });
+    let separates = |c: char| matches!(c, ',' | ';' | ' ' | '\t' | ':' | '=' | '|');
+    let (mut name, mut sensor) = ("", None);
+    let (mut accel_unit, mut gyro_unit) = (None, None);
     for word in rest.split(separates).filter(|word| !word.is_empty()) {
         match word.parse::<f64>() {
-            Ok(value) if value.is_finite() => pairs.push((std::mem::take(&mut name), word)),
+            Ok(value) if value.is_finite() => {
+                pairs.push((std::mem::take(&mut name), word));
+                sensors.push(sensor);
+            }
+            _ if !pairs.is_empty() && word.contains('/') && word.parse::<AccelUnit>().is_ok() => {
+                accel_unit = word.parse().ok();
+            }
+            _ if !pairs.is_empty() && word.contains('/') && word.parse::<GyroUnit>().is_ok() => {
+                gyro_unit = word.parse().ok();
+            }
             // Dates and torn numbers are no names.
-            _ if word.starts_with(char::is_alphabetic) => name = word,
+            _ if word.starts_with(char::is_alphabetic) => {
+                name = word;
+                sensor = sensor_of(&compact(word)).or(sensor);
+            }
             _ => return None,
         }
     }
-    let is_named = stamp.is_some() || pairs.iter().any(|(name, _)| !name.is_empty());
+    // A stamp in brackets alone names no numbers.
+    let mut named = pairs.iter().skip(usize::from(is_in_brackets));
+    let is_named = stamp.is_some() || named.any(|(name, _)| !name.is_empty());
     let tag = logged.map(|logged| logged.tag);
-    (pairs.len() >= 3 && is_named).then_some(Numbers { stamp, tag, pairs })
+    (pairs.len() >= 3 && is_named).then_some(Numbers {
+        stamp,
+        tag,
+        pairs,
+        sensors,
+        accel_unit,
+        gyro_unit,
+    })
+}
+
+/// The number in brackets that a line begins with, `[12] ..`, and what follows.
+fn in_brackets(line: &str) -> Option<(&str, &str)> {
+    let (stamp, rest) = line.trim_start().strip_prefix('[')?.split_once(']')?;
+    let is_number = stamp.trim().parse::<f64>().is_ok_and(f64::is_finite);
+    is_number.then_some((stamp.trim(), rest))
 }
 
 /// True for a table with names above its rows, one of whose cells is a word.
@@ -192,6 +239,8 @@ fn labelled(look: &Look) -> Option<Vec<Part>> {
     Some(vec![Part {
         columns,
         time_unit: first.time_unit(),
+        accel_unit: first.accel_unit,
+        gyro_unit: first.gyro_unit,
         change: Some(|text| rows_of_numbers(text, begins)),
         ..Part::default()
     }])
@@ -208,6 +257,8 @@ fn of_one(row: &Numbers<'_>, sensor: Sensor, change: Change) -> Part {
         only: Some(sensor),
         columns,
         time_unit: row.time_unit(),
+        accel_unit: row.accel_unit,
+        gyro_unit: row.gyro_unit,
         change: Some(change),
         ..Part::default()
     }
@@ -340,6 +391,32 @@ mod tests {
     }
 
     #[test]
+    fn axes_behind_the_name_of_their_sensor_are_its_own() {
+        let line = "[10] Accel: X=-0.070 Y=0.124 Z=9.883 m/s^2  Gyro: X=0.0111 Y=-0.0001 Z=0.0060 rad/s  Temp: 25.3 C";
+        let log = [line; 4].join("\n") + "\n";
+        let parts = labelled(&Look::at(log.as_bytes())).unwrap();
+        let roles: Vec<Role> = parts[0].columns.iter().map(|(role, _)| *role).collect();
+        let axes = |role: fn(usize) -> Role| [0, 1, 2].map(role);
+        let expected = [
+            &[Role::Time][..],
+            &axes(Role::Accel),
+            &axes(Role::Gyro),
+            &[Role::Temperature],
+        ];
+        assert_eq!(roles, expected.concat());
+        assert_eq!(parts[0].accel_unit, Some(AccelUnit::MetresPerSecondSquared));
+        assert_eq!(parts[0].gyro_unit, Some(GyroUnit::RadiansPerSecond));
+        assert_eq!(parts[0].time_unit, None);
+        let mut rows = String::new();
+        let text = Box::new(std::io::Cursor::new(log));
+        rows_of_numbers(text, begins)
+            .read_to_string(&mut rows)
+            .unwrap();
+        let first = "10,-0.070,0.124,9.883,0.0111,-0.0001,0.0060,25.3";
+        assert_eq!(rows.lines().next(), Some(first));
+    }
+
+    #[test]
     fn bars_and_equals_signs_separate() {
         let found =
             numbers("AcX = -500 | AcY = 280 | AcZ = 16000 | Tmp = 25.35 | GyX = 3").unwrap();
@@ -356,6 +433,7 @@ mod tests {
         assert_eq!((stamp, pairs.len()), (Some(Stamp::OfDay(79_981.234)), 3));
         assert_eq!(found("a/g:\t1\t2\t3").unwrap().1[0], ("a/g", "1"));
         assert_eq!(found("1,2,3,4"), None);
+        assert_eq!(found("[12.5] 1 2 3"), None);
         assert_eq!(found("MPU6050 connection successful"), None);
     }
 }

@@ -8,11 +8,13 @@ use sensor::Sensor;
 
 use self::parts::{LONGEST, OPENING};
 pub(crate) use self::parts::{compact, take_apart};
-pub(crate) use self::stamps::{is_like_time, says_unknown_unit, stamps_of, stated_unit};
+pub(crate) use self::stamps::{
+    is_like_time, is_temperature_beside, says_unknown_unit, stamps_of, stated_unit,
+};
 use self::words::{ACCEL, GYRO, TEMPERATURE, TIME};
 pub(crate) use self::words::{is_field, sensor_of};
 use crate::recording::options::Role;
-use crate::units::{AccelUnit, GyroUnit};
+use crate::units::{AccelUnit, GyroUnit, TemperatureUnit};
 
 /// True for the name of an accelerometer's column that may be without gravity: `Linear Acceleration X`.
 pub(crate) fn may_be_linear(name: &str) -> bool {
@@ -40,7 +42,12 @@ pub(crate) fn role_of(name: &str, only: Option<Sensor>) -> Option<Role> {
 fn role_of_word(name: &str, only: Option<Sensor>) -> Option<Role> {
     let (word, unit) = take_apart(name);
     if TIME.contains(&word.as_str()) {
-        return Some(Role::Time);
+        // `T (°C)` is no time.
+        let is_warm = unit.is_some_and(|unit| unit.parse::<TemperatureUnit>().is_ok());
+        return Some(match word == "t" && is_warm {
+            true => Role::Temperature,
+            false => Role::Time,
+        });
     }
     if TEMPERATURE.contains(&word.as_str()) {
         return Some(Role::Temperature);
@@ -117,6 +124,9 @@ mod tests {
             ("imu6.ArrayGyro.y", Some(Role::Gyro(1))),
             ("时间戳(ms)", Some(Role::Time)),
             ("温度(°C)", Some(Role::Temperature)),
+            ("T (°C)", Some(Role::Temperature)),
+            ("T [degC]", Some(Role::Temperature)),
+            ("T [ms]", Some(Role::Time)),
             // An angle, and what gravity is taken off.
             ("角度X(°)", None),
             ("线性加速度x", None),

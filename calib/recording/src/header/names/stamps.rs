@@ -57,6 +57,12 @@ pub(crate) fn is_like_time(name: &str) -> bool {
     word.len() <= LONGEST && (has(&LIKE_TIME) || in_time() || counts()) && !has(&NO_TIME)
 }
 
+/// True for a column called `T` beside one called `t`: the small letter is the time's.
+pub(crate) fn is_temperature_beside(name: &str, time: &str) -> bool {
+    let is = |name: &str, letter| name.split(OPENING).next().map(str::trim) == Some(letter);
+    is(name, "T") && is(time, "t") && stated_unit(name).is_none()
+}
+
 /// Parts of what stands in brackets behind a time and is a unit, known or not; a zone of the earth has none.
 const IN_UNITS: [&str; 12] = [
     "sec", "sek", "min", "hour", "tick", "jiff", "stund", "uur", "сек", "мин", "秒", "分",

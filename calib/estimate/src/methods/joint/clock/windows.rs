@@ -12,11 +12,18 @@
 //! | `l_k` | its window, `(h₋ + h₊)/2` | s |
 //! | `h` | the median step: with even steps nothing changes | s |
 //! | `ω″` | second divided difference over the three samples | rad/s³ |
+//!
+//! A second difference divides by the shorter step: between steps that differ by more than a factor of [`ALIKE`] it is noise
+//! times that factor, and the trapezoidal rule is left alone there.
 
 use nalgebra::Vector3;
 
 /// Steps longer than so many usual ones are gaps: nothing is known of what the rate does in them.
 const GAP: f64 = 3.5;
+
+/// Steps on either side of a sample that differ by more than this factor tell no second difference: stamps of arrival, some
+/// microseconds after the one before. Steps that scatter by 20 % of their length differ by more once in a hundred samples.
+const ALIKE: f64 = 5.0;
 
 /// Steps that differ by less than this share are even.
 const EVEN: f64 = 1e-6;
@@ -33,7 +40,8 @@ pub(crate) fn means_over_windows(t: &[f64], samples: &[Vector3<f64>]) -> Vec<Vec
     for k in 1..t.len().saturating_sub(1) {
         let (before, after) = (t[k] - t[k - 1], t[k + 1] - t[k]);
         let even = (before - usual).abs().max((after - usual).abs()) < EVEN * usual;
-        let usable = before > 0.0 && after > 0.0 && before.max(after) < GAP * usual;
+        let (shorter, longer) = (before.min(after), before.max(after));
+        let usable = shorter > 0.0 && longer < GAP * usual && longer < ALIKE * shorter;
         if even || !usable {
             continue;
         }
@@ -74,6 +82,26 @@ mod tests {
         let sum = (angle(&t, &samples) - truth).abs();
         let means = (angle(&t, &means_over_windows(&t, &samples)) - truth).abs();
         assert!(sum > 2e-4 && means < 0.2 * sum, "{sum:.1e} {means:.1e}");
+    }
+
+    #[test]
+    fn samples_right_after_another_do_not_magnify_the_noise() {
+        let noise = |k: usize| 1e-3 * (((k * k * 31 + 7 * k) % 101) as f64 / 50.0 - 1.0);
+        for shortest in [1e-7, 5e-5, 3e-4] {
+            // Every third stamp is that of the sample before and a little.
+            let t: Vec<f64> = (0..60)
+                .map(|k| match k % 3 {
+                    1 => 0.01 * (k - 1) as f64 + shortest,
+                    _ => 0.01 * k as f64,
+                })
+                .collect();
+            let samples: Vec<Vector3<f64>> =
+                (0..60).map(|k| Vector3::new(noise(k), 0.0, 0.0)).collect();
+            let means = means_over_windows(&t, &samples);
+            let worst = means.iter().map(|mean| mean.x.abs()).fold(0.0, f64::max);
+            // Weights of neighbours no more than that of the sample itself.
+            assert!(worst < 2e-3, "{shortest}: {worst}");
+        }
     }
 
     #[test]

@@ -6,12 +6,6 @@ use crate::words::entry::Entry;
 
 pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
-        Kind::HeaderAgain,
-        "the header of line {header_line} comes again: two tables are in one file",
-        "split the file here",
-        Vec::new,
-    ),
-    Entry::error(
         Kind::RowEmpty,
         "every cell of the sensors is empty in this row",
         "",
@@ -21,7 +15,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
         Kind::RowRagged,
         "this row has {found} cells, {expected} expected",
         "",
-        || vec![Remedy::set(OptionName::SkipBadRows)],
+        || vec![Remedy::set_to(OptionName::SkipBadRows, "20")],
     ),
     Entry::error(
         Kind::RowShort,
@@ -109,7 +103,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
         Kind::NotANumber,
         "`{cell}` in {column} is not a number",
         "",
-        || vec![Remedy::set(OptionName::SkipBadRows)],
+        || vec![Remedy::set_to(OptionName::SkipBadRows, "20")],
     ),
     Entry::error(
         Kind::NumberExpected,
