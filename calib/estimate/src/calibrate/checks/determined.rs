@@ -124,7 +124,8 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
     let weakest = weakest(fit);
     let is_known = weakest.is_some_and(|(_, error)| error <= KNOWN_WELL);
     let is_full = found.missing_faces.is_empty() && count >= plan::REQUIREMENT.placements;
-    if !found.is_complete() && !(is_known && is_full) {
+    let is_enough = found.is_complete() || (is_known && is_full);
+    if !is_enough {
         let missing = Finding::of(Kind::PlacementsMissing)
             .of_sensor(Sensor::Accelerometer)
             .detail("found", found.found());
