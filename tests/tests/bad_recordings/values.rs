@@ -80,7 +80,9 @@ fn row_80_a_row_of_units_under_the_header_is_used() {
         &ReadOptions::default(),
     );
     let warnings = recording.unwrap().warnings;
-    let again = warnings.iter().find(|w| w.kind == Kind::HeaderAgain);
+    let again = warnings
+        .iter()
+        .find(|w| w.kind == findings::Kind::HeaderAgain);
     assert_eq!(again.and_then(|w| w.value("line")), Some(12.0));
 }
 
