@@ -156,8 +156,8 @@ kinds! {
     NumberSpelling = "number_spelling",
     /// The first or the last row is cut.
     RowCut = "row_cut",
-    /// A header stands in a text again.
-    HeaderAgain = "header_again",
+    /// A logger writes its header again and again.
+    HeadersLeftOut = "headers_left_out",
     /// Broken rows were left out.
     RowsBroken = "rows_broken",
     /// Rows lack numbers and were left out.
@@ -871,6 +871,8 @@ kinds! {
     ArdupilotText = "ardupilot_text",
     /// A file is a Blackbox log.
     BlackboxLog = "blackbox_log",
+    /// A header stands in a text again.
+    HeaderAgain = "header_again",
     /// A row has no reading.
     RowEmpty = "row_empty",
     /// A row has more or fewer cells than the others.

@@ -331,10 +331,16 @@ fn row_20_comments_are_skipped_and_may_be_the_header() {
 }
 
 #[test]
-fn row_21_a_header_that_comes_again_is_left_out() {
+fn row_21_a_second_header_is_refused_at_its_line_and_one_that_comes_often_left_out() {
     let mut rows = rows(200);
     rows.insert(20, HEADER.to_owned());
-    rows.insert(120, HEADER.to_owned());
+    refused(
+        file(HEADER, &rows),
+        "22:1",
+        &["header of line 1 comes again", "split"],
+    );
+    rows.insert(80, HEADER.to_owned());
+    rows.insert(140, HEADER.to_owned());
     let recording = read(file(HEADER, &rows), &ReadOptions::default()).unwrap();
     assert_same_samples(&recording, 200);
     assert_eq!(recording.warnings.iter().count(), 1);

@@ -32,6 +32,9 @@ use crate::source::lines::{Line, end_of_line, lines};
 use crate::source::pipeline::parse_all;
 use crate::source::place::{at_column, at_line, in_file};
 
+/// A header that comes again so often is the habit of a logger; once or twice, and tables are in one file.
+const A_HABIT: usize = 3;
+
 /// Why a row is not used.
 enum Trouble {
     /// The file cannot be read further.
@@ -338,10 +341,13 @@ impl<'a> Rows<'a> {
             );
         }
         if let Some(first) = self.headers.first() {
+            let of = |kind| Finding::of(kind).count("header_line", self.start.header_line as usize);
+            if self.headers.len() < A_HABIT {
+                return Err(at_line(name, *first, of(Kind::HeaderAgain)));
+            }
             warnings.push(
-                Finding::of(Kind::HeaderAgain)
+                of(Kind::HeadersLeftOut)
                     .in_recording(name)
-                    .count("header_line", self.start.header_line as usize)
                     .count("count", self.headers.len())
                     .count("line", *first as usize),
             );

@@ -246,7 +246,7 @@ fn a_header_that_comes_again_is_left_out_and_said_once() {
     let found = read(&text);
     is_it(&found, &s, 1e-4);
     let again: Vec<_> = found.warnings.iter().collect();
-    assert!(matches!(again[..], [one] if one.kind == Kind::HeaderAgain));
+    assert!(matches!(again[..], [one] if one.kind == Kind::HeadersLeftOut));
     assert_eq!(again[0].value("count"), Some(3.0));
     assert_eq!(again[0].value("line"), Some(502.0));
 }

@@ -48,7 +48,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         remedies: Vec::new,
     },
     Entry {
-        kind: Kind::HeaderAgain,
+        kind: Kind::HeadersLeftOut,
         level: Level::Remark,
         severity: 0.001,
         reason: "the header comes again",

@@ -19,8 +19,9 @@ const SOME: f64 = 0.02;
 const BETWEEN: std::ops::Range<f64> = WITHIN..0.7;
 const FEWER: f64 = 0.1;
 
-/// Parts of the stamps that all have such steps, and others.
+/// Parts of the stamps that all have such steps, this share of the usual number and more, and others.
 const PARTS: usize = 4;
+const EVERYWHERE: f64 = 0.25;
 
 /// Seconds on either side that a sample's time is taken from, at least and at most.
 const REACH: f64 = 15.0;
@@ -152,6 +153,15 @@ impl Arrivals {
             size: all as f64 / (all - count).max(1) as f64,
         };
         let together = found.share > SOME && between < FEWER * count as f64;
+        // A unit or a rate that changes on the way has all its short steps in one part.
+        let steps: Vec<f64> = t.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let has_some = |part: &[f64]| {
+            let short = part.iter().filter(|step| **step < WITHIN * period).count();
+            short < part.len() && short as f64 > EVERYWHERE * found.share * part.len() as f64
+        };
+        if !steps.chunks_exact(steps.len() / PARTS).all(has_some) {
+            return None;
+        }
         (found.are_many() || together).then_some(found)
     }
 
@@ -406,6 +416,17 @@ mod tests {
         let pairs = found.even.iter().zip(&truth);
         let off = pairs.filter(|(even, truth)| (*even - *truth - mean).abs() > 2e-3);
         assert!(off.count() <= 3, "one beside each loss");
+    }
+
+    #[test]
+    fn a_rate_or_a_unit_that_changes_on_the_way_makes_no_bursts() {
+        for later in [0.1, 0.5, 10.0] {
+            let changing = (0..8000_u32).map(|k| match k.checked_sub(4000) {
+                None => 0.01 * f64::from(k),
+                Some(slow) => 40.0 + later * f64::from(slow),
+            });
+            assert_eq!(bursts(&changing.collect::<Vec<f64>>()), None, "{later}");
+        }
     }
 
     #[test]

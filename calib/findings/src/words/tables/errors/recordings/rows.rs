@@ -6,6 +6,12 @@ use crate::words::entry::Entry;
 
 pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
+        Kind::HeaderAgain,
+        "the header of line {header_line} comes again: two tables are in one file",
+        "split the file here",
+        Vec::new,
+    ),
+    Entry::error(
         Kind::RowEmpty,
         "every cell of the sensors is empty in this row",
         "",
