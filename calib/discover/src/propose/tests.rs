@@ -115,8 +115,8 @@ fn a_product_of_two_forces_in_a_rate_is_proposed_and_named_once_it_is_in_the_cat
 #[test]
 fn a_product_that_a_walk_of_the_bias_is_taken_for_is_proposed() {
     let mut hidden = 0;
-    for seed in 1..=6 {
-        let (recording, request) = session_with(seed, SWIRLS);
+    for (seed, size) in (1..=6).flat_map(|seed| ["2e-6", "3e-6", "4e-6"].map(|size| (seed, size))) {
+        let (recording, request) = session_with(seed, &SWIRLS.replace("1e-6", size));
         let recordings = [recording];
         let session = crate::Session::new(&recordings, &request).unwrap();
         let base = State::fit(&session, Extension::default()).unwrap();
