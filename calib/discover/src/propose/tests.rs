@@ -4,6 +4,7 @@ use sensor::Axis;
 use simulate::{Hidden, Periodic, Spec};
 
 use super::*;
+use crate::remainder::unexplained::rest_of;
 use crate::request::Request;
 use crate::{Extension, Verdict, discover, validate};
 
@@ -33,7 +34,7 @@ sensor = "gyroscope"
 x = "k * fy * fz"
 y = "k * fx * fz"
 z = "k * fx * fy"
-parameters = [{ name = "k", unit = "rad/s/(m/s^2)^2", typical = 1e-6 }]
+parameters = [{ name = "k", unit = "rad/s/(m/s^2)^2", typical = 3e-6 }]
 "#;
 
 /// A product of third order.
@@ -114,23 +115,19 @@ fn a_product_of_two_forces_in_a_rate_is_proposed_and_named_once_it_is_in_the_cat
 
 #[test]
 fn a_product_that_a_walk_of_the_bias_is_taken_for_is_proposed() {
-    let mut hidden = 0;
-    for (seed, size) in (1..=6).flat_map(|seed| ["2e-6", "3e-6", "4e-6"].map(|size| (seed, size))) {
-        let (recording, request) = session_with(seed, &SWIRLS.replace("1e-6", size));
+    for seed in [2, 4, 5, 6] {
+        let (recording, request) = session_with(seed, SWIRLS);
         let recordings = [recording];
-        let session = crate::Session::new(&recordings, &request).unwrap();
+        let session = Session::new(&recordings, &request).unwrap();
         let base = State::fit(&session, Extension::default()).unwrap();
-        let is_hidden =
-            crate::remainder::unexplained::rest_of(&base, request.alpha_of_rest()).is_none();
-        hidden += usize::from(is_hidden);
+        assert!(rest_of(&base, request.alpha_of_rest()).is_none(), "{seed}");
         let findings = discover(&recordings, &request).unwrap().findings;
-        println!(
-            "{seed} {is_hidden} {:?} {:?}",
-            findings.proposed.map(|p| p.equation),
-            findings.verdict
+        assert!(findings.effects.is_empty());
+        assert_eq!(
+            findings.proposed.unwrap().equation,
+            "W_x += x_fy_fz * fy * fz, W_y += y_fx_fz * fx * fz, W_z += z_fx_fy * fx * fy"
         );
     }
-    println!("{hidden}");
 }
 
 #[test]
