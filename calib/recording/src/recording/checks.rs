@@ -52,6 +52,9 @@ pub(crate) fn order(name: &str, samples: &Samples, warnings: &mut Findings) -> R
 const PARTS: usize = 16;
 const PART: std::ops::RangeInclusive<usize> = 64..=512;
 
+/// No sampling changes its rate so much that the mean step is so many times the median: stamps do, in another unit say.
+const NO_RATE: f64 = 50.0;
+
 /// Stamps of arrival instead of sampling: most steps far shorter than the mean.
 pub(crate) fn bursts(
     name: &str,
@@ -69,8 +72,10 @@ pub(crate) fn bursts(
     let in_bursts = |step: &f64| *step < mean / 2.0;
     // No median is below the least.
     let median = Some(least).filter(in_bursts).and(stream.median_step());
-    let median = median.filter(in_bursts);
-    if let Some(median) = median.filter(|_| short_steps_are_among_longer_ones(stream, gaps)) {
+    let is_of_stamps =
+        |median: &f64| mean > NO_RATE * median || short_steps_are_among_longer_ones(stream, gaps);
+    let median = median.filter(in_bursts).filter(is_of_stamps);
+    if let Some(median) = median {
         let step = behind.map_or(mean, |found| found.step);
         let rate = significant(1.0 / step, 6);
         warnings.push(
