@@ -343,7 +343,7 @@ impl<'a> Rows<'a> {
         if let Some(first) = self.headers.first() {
             let of = |kind| Finding::of(kind).count("header_line", self.start.header_line as usize);
             if self.headers.len() < A_HABIT {
-                return Err(at_line(name, *first, of(Kind::HeaderAgain)));
+                return Err(at_column(name, *first, 1, of(Kind::HeaderAgain)));
             }
             warnings.push(
                 of(Kind::HeadersLeftOut)

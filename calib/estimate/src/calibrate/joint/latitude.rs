@@ -50,17 +50,13 @@ impl LatitudeDoubt {
 
     /// The finding.
     pub fn finding(&self) -> Finding {
-        // A rotation the other way is also what an accelerometer shows whose axes all have the other sign.
-        let what = match self.given * self.seen < 0.0 {
-            true => "Its sign, or that of all axes of the accelerometer,",
-            false => "It",
-        };
+        let other_sign = self.given * self.seen < 0.0;
         Finding::of(Kind::LatitudeDoubtful)
             .number("given", self.latitude, "°")
             .number("expected", self.given, "rad/s")
             .number("shown", self.seen, "rad/s")
             .number("error", self.std, "rad/s")
             .number("seen", self.shown(), "°")
-            .detail("what", what)
+            .detail("what", if other_sign { "Its sign" } else { "It" })
     }
 }
