@@ -1,9 +1,6 @@
 //! A formula whose effect the noise of the biases was taken for.
 
-use super::dictionary::dictionary;
-use super::instead::{OWN, outside};
-use super::most::most_evidence;
-use super::screen::screen;
+use super::instead::promising;
 use super::{Proposed, propose_of};
 use crate::remainder::unexplained::{Unexplained, rest_of};
 use crate::request::Session;
@@ -15,11 +12,7 @@ pub fn hidden_formula(session: &Session<'_>, last: &State) -> Option<(Proposed, 
     if last.noise_given {
         return None;
     }
-    let products = outside(last, &session.request.candidates(), dictionary(last), OWN);
-    let screened = screen(last, &products)?;
-    if most_evidence(&screened, &products, last.levels()) <= session.request.threshold() {
-        return None;
-    }
+    let (products, screened) = promising(session, last, session.request.threshold())?;
     let alpha = session.request.alpha_of_rest();
     let mut rest = rest_of(&last.at_noise(screened.noise), alpha)?;
     let found = propose_of(session, last, &rest, (&products, &screened))?;

@@ -6,7 +6,7 @@ use sensor::EffectRef;
 
 use super::dictionary::{Product, dictionary};
 use super::most::most_evidence;
-use super::screen::screen;
+use super::screen::{Screened, screen};
 use super::{Proposed, propose_of};
 use crate::family::{coefficients, effect_family, may_be_missing};
 use crate::rank::APART;
@@ -17,7 +17,7 @@ use crate::search::Search;
 use crate::state::State;
 
 /// A product of which an effect of the catalogue leaves less than this share (`1 − ρ²`) is that effect's, no formula.
-pub(super) const OWN: f64 = 0.05;
+const OWN: f64 = 0.05;
 
 /// So many disturbances may be one error of the sensor.
 const SEVERAL: usize = 2;
@@ -36,18 +36,27 @@ pub fn instead_of_names(
         return None;
     }
     let base = &search.base;
-    let products = outside(base, &session.request.candidates(), dictionary(base), OWN);
-    let screened = screen(base, &products)?;
     let needed = search.evidence + APART;
-    if most_evidence(&screened, &products, base.levels()) <= needed {
-        return None;
-    }
+    let (products, screened) = promising(session, base, needed)?;
     let described = of_base.unwrap_or_else(|| Described::of(base));
     let alpha = session.request.alpha_of_rest();
     let whole = rest_beside(base, &described, alpha)
         .or_else(|| rest_of(&base.at_noise(screened.noise), alpha))?;
     let found = propose_of(session, base, &whole, (&products, &screened))?;
     (found.ranked.by_ratio() > needed).then_some((found, whole))
+}
+
+/// The products that are no effect's of the catalogue, screened; `None` where no formula of them has more evidence than `needed`.
+pub(super) fn promising(
+    session: &Session<'_>,
+    state: &State,
+    needed: f64,
+) -> Option<(Vec<Product>, Screened)> {
+    let catalogue = session.request.candidates();
+    let products = outside(state, &catalogue, dictionary(state), OWN);
+    let screened = screen(state, &products)?;
+    let most = most_evidence(&screened, &products, state.levels());
+    (most > needed).then_some((products, screened))
 }
 
 /// The `products` of which every effect of the catalogue that may be missing leaves more than this share.
