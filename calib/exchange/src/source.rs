@@ -43,6 +43,25 @@ impl<'a> Source<'a> {
         }
     }
 
+    /// Returns false if the bias of a sensor is not known, and zero stands for it: the tool that the calibration was imported from states
+    /// none.
+    pub fn knows_bias(&self, sensor: Sensor) -> bool {
+        let triad = self.calibration.triad(sensor);
+        triad.is_none_or(|triad| {
+            triad.bias != [0.0; 3] || triad.bias_std.iter().any(Option::is_some)
+        })
+    }
+
+    /// A remark about biases that are not known.
+    pub(crate) fn without_biases(&self) -> Option<Finding> {
+        let unknown = Sensor::ALL
+            .into_iter()
+            .filter(|sensor| !self.knows_bias(*sensor));
+        let unknown: Vec<&str> = unknown.map(Sensor::name).collect();
+        let found = Finding::of(Kind::BiasUnknown).detail("sensors", unknown.join(" and the "));
+        (!unknown.is_empty()).then_some(found)
+    }
+
     /// Unit of a corrected magnetic field.
     pub fn field_unit(&self) -> &str {
         let field = self.calibration.magnetic_field.as_ref();

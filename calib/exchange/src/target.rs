@@ -108,6 +108,7 @@ pub fn export(
 ) -> Result<Export, Error> {
     let Written { files, mut notes } = target.write(source, settings)?;
     notes.extend(source.on_top_of(target.name()));
+    notes.extend(source.without_biases());
     notes.extend(
         source
             .calibration

@@ -195,6 +195,8 @@ kinds! {
     ErrorsNotStated = "errors_not_stated",
     /// The file states no biases.
     BiasNotStated = "bias_not_stated",
+    /// An exported calibration has no bias of a sensor.
+    BiasUnknown = "bias_unknown",
     /// Only the first of several IMUs in the file was read.
     FirstImuTaken = "first_imu_taken",
     /// An entry of the file is not known.
@@ -214,6 +216,8 @@ kinds! {
     MeanSteps = "mean_steps",
     /// The mean of a sensor drifts during a rest.
     MeanDrifts = "mean_drifts",
+    /// The bias moves within the rest that it is estimated from.
+    BiasDrifts = "bias_drifts",
     /// The readings stand still for a while during a rest.
     ReadingsHeld = "readings_held",
     /// Rows repeat the readings before, for the sensor is slower.
@@ -1003,6 +1007,10 @@ kinds! {
     UnitStrange = "unit_strange",
     /// The accelerometer lacks gravity.
     GravityRemoved = "gravity_removed",
+    /// Forces are given in axes of the room.
+    AxesOfTheRoom = "axes_of_the_room",
+    /// Angles stand in the columns of the rates.
+    AnglesForRates = "angles_for_rates",
     /// The accelerometer was normalised to a direction.
     Normalised = "normalised",
     /// Gravity has the size of another unit.
@@ -1362,6 +1370,8 @@ kinds! {
     DirectionOff = "direction_off",
     /// Corrected by a calibration the specific force at rest is not gravity.
     NormOff = "norm_off",
+    /// The norm of corrected readings is off by more than in the calibration's recordings.
+    NormGrown = "norm_grown",
     /// Readings were corrected before otherwise than those of the calibration.
     CorrectedOtherwise = "corrected_otherwise",
     /// Readings of some recordings were corrected before.

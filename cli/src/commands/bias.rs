@@ -11,8 +11,10 @@ use calib::calibrate::implausible;
 use calib::calibration::Calibration;
 use calib::intervals::segment;
 use calib::methods::online_bias::{
-    LONG_ENOUGH, Stretch, gyroscope_stretches, update_accelerometer, update_gyroscope,
+    LONG_ENOUGH, Stretch, drift_at_rest, gyroscope_stretches, update_accelerometer,
+    update_gyroscope,
 };
+use calib::readings::symptoms;
 
 use crate::commands::shared::first_screen::{Screen, Step};
 use crate::commands::shared::inputs::{DetectorArgs, DeviceArgs, load, read};
@@ -81,6 +83,8 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let (detector, _) = args.detector.detector()?;
     let segmentation = segment(&recording, &detector)?;
     let said = implausible(&recording, &segmentation, Some(&old), old.gravity);
+    let found = symptoms(&recording, &segmentation);
+    remarks.extend(found.iter().map(|found| found.in_recording(&recording)));
     remarks.extend(said.gates);
     remarks.extend(said.warnings);
     let mut new = old.of_recording(&recording).into_owned();
@@ -89,6 +93,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     if !args.no_gyroscope {
         stretches = gyroscope_stretches(&new, &recording, &segmentation)?;
         new = update_gyroscope(&new, &recording.name, &stretches)?;
+        remarks.extend(drift_at_rest(&recording.name, &stretches));
     }
     if args.accelerometer {
         new = update_accelerometer(&new, &recording, &segmentation)?;

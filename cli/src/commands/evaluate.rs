@@ -1,6 +1,6 @@
 //! `evaluate`: calibrations side by side on a recording that they have not seen.
 
-use ::findings::Front;
+use ::findings::{Finding, Front};
 use std::path::PathBuf;
 
 use calib::calibrate::{STANDARD_GRAVITY, changes_part_way, implausible};
@@ -14,7 +14,7 @@ use serde_json::json;
 use crate::commands::calibrate::limits::{self, LimitArgs};
 use crate::commands::shared::first_screen::{Screen, Step};
 use crate::commands::shared::inputs::{
-    DetectorArgs, DeviceArgs, as_paths, check_gravity, load, read, spinner,
+    DetectorArgs, DeviceArgs, as_paths, check_gravity, gates_of, load, read, spinner,
 };
 use crate::commands::shared::names::Names;
 use crate::commands::shared::pictures::PictureArgs;
@@ -93,8 +93,12 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let recording = read(&args.recording, &args.read)?.decimated();
     let mut warnings = recording.warnings.clone();
     warnings.extend(gravities.differ(&calibrations));
+    let mut doubts: Vec<Vec<Finding>> = Vec::new();
     for (_, calibration) in &calibrations {
-        args.device.check(calibration, &[&recording])?;
+        warnings.extend(gates_of(calibration));
+        let doubted = args.device.doubts(calibration, &[&recording])?;
+        warnings.extend(doubted.iter().cloned());
+        doubts.push(doubted);
         warnings.extend(calibration.doubts_biases_of(&recording));
     }
     let progress = spinner("comparing");
@@ -142,7 +146,8 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             &named,
             &rows,
             (&HEADER, &cells(&rows)),
-            (&gravities.rows(&calibrations), &warnings),
+            &gravities.rows(&calibrations),
+            (&doubts, &warnings),
         )?;
         pictures.write(&plots, &page)?;
     }
@@ -171,7 +176,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         };
         let verdicts: String = judged.iter().map(verdict).collect();
         let names = Names::of([&recording]);
-        let (_, sentence, next) = evaluation::judged(&rows, &warnings);
+        let (_, sentence, next) = evaluation::judged(&rows, &doubts, &warnings);
         let named = args
             .calibration
             .iter()

@@ -1,5 +1,6 @@
 //! The page of an evaluation: calibrations side by side on a recording that they have not seen.
 
+use ::findings::{Finding, Front, Kind};
 use calib::calibrate::STANDARD_GRAVITY;
 use calib::intervals::Segmentation;
 use calib::{Calibration, Evaluation, Recording};
@@ -28,7 +29,8 @@ pub fn page(
     calibrations: &[Named<'_>],
     rows: &[(String, Evaluation)],
     (header, cells): (&[&str], &[Vec<String>]),
-    (gravities, warnings): (&[f64], &[String]),
+    gravities: &[f64],
+    (doubts, warnings): (&[Vec<Finding>], &[String]),
 ) -> Result<(Report, Vec<(String, Picture)>), calib::Error> {
     let cut = || std::iter::once((recording, segmentation));
     let mut sessions = Vec::new();
@@ -40,7 +42,7 @@ pub fn page(
     let raw = Session::of(cut(), None, of_raw)?;
     let first = sessions.first().map_or(&raw, |(_, session)| session);
     let coverage = covered(first);
-    let (level, sentence, next) = judged(rows, warnings);
+    let (level, sentence, next) = judged(rows, doubts, warnings);
     let mut figures = vec![Residual::measured(first).figure()];
     figures.push(bias(rows));
     figures.extend(
@@ -134,8 +136,12 @@ pub const PLOTS: [&str; 10] = [
     "noise-2",
 ];
 
-/// The best calibration against the raw readings.
-pub fn judged(rows: &[(String, Evaluation)], warnings: &[String]) -> (Level, String, Vec<String>) {
+/// The best calibration against the raw readings, and the doubts about it; `doubts` are those of each calibration.
+pub fn judged(
+    rows: &[(String, Evaluation)],
+    doubts: &[Vec<Finding>],
+    warnings: &[String],
+) -> (Level, String, Vec<String>) {
     let Some((raw, calibrated)) = rows.split_first().filter(|(_, rest)| !rest.is_empty()) else {
         let what = "Only the raw readings were measured: no calibration was named.";
         let next = "Name a calibration: stillpoint evaluate RECORDING --calibration cal=cal.json";
@@ -148,10 +154,9 @@ pub fn judged(rows: &[(String, Evaluation)], warnings: &[String]) -> (Level, Str
         let all: Vec<f64> = norm.into_iter().chain(direction).collect();
         all.iter().sum::<f64>() / all.len().max(1) as f64
     };
-    let best = calibrated
-        .iter()
-        .min_by(|a, b| share(&a.1).total_cmp(&share(&b.1)));
-    let Some((name, e)) = best else {
+    let best = (0..calibrated.len())
+        .min_by(|&a, &b| share(&calibrated[a].1).total_cmp(&share(&calibrated[b].1)));
+    let Some((name, e)) = best.map(|k| &calibrated[k]) else {
         return (Level::Care, "Nothing could be compared.".into(), Vec::new());
     };
     let part = |what: &str, left: Option<f64>, raw: Option<f64>, factor: f64, unit: &str| {
@@ -185,6 +190,29 @@ pub fn judged(rows: &[(String, Evaluation)], warnings: &[String]) -> (Level, Str
                     compare.";
         let bad = format!("{name} is no better than the raw readings. {sentence}");
         return (Level::Bad, bad, vec![next.into()]);
+    }
+    // What is doubted is neither used nor given another bias.
+    let own = best.and_then(|k| doubts.get(k));
+    let doubt = own.into_iter().flatten().find(|found| {
+        matches!(
+            found.kind,
+            Kind::DirectionOff | Kind::NormGrown | Kind::NormOff
+        )
+    });
+    if let Some(found) = doubt {
+        let why = match found.kind {
+            Kind::NormGrown => {
+                "In its own recordings it left far less: the sensor has changed since."
+            }
+            _ => "It may be of another device.",
+        };
+        let next = found.advice(Front::CommandLine);
+        let next = next.map(|advice| show::capital(&advice) + ".");
+        return (
+            Level::Care,
+            format!("{sentence} {why}"),
+            next.into_iter().collect(),
+        );
     }
     let next = format!("Use {name}: stillpoint apply CAL RECORDING -o corrected.csv");
     let estimate = "If the rate at rest is far from zero, estimate the gyroscope's bias again: stillpoint bias CAL RECORDING";

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use enough::{enough_rests, enough_to_compare};
 use estimate::calibrate::{
     gyroscope_of_one_device, not_in_one_plane, of_one_device, of_one_recording_each,
-    refuse_unobservable,
+    readings_of_the_device, refuse_unobservable,
 };
 use estimate::methods::static_means;
 use findings::Finding;
@@ -27,10 +27,11 @@ pub(super) fn base(session: &mut Session<'_>) -> Result<State, Error> {
     let means: Vec<_> = cuts
         .map(|(r, choice)| static_means(r, &choice.segmentation))
         .collect();
+    let cut = session.recordings.iter();
+    let cut = cut.map(|(recording, choice)| (recording.as_ref(), &choice.segmentation));
+    readings_of_the_device(cut.clone())?;
     not_in_one_plane(&means)?;
     if !session.request.force_device {
-        let cut = session.recordings.iter();
-        let cut = cut.map(|(recording, choice)| (recording.as_ref(), &choice.segmentation));
         of_one_recording_each(cut, session.request.gravity)?;
         let differ = of_one_device(&session.ready(), &means, session.request.gravity)?;
         // At another latitude once more.

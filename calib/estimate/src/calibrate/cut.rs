@@ -36,6 +36,8 @@ impl<'a> Cut<'a> {
             };
             cut(recordings[k], &request, Some(k))
         })?;
+        let cut = choices.iter().map(|choice| &choice.segmentation);
+        checks::readings_of_the_device(recordings.iter().copied().zip(cut))?;
         if !request.force_device {
             let cut = choices.iter().map(|choice| &choice.segmentation);
             of_one_recording_each(recordings.iter().copied().zip(cut), request.gravity)?;

@@ -31,7 +31,7 @@ mod unusable_turns;
 pub(crate) use checks::few_directions;
 pub use checks::{
     Said, corrected_before, implausible, implausible_base, not_in_one_plane, of_the_detector,
-    without_copies,
+    readings_of_the_device, without_copies,
 };
 pub use cut::of_one_recording_each;
 pub use joint::{Account, LatitudeDoubt, refuse_unobservable, written_down};

@@ -36,6 +36,9 @@ const WORSE: f64 = 5.0;
 /// No doubt below these, ° and m/s²: what other hands, places and temperatures make.
 const FINE: (f64, f64) = (0.5, 0.05);
 
+/// A misfit of gravity's norm that has grown by [`WORSE`] is stated from here on, m/s² (1 mg).
+const GROWN: f64 = 0.01;
+
 /// Compares a recording with a calibration at its static intervals and through its turns; of a recording without these,
 /// and with effects that cannot be known, nothing is said.
 ///
@@ -147,14 +150,18 @@ fn norm_in_doubt(
     let usual = calibration.accelerometer.as_ref()?.residual_rms;
     let values: Vec<f64> = left.rests.iter().map(|rest| rest.value).collect();
     let rms = root_mean_square(&values);
-    (!values.is_empty() && rms > (WORSE * usual).max(FINE.1)).then(|| {
-        let found = Finding::of(Kind::NormOff)
-            .in_recording(&recording.name)
-            .of_sensor(Sensor::Accelerometer)
-            .number("rms", rms, "m/s^2")
-            .affects("corrected_reading", rms, "m/s^2");
-        left_of_its_own(found, usual, "m/s^2")
-    })
+    // What another tool made does not say what it left.
+    let kind = match (WORSE * usual, usual > 0.0) {
+        (worse, _) if rms > worse.max(FINE.1) => Kind::NormOff,
+        (worse, true) if rms > worse.max(GROWN) => Kind::NormGrown,
+        _ => return None,
+    };
+    let found = Finding::of(kind)
+        .in_recording(&recording.name)
+        .of_sensor(Sensor::Accelerometer)
+        .number("rms", rms, "m/s^2")
+        .affects("corrected_reading", rms, "m/s^2");
+    Some(left_of_its_own(found, usual, "m/s^2"))
 }
 
 /// With what a calibration left of its own recordings; nothing of one that another tool made, which does not say.

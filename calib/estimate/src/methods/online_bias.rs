@@ -3,7 +3,8 @@
 use findings::{Finding, Kind};
 use nalgebra::{Matrix3, Vector3};
 use recording::intervals::{Segmentation, Span};
-use recording::{Error, Recording};
+use recording::readings::{Symptom, symptoms};
+use recording::{Error, Recording, Stream};
 use sensor::{Sensor, inverse};
 use solver::{Options, Uncertainty, solve};
 
@@ -29,8 +30,12 @@ pub struct Stretch {
     pub span: Span,
     /// Mean of the corrected rate, rad/s: what the bias has changed by.
     pub residual: Vector3<f64>,
-    /// Its standard error by means over seconds, rad/s.
+    /// Its standard error, rad/s: by means over seconds, and by those over longer parts where these differ by more.
     pub std: Vector3<f64>,
+    /// Error of the mean by steps of the readings that are wider than the noise, rad/s, however long the rest is.
+    pub by_steps: Vector3<f64>,
+    /// By how much the rate drifts from the beginning of the rest to its end, rad/s; zero where it does no more than noise.
+    pub drift: Vector3<f64>,
 }
 
 /// The rests longer than [`LONG_ENOUGH`] and the corrected gyroscope's mean in each.
@@ -52,6 +57,11 @@ pub fn gyroscope_stretches(
         let found = Finding::of(kind).in_recording(&recording.name);
         return Err(Error::not_enough(found.of_sensor(Sensor::Gyroscope)));
     };
+    let by_steps = calibration
+        .triad(Sensor::Gyroscope)
+        .map_or(Vector3::zeros(), |triad| {
+            triad.base().t.abs() * error_of_steps(recording, segmentation)
+        });
     let long = |span: &Span| span.length() > LONG_ENOUGH;
     let stretches: Vec<Stretch> = segmentation
         .statics
@@ -60,11 +70,13 @@ pub fn gyroscope_stretches(
         .filter(long)
         .filter_map(|span| {
             let samples = stream.between(span.from, span.to);
-            let (residual, std) = mean_of(&stream.values[samples], span.length() as usize)?;
+            let mean = Mean::of(&stream.values[samples], span.length() as usize)?;
             Some(Stretch {
                 span,
-                residual,
-                std,
+                residual: mean.value,
+                std: mean.std,
+                by_steps,
+                drift: mean.drift,
             })
         })
         .collect();
@@ -83,6 +95,24 @@ pub fn gyroscope_stretches(
         ));
     }
     Ok(stretches)
+}
+
+/// The finding about a bias that moves within a rest; `None` where it does no more than noise.
+pub fn drift_at_rest(recording: &str, stretches: &[Stretch]) -> Option<Finding> {
+    let most = |stretch: &Stretch| stretch.drift.amax();
+    let farthest = stretches
+        .iter()
+        .max_by(|a, b| most(a).total_cmp(&most(b)))?;
+    let change = most(farthest);
+    (change > 0.0).then(|| {
+        Finding::of(Kind::BiasDrifts)
+            .in_recording(recording)
+            .of_sensor(Sensor::Gyroscope)
+            .between(farthest.span.from, farthest.span.to)
+            .number("change", change, "rad/s")
+            .number("time", farthest.span.length(), "s")
+            .affects("corrected_reading", 0.5 * change, "rad/s")
+    })
 }
 
 /// Adds the mean over all stretches, weighted by their length, to the gyroscope's bias.
@@ -109,7 +139,9 @@ pub fn update_gyroscope(
         .iter()
         .map(|s| (s.residual - residual).map(|d| d * d) / (count * (count - 1.0).max(1.0)))
         .sum();
-    let std = Vector3::from_fn(|k, _| within[k].max(between[k]).sqrt());
+    // What rounding makes of a bias is the same in every rest.
+    let by_steps = stretches.first().map_or(Vector3::zeros(), |s| s.by_steps);
+    let std = Vector3::from_fn(|k, _| within[k].max(between[k]).sqrt().max(by_steps[k]));
     shifted(
         calibration,
         Sensor::Gyroscope,
@@ -213,7 +245,9 @@ fn shifted(
     triad.bias_std = (back.abs() * std).map(Some).into();
     // It holds from now on, whichever recording it is applied to.
     triad.recordings.clear();
-    let bias = triad.bias;
+    triad.bias_time = None;
+    let (bias, std) = (triad.bias, triad.bias_std);
+    set_errors(&mut updated, sensor, std);
     updated.history.push(BiasUpdate {
         sensor: sensor.prefix().into(),
         recording: recording.into(),
@@ -223,6 +257,25 @@ fn shifted(
     });
     updated.seal_again(calibration);
     Ok(updated)
+}
+
+/// Gives the biases of a sensor new errors in the covariance, which go with no other parameter's: they are of another recording.
+fn set_errors(calibration: &mut Calibration, sensor: Sensor, std: [Option<f64>; 3]) {
+    for (axis, std) in ["x", "y", "z"].into_iter().zip(std) {
+        let name = format!("{}.b_{axis}", sensor.prefix());
+        let place = calibration.parameters.iter().position(|own| *own == name);
+        let (Some(place), Some(std)) = (place, std) else {
+            continue;
+        };
+        for (k, row) in calibration.covariance.iter_mut().enumerate() {
+            if k == place {
+                row.fill(0.0);
+            }
+            if let Some(value) = row.get_mut(place) {
+                *value = if k == place { std * std } else { 0.0 };
+            }
+        }
+    }
 }
 
 /// Longest over shortest axis of the three biases' error ellipsoid: the condition of their columns as
@@ -236,21 +289,85 @@ fn condition(biases: &Uncertainty) -> f64 {
     (axes.max() / axes.min().max(0.0)).sqrt()
 }
 
-/// Mean of the values and its standard error from the scatter of `batches` means in a row, which
-/// sees slow noise that single samples do not show.
-fn mean_of(values: &[Vector3<f64>], batches: usize) -> Option<(Vector3<f64>, Vector3<f64>)> {
-    let length = values.len() / batches.max(2);
-    if length == 0 {
-        return None;
+/// `LSB/√12` of the axes on which the readings step by more than their noise, in the unit of the readings: it stays however many
+/// samples there are.
+fn error_of_steps(recording: &Recording, segmentation: &Segmentation) -> Vector3<f64> {
+    let axes = symptoms(recording, segmentation)
+        .into_iter()
+        .filter_map(|found| match found {
+            Symptom::Quantised {
+                sensor: Sensor::Gyroscope,
+                axes,
+                ..
+            } => Some(axes),
+            _ => None,
+        });
+    let steps = recording.gyroscope.as_ref().map(Stream::least_steps);
+    let mut error = Vector3::zeros();
+    for axis in axes.flatten() {
+        error[axis] = steps.map_or(0.0, |steps| steps[axis] / 12f64.sqrt());
     }
-    let mean = values.iter().sum::<Vector3<f64>>() / values.len() as f64;
-    let squares: Vec<Vector3<f64>> = values
+    error
+}
+
+/// The mean of a rate at rest.
+struct Mean {
+    value: Vector3<f64>,
+    std: Vector3<f64>,
+    drift: Vector3<f64>,
+}
+
+/// Parts of a rest whose means are compared with each other.
+const PARTS: usize = 5;
+
+/// The variance of their means is this many times what noise makes of it in one rest of a hundred: `χ²(4)/4`.
+const BY_CHANCE: f64 = 3.32;
+
+impl Mean {
+    /// The mean with its standard error: from the scatter of `batches` means in a row, which sees slow noise that single samples do not
+    /// show, and from that of [`PARTS`] means, where they scatter by more than that makes them. What the bias does over a fifth of a rest
+    /// it does over a motion behind it, however long the rest was.
+    fn of(values: &[Vector3<f64>], batches: usize) -> Option<Self> {
+        let value = values.iter().sum::<Vector3<f64>>() / values.len().max(1) as f64;
+        let (_, by_batches) = scatter(values, batches.max(2))?;
+        let count = (values.len() / (values.len() / batches.max(2))) as f64;
+        let of_mean = by_batches / count;
+        let parts = scatter(values, PARTS);
+        let beyond = |axis: usize| {
+            let (_, by_parts) = parts.as_ref()?;
+            let by_noise = of_mean[axis] * PARTS as f64;
+            (by_parts[axis] > BY_CHANCE * by_noise).then(|| by_parts[axis] - by_noise)
+        };
+        let drift = |axis: usize| {
+            let (means, _) = parts.as_ref()?;
+            beyond(axis)?;
+            Some(means.last()?[axis] - means.first()?[axis])
+        };
+        Some(Self {
+            value,
+            std: Vector3::from_fn(|k, _| (of_mean[k] + beyond(k).unwrap_or(0.0)).sqrt()),
+            drift: Vector3::from_fn(|k, _| drift(k).unwrap_or(0.0)),
+        })
+    }
+}
+
+/// The means of so many parts in a row, and their variance; `None` of fewer samples.
+fn scatter(values: &[Vector3<f64>], parts: usize) -> Option<(Vec<Vector3<f64>>, Vector3<f64>)> {
+    let length = values
+        .len()
+        .checked_div(parts)
+        .filter(|length| *length > 0)?;
+    let means: Vec<Vector3<f64>> = values
         .chunks_exact(length)
-        .map(|batch| (batch.iter().sum::<Vector3<f64>>() / length as f64 - mean).map(|d| d * d))
+        .map(|part| part.iter().sum::<Vector3<f64>>() / length as f64)
         .collect();
-    let n = squares.len() as f64;
-    let std = squares.iter().sum::<Vector3<f64>>() / (n * (n - 1.0).max(1.0));
-    Some((mean, std.map(f64::sqrt)))
+    let n = means.len() as f64;
+    let mean = means.iter().sum::<Vector3<f64>>() / n;
+    let squares = means.iter().map(|m| (m - mean).map(|d| d * d));
+    Some((
+        means.clone(),
+        squares.sum::<Vector3<f64>>() / (n - 1.0).max(1.0),
+    ))
 }
 
 #[cfg(test)]

@@ -73,10 +73,14 @@ impl Target for ArduPilot {
             };
             let sensor = (Sensor::Accelerometer, base);
             let raw = controller.for_raw(source, sensor, &names, settings)?;
-            put(&offset, raw.bias, Some(OFFSETS))?;
+            // A zero in place of what is not known would erase the vehicle's own.
+            if source.knows_bias(Sensor::Accelerometer) {
+                put(&offset, raw.bias, Some(OFFSETS))?;
+            }
             put(&scale, raw.t.diagonal(), Some(SCALES))?;
         }
-        if let Some(base) = &source.gyroscope {
+        let gyroscope = source.gyroscope.as_ref();
+        if let Some(base) = gyroscope.filter(|_| source.knows_bias(Sensor::Gyroscope)) {
             let offset = format!("{gyro}OFFS");
             let names = Names {
                 offset: format!("{offset}_{{axis}}"),

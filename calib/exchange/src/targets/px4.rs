@@ -72,8 +72,11 @@ impl Target for Px4 {
             };
             let sensor = (Sensor::Accelerometer, base);
             let raw = controller.for_raw(source, sensor, &names, settings)?;
-            for (axis, value) in by_axis(raw.bias) {
-                put(format!("CAL_ACC{k}_{axis}OFF"), value);
+            // A zero in place of what is not known would erase the vehicle's own.
+            if source.knows_bias(Sensor::Accelerometer) {
+                for (axis, value) in by_axis(raw.bias) {
+                    put(format!("CAL_ACC{k}_{axis}OFF"), value);
+                }
             }
             for (axis, value) in by_axis(raw.t.diagonal()) {
                 let (least, most) = SCALES;
@@ -89,7 +92,8 @@ impl Target for Px4 {
                 put(format!("CAL_ACC{k}_{axis}SCALE"), value);
             }
         }
-        if let Some(base) = &source.gyroscope {
+        let gyroscope = source.gyroscope.as_ref();
+        if let Some(base) = gyroscope.filter(|_| source.knows_bias(Sensor::Gyroscope)) {
             let names = Names {
                 offset: format!("CAL_GYRO{k}_{{axis}}OFF"),
                 scale: None,

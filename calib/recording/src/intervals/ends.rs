@@ -29,6 +29,11 @@ const REACH: f64 = 2.0;
 /// bounds the cost for a long interval.
 const NEAR: f64 = 60.0;
 
+/// A bias drifts steadily over as long, s, and by no more than this, rad/s² (20 °/h in a second): a gyroscope that warms up. What begins
+/// to turn does so within less.
+const DRIFTS: f64 = 20.0;
+const FASTEST_DRIFT: f64 = 1e-4;
+
 /// Most looks at the ends of one interval.
 const MOST_LOOKS: usize = 1000;
 
@@ -157,26 +162,48 @@ impl<'a> Ends<'a> {
         let factor = self.step * self.scale;
         let reach = ((REACH / self.step) as usize).min(n / 2);
         let near = ((NEAR / self.step) as usize).clamp(FEWEST, n);
+        // From the middle of what is near to that of the reach, in samples.
+        let away = 0.5 * (near as f64 - reach as f64);
         let turned = |share: f64,
                       near: &[Vector3<f64>],
+                      away: f64,
                       end: &mut dyn ExactSizeIterator<Item = &Vector3<f64>>| {
             if share <= 0.0 {
                 return 0;
             }
-            let bias = middle_rate(near);
+            let middle = middle_rate(near);
             let per_stretch = ((STRETCH / self.step) as usize).clamp(3, near.len() / 3);
-            let usual = usual_turn(near, &bias, per_stretch) * factor;
+            let usual = usual_turn(near, &middle, per_stretch) * factor;
             let limit = REMAINDER.max(BEYOND_USUAL * usual) / factor;
-            turned(end, &bias, share * limit)
+            turned(end, &(middle + self.drift(near) * away), share * limit)
         };
         let (first, last) = (&values[..near], &values[n - near..]);
-        let after = turned(shares[0], first, &mut values[..reach].iter().rev());
-        let before = turned(shares[1], last, &mut values[n - reach..].iter());
+        let after = turned(shares[0], first, -away, &mut values[..reach].iter().rev());
+        let before = turned(shares[1], last, away, &mut values[n - reach..].iter());
         let t = &self.stream.t[samples];
         Span {
             from: if after > 0 { t[after] } else { span.from },
             to: if before > 0 { t[n - before] } else { span.to },
         }
+    }
+}
+
+impl Ends<'_> {
+    /// The steady change of the rate from one sample to the next: the median of the slopes between pieces, by axis. Zero of a short
+    /// interval.
+    fn drift(&self, values: &[Vector3<f64>]) -> Vector3<f64> {
+        if (values.len() as f64) * self.step < DRIFTS {
+            return Vector3::zeros();
+        }
+        let (length, means) = pieces(values);
+        let most = FASTEST_DRIFT * self.step / self.scale;
+        Vector3::from_fn(|axis, _| {
+            let slope =
+                |i: usize, k: usize| (means[k][axis] - means[i][axis]) / ((k - i) * length) as f64;
+            let pairs = (0..means.len()).flat_map(|k| (0..k).map(move |i| (i, k)));
+            let usual = median(pairs.map(|(i, k)| slope(i, k))).unwrap_or(0.0);
+            usual.clamp(-most, most)
+        })
     }
 }
 
@@ -204,13 +231,18 @@ fn turning_stretches(
     union(turning.collect())
 }
 
+/// The length of the pieces of an interval in samples, and the mean rate in each.
+fn pieces(values: &[Vector3<f64>]) -> (usize, Vec<Vector3<f64>>) {
+    let length = values.len().div_ceil(PIECES);
+    let means = values
+        .chunks(length)
+        .map(|piece| piece.iter().sum::<Vector3<f64>>() / piece.len() as f64);
+    (length, means.collect())
+}
+
 /// The median over pieces of the mean rate, by axis.
 fn middle_rate(values: &[Vector3<f64>]) -> Vector3<f64> {
-    let length = values.len().div_ceil(PIECES);
-    let means: Vec<Vector3<f64>> = values
-        .chunks(length)
-        .map(|piece| piece.iter().sum::<Vector3<f64>>() / piece.len() as f64)
-        .collect();
+    let (_, means) = pieces(values);
     Vector3::from_fn(|axis, _| median(means.iter().map(|m| m[axis])).unwrap_or(0.0))
 }
 
@@ -312,6 +344,29 @@ mod tests {
             .map(|&t| 0.01 * rate(t))
             .sum();
         assert!(cut.to > 4.0 && left < 2e-4, "{cut:?} {left}");
+    }
+
+    #[test]
+    fn a_gyroscope_that_warms_up_rests_from_beginning_to_end_and_a_turn_behind_it_is_cut_off() {
+        let mut stream = stream(1e-3);
+        stream.t = (0..12_100).map(|k| 0.01 * f64::from(k)).collect();
+        let values = stream.values.clone();
+        let value = |t: f64, noise: &Vector3<f64>| {
+            noise.xy().push(0.0) + Vector3::new(1e-5 * t, -2e-5 * t, (t - 120.5).max(0.0))
+        };
+        let noise = values[..900].iter().cycle();
+        stream.values = stream
+            .t
+            .iter()
+            .zip(noise)
+            .map(|(&t, v)| value(t, v))
+            .collect();
+        let whole = Span {
+            from: 0.0,
+            to: 121.0,
+        };
+        let cut = Ends::of(&stream, 1.0).trimmed(whole);
+        assert!(cut.from < 0.1 && (cut.to - 120.5).abs() < 0.1, "{cut:?}");
     }
 
     #[test]

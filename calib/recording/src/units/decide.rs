@@ -298,13 +298,15 @@ pub(crate) fn gyro_unit(
     let of = |kind: Kind, unit: GyroUnit| {
         told(kind, name, Sensor::Gyroscope).detail("unit", unit.name())
     };
+    // Another unit, as mrad/s: in degrees the turns are not those that the accelerometer saw.
+    let is_wrong = |unit| accel.is_some_and(|accel| wrong_by(accel, stream, unit).is_some());
     let (unit, told) = match (by_turns, fastest) {
         (Some(GyroUnit::RadiansPerSecond), _) | (None, 0.0..FASTEST) => {
             return Ok(GyroUnit::RadiansPerSecond);
         }
         (Some(GyroUnit::Counts), _) => (GyroUnit::Counts, as_counts()),
         (Some(unit), _) => (unit, of(Kind::UnitByTurns, unit)),
-        (None, FASTEST..5000.0) if !integers => {
+        (None, FASTEST..5000.0) if !integers && !is_wrong(GyroUnit::DegreesPerSecond) => {
             let unit = GyroUnit::DegreesPerSecond;
             (
                 unit,

@@ -321,19 +321,33 @@ impl DeviceArgs {
         calibration: &Calibration,
         recordings: &[&Recording],
     ) -> Result<Vec<String>, Failure> {
-        let gates = calibration.failed_gates.iter();
-        let failed = |gate: &Finding| {
-            let gate = gate.text(Front::CommandLine);
-            format!("the calibration failed a gate: {gate}")
-        };
-        let mut said: Vec<String> = gates.map(failed).collect();
+        let doubts = self.doubts(calibration, recordings)?;
+        let doubts = doubts.iter().map(|doubt| doubt.text(Front::CommandLine));
+        Ok(gates_of(calibration).chain(doubts).collect())
+    }
+
+    /// Refuses readings that the calibration is not for; doubts about the others.
+    pub fn doubts(
+        self,
+        calibration: &Calibration,
+        recordings: &[&Recording],
+    ) -> Result<Vec<Finding>, Failure> {
+        let mut said = Vec::new();
         for recording in recordings.iter().filter(|_| !self.force_device) {
             check_units(calibration, recording)?;
-            let doubts = doubts(calibration, recording)?;
-            said.extend(doubts.iter().map(|doubt| doubt.text(Front::CommandLine)));
+            said.extend(doubts(calibration, recording)?);
         }
         Ok(said)
     }
+}
+
+/// The gates that a calibration failed, in words.
+pub fn gates_of(calibration: &Calibration) -> impl Iterator<Item = String> {
+    let gates = calibration.failed_gates.iter();
+    gates.map(|gate| {
+        let gate = gate.text(Front::CommandLine);
+        format!("the calibration failed a gate: {gate}")
+    })
 }
 
 /// A sign of life on a terminal; nothing elsewhere.

@@ -5,6 +5,7 @@ mod coverage;
 mod dead_axes;
 mod determined;
 mod norm;
+mod of_the_device;
 mod on_top;
 mod plausible;
 mod rests;
@@ -19,6 +20,7 @@ pub(super) use determined::{
     ForceEvidence, RateEvidence, accelerometer_is_determined, gyroscope_is_determined,
 };
 pub(super) use norm::the_norm_tells_them;
+pub use of_the_device::readings_of_the_device;
 pub use on_top::corrected_before;
 pub(super) use on_top::reads_zero_at_rest;
 pub(super) use plausible::none_is_turned;

@@ -27,6 +27,15 @@ pub(super) const ENTRIES: &[Entry] = &[
         remedies: || vec![Remedy::UpdateBias],
     },
     Entry {
+        kind: Kind::BiasUnknown,
+        level: Level::Remark,
+        severity: 0.05,
+        reason: "the bias of the {sensors} is not known",
+        text: "the bias (the reading at rest) of the {sensors} is not known: the file corrects by none, or leaves its entries out",
+        advice: "",
+        remedies: || vec![Remedy::UpdateBias],
+    },
+    Entry {
         kind: Kind::FirstImuTaken,
         level: Level::Remark,
         severity: 0.001,

@@ -65,6 +65,15 @@ pub(super) const ENTRIES: &[Entry] = &[
         remedies: || vec![Remedy::WarmUp, Remedy::such_as(OptionName::Rest, "60,3600")],
     },
     Entry {
+        kind: Kind::BiasDrifts,
+        level: Level::Remark,
+        severity: 0.05,
+        reason: "the {sensor}'s bias moves within a rest",
+        text: "the {sensor}'s bias (its reading at rest) moves by {change} in a rest of {time}. The estimate is the mean over the rest, and its error covers what the bias does over a fifth of it",
+        advice: "",
+        remedies: || vec![Remedy::WarmUp],
+    },
+    Entry {
         kind: Kind::ReadingsHeld,
         level: Level::Care,
         severity: 0.05,

@@ -81,10 +81,7 @@ fn of_axes(fit: &RateFit<'_>, columns: &Columns, force: &Columns, said: &mut Sai
         false => turned,
         true => turned
             .detail("other", Sensor::Accelerometer.name())
-            .only_remedies([
-                columns.turned(&axes),
-                force.turned(&axes.opposite().inverse()),
-            ]),
+            .only_remedies([force.turned(&axes.opposite().inverse())]),
     });
 }
 

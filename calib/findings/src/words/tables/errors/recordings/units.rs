@@ -41,6 +41,18 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
         Vec::new,
     ),
     Entry::error(
+        Kind::AxesOfTheRoom,
+        "by the gyroscope the device was turned over {turns} times, by up to {angle}, and at rest the accelerometer always reads the same: its readings are given in axes of the room and not of the device",
+        "record the accelerometer in the axes of the device (\"raw\" or \"uncalibrated\"; not \"world\", \"earth\" or \"global\")",
+        Vec::new,
+    ),
+    Entry::error(
+        Kind::AnglesForRates,
+        "at rest the gyroscope reads another value in each placement, over a range of {range}, as angles (roll, pitch, yaw) do: these are no rates of rotation",
+        "record the gyroscope (\"angular velocity\", \"rotation rate\" or \"gyro\"), not the orientation",
+        || vec![Remedy::set(OptionName::Columns)],
+    ),
+    Entry::error(
         Kind::Normalised,
         "the accelerometer's readings have the same length, {length}, in every row, while the device turns too: they were normalised to a direction, and no force is left in them",
         "record the accelerometer before it is normalised (\"raw\" or \"uncalibrated\")",

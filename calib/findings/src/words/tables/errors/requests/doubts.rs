@@ -24,6 +24,12 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
         || vec![Remedy::OwnCalibration],
     ),
     Entry::doubt(
+        Kind::NormGrown,
+        "at rest the corrected reading of the accelerometer differs from gravity by {rms} (rms), and in the calibration's own recordings by {usual}. The sensor has changed since, as by temperature or age, or gravity is another here",
+        "",
+        || vec![Remedy::CalibrateAgain],
+    ),
+    Entry::doubt(
         Kind::CorrectedOtherwise,
         "{by} had corrected the readings of the {sensor} in this recording before, and {own} those behind the calibration. So the calibration does not hold for this recording",
         "do not use the corrected readings; calibrate from recordings that were corrected as this one",
