@@ -214,10 +214,16 @@ impl NoiseSummary {
     }
 }
 
-/// The terms of each axis; those of coarse readings are bounded only.
+/// The terms of each axis; those of coarse readings are bounded only, and beside a drift those that grow with time.
 fn fits(curves: &SensorCurves) -> [Option<NoiseTerms>; 3] {
     std::array::from_fn(|k| {
         let fit = identify(&curves.axes[k])?;
+        let bridged = curves.bridged as f64 / curves.axes[k].samples as f64;
+        let fit = fit.with_bridges(bridged);
+        let fit = match curves.drift[k] {
+            Some(_) => fit.beside_a_drift(),
+            None => fit,
+        };
         Some(match curves.coarse[k] {
             Some(coarse) => fit.within_steps(coarse.step),
             None => fit,

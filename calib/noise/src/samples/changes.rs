@@ -34,6 +34,13 @@ const SMOOTH: f64 = 0.998;
 const EXPLAINED: f64 = 0.9;
 const WHITE: f64 = 0.7;
 
+/// Slow cosines of the differences between parts, in half periods of the record, and the next ones that they are compared with.
+const SLOW: usize = 6;
+const NEXT: usize = 15;
+
+/// The slow ones have so many times the power of the next. Of a random walk all have the same: one record of ten thousand has 10.
+const MORE_POWER: f64 = 11.0;
+
 /// Mean of a block of samples.
 pub(crate) type Mean = (Span, f64);
 
@@ -128,7 +135,8 @@ fn prefix(means: &[Mean]) -> Vec<f64> {
     std::iter::once(0.0).chain(sums).collect()
 }
 
-/// A drift of a mean that goes so smoothly that no noise explains it: a curve of third order through the means.
+/// A drift of a mean that goes so smoothly that no noise explains it: a curve of third order through the means, or differences between
+/// parts that go together over a sixth of the record and more.
 pub(crate) fn drift(means: &[Mean]) -> Option<Drift> {
     if means.len() < 2 * PARTS {
         return None;
@@ -144,7 +152,8 @@ pub(crate) fn drift(means: &[Mean]) -> Option<Drift> {
     let neighbours: f64 = left.windows(2).map(|w| (w[1] - w[0]).powi(2)).sum();
     let explained = 1.0 - square(&left) / total;
     let is_white = neighbours > 2.0 * WHITE * square(&left);
-    if !(explained > SMOOTH || (explained > EXPLAINED && is_white)) {
+    let is_curve = explained > SMOOTH || (explained > EXPLAINED && is_white);
+    if !is_curve && power_of_slow_differences(&parts) < MORE_POWER {
         return None;
     }
     let end = PARTS / 16;
@@ -156,6 +165,26 @@ pub(crate) fn drift(means: &[Mean]) -> Option<Drift> {
         },
         change: mean(&parts[PARTS - end..]) - mean(&parts[..end]),
     })
+}
+
+/// The mean power of the slow cosines in the differences of neighbours over that of the next ones: `F(6, 15)` of a random walk, less of
+/// white or flicker noise.
+fn power_of_slow_differences(parts: &[f64]) -> f64 {
+    let differences: Vec<f64> = parts.windows(2).map(|w| w[1] - w[0]).collect();
+    let half = std::f64::consts::PI / differences.len() as f64;
+    let power = |j: usize| {
+        let cosine = |k: usize| (half * j as f64 * (k as f64 + 0.5)).cos();
+        let sum: f64 = differences
+            .iter()
+            .zip(0..)
+            .map(|(d, k)| d * cosine(k))
+            .sum();
+        // The constant is twice as long as a cosine.
+        sum * sum * if j == 0 { 0.5 } else { 1.0 }
+    };
+    let mean =
+        |from: usize, count: usize| (from..from + count).map(power).sum::<f64>() / count as f64;
+    mean(0, SLOW) / mean(SLOW, NEXT).max(f64::MIN_POSITIVE)
 }
 
 /// The values less the polynomial through them, by orthogonal polynomials of their place.
@@ -258,9 +287,22 @@ mod tests {
                 assert!((found.change / by - 0.9).abs() < 0.15, "{found:?}");
             }
         }
-        for seed in 0..60 {
+        for seed in 0..300 {
             let walk = [0.0, 0.03, 0.3, 3.0][seed as usize % 4];
             assert_eq!(drift(&means(noise(seed, 900, walk))), None, "seed {seed}");
+        }
+    }
+
+    #[test]
+    fn a_warm_up_of_a_sixth_of_the_record_and_a_wave_are_drifts_beside_a_random_walk() {
+        let shapes: [fn(f64) -> f64; 2] = [
+            |share| 12.0 * (1.0 - (-6.0 * share).exp()),
+            |share| 6.0 * (4.0 * std::f64::consts::PI * share).sin(),
+        ];
+        for (seed, shape) in (0..20).flat_map(|seed| shapes.map(|shape| (seed, shape))) {
+            let values = noise(seed, 3600, 0.02).into_iter().zip(0..);
+            let values = values.map(|(v, k)| v + shape(f64::from(k) / 3600.0));
+            assert!(drift(&means(values)).is_some(), "seed {seed}");
         }
     }
 }

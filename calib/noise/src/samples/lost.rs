@@ -14,6 +14,10 @@ const HEAD: usize = 256;
 /// Steps that the sampling interval is taken over: stamps that come in packets have no usual single step.
 const LAG: usize = 16;
 
+/// Steps are whole multiples of the sampling interval to within this share of it, for all but this share of them.
+const WHOLE: f64 = 0.1;
+const MOSTLY: f64 = 0.95;
+
 /// Samples looked ahead: one that is late is told from one that follows a loss by those after it.
 const AHEAD: usize = 16;
 
@@ -75,16 +79,18 @@ impl Regular {
         (ticks > 0).then(|| time / ticks as f64)
     }
 
-    /// The median of the steps over sixteen samples, or of single ones.
+    /// The median of single steps where nearly all steps are whole multiples of it, however many samples are missing; else that of the
+    /// steps over sixteen samples.
     fn usual_step(&self) -> f64 {
         let t: Vec<f64> = self.queue.iter().map(|(t, _)| *t).collect();
+        let single = median_step(&t, 1);
+        let is_whole = |step: f64| (step / single - (step / single).round()).abs() < WHOLE;
+        let whole = t.windows(2).filter(|w| is_whole(w[1] - w[0])).count();
         let lag = if t.len() > 4 * LAG { LAG } else { 1 };
-        let mut steps: Vec<f64> = t.windows(lag + 1).map(|w| w[lag] - w[0]).collect();
-        if steps.is_empty() {
-            return f64::INFINITY;
+        match whole as f64 > MOSTLY * t.len().saturating_sub(1) as f64 {
+            true => single,
+            false => median_step(&t, lag),
         }
-        let middle = steps.len() / 2;
-        *steps.select_nth_unstable_by(middle, f64::total_cmp).1 / lag as f64
     }
 
     /// Hands on the first sample of the queue, after what is missing before it.
@@ -144,6 +150,16 @@ impl Regular {
     }
 }
 
+/// The median of the steps over `lag` samples, by the sample; infinite of fewer.
+fn median_step(t: &[f64], lag: usize) -> f64 {
+    let mut steps: Vec<f64> = t.windows(lag + 1).map(|w| w[lag] - w[0]).collect();
+    if steps.is_empty() {
+        return f64::INFINITY;
+    }
+    let middle = steps.len() / 2;
+    *steps.select_nth_unstable_by(middle, f64::total_cmp).1 / lag as f64
+}
+
 fn mean<'a>(values: impl Iterator<Item = &'a Vector3<f64>>) -> Vector3<f64> {
     let (sum, count) = values.fold((Vector3::zeros(), 0.0), |(s, n), v| (s + v, n + 1.0));
     sum / f64::max(count, 1.0)
@@ -184,6 +200,16 @@ mod tests {
             assert!((value - f64::from(k) * 0.01).abs() < 0.011, "{k}: {value}");
         }
         assert!((step.unwrap() - 0.01).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_sampling_interval_is_known_where_every_fifth_sample_is_lost() {
+        let is_kept = |k: &u32| (k * 7919 + k * k * 31) % 101 >= 20;
+        let t = (0..4000).filter(is_kept).map(|k| f64::from(k) * 0.01);
+        let (found, step) = pieces(&t.collect::<Vec<_>>());
+        assert!(found.len() >= 3990, "{}", found.len());
+        // Those of the last few are not counted.
+        assert!((step.unwrap() / 0.01 - 1.0).abs() < 3e-3, "{step:?}");
     }
 
     #[test]

@@ -90,6 +90,28 @@ impl NoiseTerms {
         self
     }
 
+    /// The same where the mean drifts as no noise does: what grows with time may be the drift, and is bounded only.
+    pub fn beside_a_drift(mut self) -> Self {
+        for estimate in &mut self.estimates {
+            if matches!(
+                estimate.term,
+                NoiseTerm::RandomWalk | NoiseTerm::BiasInstability
+            ) {
+                estimate.interval.lower = 0.0;
+            }
+        }
+        self
+    }
+
+    /// The same where bridges stand for a share of the samples: a bridge adds at most 1.5 times the variance of those in whose place it
+    /// is.
+    pub fn with_bridges(mut self, share: f64) -> Self {
+        for estimate in &mut self.estimates {
+            estimate.interval.lower /= 1.0 + 0.75 * share;
+        }
+        self
+    }
+
     /// 95 % confidence interval of one measured point, from the scatter that the terms imply.
     pub fn interval(&self, point: &AllanPoint) -> Interval {
         let theta = self.squares;
