@@ -7,6 +7,8 @@ use crate::quoted::printable;
 use crate::read_args::quoted;
 
 static WORDS: OnceLock<Vec<String>> = OnceLock::new();
+/// The call that does a part of it again.
+static PART: OnceLock<Vec<String>> = OnceLock::new();
 
 /// Options that say how much is said, and those that are added anew.
 const NOT_AGAIN: [&str; 7] = [
@@ -27,9 +29,16 @@ pub fn remember(words: &[OsString]) {
     let _ = WORDS.set(words.collect());
 }
 
+/// Gives the words of another call to repeat: the calibration of what a session left, where the session is over.
+pub fn repeat(words: &[OsString]) {
+    let words = words.iter();
+    let words = words.map(|word| printable(&word.to_string_lossy()).into_owned());
+    let _ = PART.set(words.collect());
+}
+
 /// The call with `more` behind it; `output` is where it writes, which is there already if it was given.
 pub fn again(more: &str, output: Option<&str>) -> String {
-    let words = WORDS.get().map_or(&[][..], Vec::as_slice);
+    let words = PART.get().or(WORDS.get()).map_or(&[][..], Vec::as_slice);
     let words = words
         .iter()
         .filter(|word| !NOT_AGAIN.contains(&word.as_str()));

@@ -10,6 +10,10 @@ use clap::{Args, ValueEnum};
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Reading recordings")]
 pub struct ReadArgs {
+    /// The accelerometer is wanted alone; no option of reading.
+    #[arg(skip)]
+    pub accelerometer_alone: bool,
+
     /// The format; recognised from the content when not given.
     #[arg(long, value_name = "NAME", value_parser = formats::by_name)]
     pub format: Option<&'static dyn Format>,
@@ -238,6 +242,7 @@ impl From<ReadArgs> for ReadOptions {
             flip: args.flip,
             entry: args.entry,
             topics: args.topic,
+            accelerometer_alone: args.accelerometer_alone,
             max_rows: args.max_rows,
             max_bytes: args.max_bytes,
         }

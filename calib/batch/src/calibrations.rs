@@ -6,11 +6,12 @@ use std::path::{Path, PathBuf};
 use crate::error::Error;
 use crate::hash::members;
 use crate::merge::{joined, part_files};
+use crate::record::{Record, Status};
 use crate::store::Store;
 
 /// The files of the calibrations in the output folder of a batch, of the devices that its parts have calibrated. A device that
-/// an earlier run has left there, and that is not among the inputs any more, is not of the run. Without a part the run has not
-/// ended: then every device there.
+/// an earlier run has left there, and that is not among the inputs any more, is not of the run, and one that failed a gate or a limit
+/// tells nothing of its type. Without a part the run has not ended: then every device there.
 ///
 /// # Errors
 /// [`Error::Io`]; [`Error::Parts`] for parts of several runs or damaged ones.
@@ -21,7 +22,8 @@ pub fn calibrations_of(folder: &Path) -> Result<Vec<PathBuf>, Error> {
     }
     let store = Store::new(folder);
     let records = joined(&parts, false)?.records;
-    let calibrated = records.iter().filter(|r| r.cal_sha256.is_some());
+    let is_sound = |r: &&Record| r.cal_sha256.is_some() && r.status != Status::Fail;
+    let calibrated = records.iter().filter(is_sound);
     Ok(calibrated
         .map(|r| store.device(&r.id).join("cal.json"))
         .collect())
@@ -48,7 +50,6 @@ mod tests {
     use crate::device::empty;
     use crate::manifest::{Device, DeviceOptions};
     use crate::part::{PartHeader, part_name, part_text};
-    use crate::record::Record;
     use crate::shard::Shard;
 
     fn record(id: &str, index: usize, calibrated: bool) -> Record {

@@ -1,6 +1,6 @@
 //! Record of one device in a batch: one line of JSON, with the same bytes in every run.
 
-use ::findings::Verdict;
+use ::findings::{Grade, Verdict};
 use calib::limits::LimitLine;
 use serde::{Deserialize, Serialize};
 
@@ -166,6 +166,13 @@ impl Record {
         Some((found.value, found.std))
     }
 
+    /// Why the calibration of a device that passes is to be used with care, if it is.
+    pub fn care(&self) -> Option<&str> {
+        let verdict = self.calibration_verdict.as_ref()?;
+        let is_care = self.status == Status::Pass && verdict.level == Grade::Care;
+        is_care.then(|| verdict.reason.as_deref().unwrap_or_default())
+    }
+
     /// The first reason without what differs from device to device: paths and numbers.
     pub fn cause(&self) -> Option<String> {
         let first = self.reasons.first()?;
@@ -174,15 +181,20 @@ impl Record {
             Some((file, what)) if self.status != Status::Fail && !file.contains(' ') => what,
             _ => first,
         };
-        let mut cause = String::new();
-        for c in words.chars().take(120) {
-            match c {
-                '0'..='9' if cause.ends_with('#') => {}
-                '0'..='9' => cause.push('#'),
-                '.' if cause.ends_with('#') => {}
-                c => cause.push(c),
-            }
-        }
-        Some(cause)
+        Some(without_numbers(words))
     }
+}
+
+/// The first words with one mark for each number.
+pub(crate) fn without_numbers(words: &str) -> String {
+    let mut kept = String::new();
+    for c in words.chars().take(120) {
+        match c {
+            '0'..='9' if kept.ends_with('#') => {}
+            '0'..='9' => kept.push('#'),
+            '.' if kept.ends_with('#') => {}
+            c => kept.push(c),
+        }
+    }
+    kept
 }

@@ -93,8 +93,13 @@ pub(super) struct RecordingAccumulator {
 impl RecordingAccumulator {
     /// The curves, and whether they are of a rest.
     pub(super) fn finish(mut self) -> RecordingCurves {
+        let force = self.accelerometer.spreads();
+        let moving = force.never_rest().then(|| force.covered()).flatten();
         let sensors = [&mut self.accelerometer, &mut self.gyroscope];
-        let stillness = Stillness::of(sensors.map(|sensor| sensor.spreads().clone()));
+        let stillness = match moving {
+            Some(whole) => Stillness::nowhere(whole),
+            None => Stillness::of(sensors.map(|sensor| sensor.spreads().clone())),
+        };
         RecordingCurves {
             accelerometer: self.accelerometer.finish(),
             gyroscope: self.gyroscope.finish(),

@@ -32,15 +32,15 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// The longest motion in a recording that begins after a rest of at least a second.
+    /// The motions in a recording that begin after a rest of at least a second, in order.
     ///
     /// # Errors
-    /// A recording without such a rest, or without motion after it.
-    pub fn find(recording: &Recording) -> Result<Self, Error> {
+    /// A recording that cannot be cut.
+    pub fn all(recording: &Recording) -> Result<Vec<Self>, Error> {
         let segmentation = segment(recording, &DETECTOR)?;
         let rests: Vec<Span> = segmentation.statics.iter().map(|rest| rest.span).collect();
         let end = end(recording);
-        let candidates = rests.iter().enumerate().map(|(k, &before)| {
+        let motions = rests.iter().enumerate().map(|(k, &before)| {
             let after = rests.get(k + 1).copied();
             let to = after.map_or(end, |rest| rest.from);
             Self {
@@ -52,9 +52,18 @@ impl Motion {
                 after,
             }
         });
-        candidates
+        Ok(motions
             .filter(|motion| motion.span.lasts(DETECTOR.min_dynamic))
-            .max_by(|a, b| a.span.length().total_cmp(&b.span.length()))
+            .collect())
+    }
+
+    /// The longest motion in a recording that begins after a rest of at least a second.
+    ///
+    /// # Errors
+    /// A recording without such a rest, or without motion after it.
+    pub fn find(recording: &Recording) -> Result<Self, Error> {
+        let all = Self::all(recording)?.into_iter();
+        all.max_by(|a, b| a.span.length().total_cmp(&b.span.length()))
             .ok_or_else(|| {
                 Error::not_enough(
                     Finding::of(Kind::MotionMissing)
@@ -62,6 +71,15 @@ impl Motion {
                         .number("rest", DETECTOR.min_static, "s"),
                 )
             })
+    }
+
+    /// Returns true if a motion that was found lasts beyond the end of this one: no rest begins there.
+    pub fn ends_in(&self, others: &[Self]) -> bool {
+        let goes_on = |other: &Self| {
+            other.span.from < self.span.to - SHORTEST_REST
+                && other.span.to > self.span.to + SHORTEST_REST
+        };
+        others.iter().any(goes_on)
     }
 
     /// A motion given by hand; the rests are all there is before and after it.

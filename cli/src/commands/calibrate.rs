@@ -35,6 +35,7 @@ use crate::output::Output;
 use crate::pages::residual::Residual;
 use crate::pages::session::Session;
 use crate::pages::{calibration, refusal};
+use crate::read_args::ReadArgs;
 use crate::report::{Picture, Report};
 use crate::show;
 
@@ -83,7 +84,11 @@ pub(super) fn run_and_show(args: &Args, shown: Watcher<'_>) -> Result<(), Failur
         prior::with_effects(prior, &mut request)?;
     }
     let (output, pictures) = claim(args, &as_paths(&inputs))?;
-    let recordings = match args.recordings.read(&args.read) {
+    let how = ReadArgs {
+        accelerometer_alone: args.sensor.is_some(),
+        ..args.read.clone()
+    };
+    let recordings = match args.recordings.read(&how) {
         Ok(recordings) => recordings,
         Err(failure) => return Err(refused(failure, pictures, &[], &request)),
     };

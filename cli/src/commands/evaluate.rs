@@ -176,7 +176,8 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         };
         let verdicts: String = judged.iter().map(verdict).collect();
         let names = Names::of([&recording]);
-        let (_, sentence, next) = evaluation::judged(&rows, &doubts, &warnings);
+        let (_, sentence, next) =
+            evaluation::judged(&rows, &doubts, (&choice.segmentation, &warnings));
         let named = args
             .calibration
             .iter()

@@ -3,6 +3,7 @@
 use ::findings::{Finding, Front, Kind};
 use calib::calibrate::STANDARD_GRAVITY;
 use calib::intervals::Segmentation;
+use calib::methods::online_bias::LONG_ENOUGH;
 use calib::{Calibration, Evaluation, Recording};
 
 use super::calibration::covered;
@@ -42,7 +43,7 @@ pub fn page(
     let raw = Session::of(cut(), None, of_raw)?;
     let first = sessions.first().map_or(&raw, |(_, session)| session);
     let coverage = covered(first);
-    let (level, sentence, next) = judged(rows, doubts, warnings);
+    let (level, sentence, next) = judged(rows, doubts, (segmentation, warnings));
     let mut figures = vec![Residual::measured(first).figure()];
     figures.push(bias(rows));
     figures.extend(
@@ -140,7 +141,7 @@ pub const PLOTS: [&str; 10] = [
 pub fn judged(
     rows: &[(String, Evaluation)],
     doubts: &[Vec<Finding>],
-    warnings: &[String],
+    (segmentation, warnings): (&Segmentation, &[String]),
 ) -> (Level, String, Vec<String>) {
     let Some((raw, calibrated)) = rows.split_first().filter(|(_, rest)| !rest.is_empty()) else {
         let what = "Only the raw readings were measured: no calibration was named.";
@@ -180,6 +181,11 @@ pub fn judged(
     .into_iter()
     .flatten()
     .collect();
+    if parts.is_empty() {
+        let what = "Nothing could be compared: the device is at rest nowhere in this recording.";
+        let next = "Record again and hold the device still now and then.";
+        return (Level::Care, what.into(), vec![next.into()]);
+    }
     let name = show::name(name);
     let sentence = format!(
         "With {name} this recording meets gravity {}.",
@@ -215,13 +221,18 @@ pub fn judged(
         );
     }
     let next = format!("Use {name}: stillpoint apply CAL RECORDING -o corrected.csv");
-    let estimate = "If the rate at rest is far from zero, estimate the gyroscope's bias again: stillpoint bias CAL RECORDING";
+    let mut next = vec![next];
+    let mut rests = segmentation.statics.iter();
+    if rests.any(|rest| rest.span.length() > LONG_ENOUGH) {
+        let estimate = "If the rate at rest is far from zero, estimate the gyroscope's bias again: stillpoint bias CAL RECORDING";
+        next.push(estimate.into());
+    }
     let level = if warnings.is_empty() {
         Level::Good
     } else {
         Level::Care
     };
-    (level, sentence, vec![next, estimate.into()])
+    (level, sentence, next)
 }
 
 /// Builds the figure of the gyroscope's bias error with the first calibration, °/s.

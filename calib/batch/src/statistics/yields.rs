@@ -1,6 +1,6 @@
 //! Yield, causes of failure, and effects that many devices of a type share.
 
-use crate::record::{Record, Status};
+use crate::record::{Record, Status, without_numbers};
 
 /// Number of devices: all, passed, and by status.
 #[derive(Clone, Debug, PartialEq)]
@@ -9,6 +9,8 @@ pub struct Yield {
     pub devices: usize,
     /// Those that pass.
     pub passed: usize,
+    /// Those of them whose calibration is to be used with care.
+    pub with_care: usize,
     /// Status and count, the commonest first.
     pub by_status: Vec<(Status, usize)>,
 }
@@ -51,15 +53,25 @@ pub fn yields(records: &[Record]) -> Yield {
     Yield {
         devices: records.len(),
         passed: records.iter().filter(|r| r.status == Status::Pass).count(),
+        with_care: records.iter().filter(|r| r.care().is_some()).count(),
         by_status,
     }
 }
 
-/// First reasons, the commonest first.
+/// First reasons of devices that do not pass, the commonest first.
 pub fn pareto(records: &[Record]) -> Vec<Cause> {
+    grouped(records, Record::cause)
+}
+
+/// Why devices that pass are to be used with care, the commonest first.
+pub fn cared(records: &[Record]) -> Vec<Cause> {
+    grouped(records, |record| record.care().map(without_numbers))
+}
+
+fn grouped(records: &[Record], of: impl Fn(&Record) -> Option<String>) -> Vec<Cause> {
     let mut causes: Vec<Cause> = Vec::new();
     for record in records {
-        let Some(words) = record.cause() else {
+        let Some(words) = of(record) else {
             continue;
         };
         match causes.iter_mut().find(|cause| cause.words == words) {

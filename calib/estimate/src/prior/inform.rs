@@ -45,7 +45,7 @@ impl Prior {
         let own = DMatrix::from_fn(m, m, |i, j| c[(common[i].0, common[j].0)]);
         let cross = DMatrix::from_fn(n, m, |i, j| c[(i, common[j].0)]);
         let gap = DVector::from_fn(m, |i, _| self.mean[common[i].1] - values[common[i].0]);
-        let total = &covariance + &mean_covariance + &own;
+        let total = &covariance * self.widening(m) + &mean_covariance + &own;
         let estimated = EstimatedType {
             covariance: &covariance,
             mean_covariance: &mean_covariance,
@@ -88,6 +88,13 @@ impl Prior {
         });
         calibration.seal();
         Ok(())
+    }
+
+    /// How much wider a spread has to be that was estimated: the inverse of a covariance of `ν` degrees of freedom in `p` parameters is
+    /// too large by `ν/(ν − p − 1)` in the mean (Mardia, Kent and Bibby, *Multivariate Analysis*, 1979, section 3.8).
+    fn widening(&self, parameters: usize) -> f64 {
+        let freedom = self.devices.saturating_sub(1) as f64;
+        freedom / (freedom - parameters as f64 - 1.0).max(1.0)
     }
 
     fn stranger(&self, judged: &Belonging, shares: &[PriorShare]) -> Finding {
@@ -161,10 +168,12 @@ mod tests {
         let data = calibration.accelerometer.as_ref().unwrap().bias[0];
         prior(data + 0.02, 1e-4).inform(&mut calibration).unwrap();
         let triad = calibration.accelerometer.as_ref().unwrap();
-        assert!((triad.bias[0] - data - 0.01).abs() < 1e-12);
-        assert!((triad.bias_std[0].unwrap() - 0.01 / 2f64.sqrt()).abs() < 1e-12);
+        // Of a spread that a hundred devices tell: 99/97 of it.
+        let by_prior = 1.0 / (1.0 + 99.0 / 97.0);
+        assert!((triad.bias[0] - data - 0.02 * by_prior).abs() < 1e-12);
+        assert!((triad.bias_std[0].unwrap() - 0.01 * (1.0 - by_prior).sqrt()).abs() < 1e-12);
         let used = calibration.prior.as_ref().unwrap();
-        assert!(used.belongs && (used.parameters[0].by_prior - 0.5).abs() < 1e-12);
+        assert!(used.belongs && (used.parameters[0].by_prior - by_prior).abs() < 1e-12);
         assert_eq!(calibration.was_edited(), Some(false));
     }
 

@@ -8,8 +8,8 @@
 //! C⁺ = C − C Sᵀ (S C Sᵀ + Σ)⁻¹ S C
 //! ```
 //!
-//! A device that is not of the type is told by `μ − S y` against `S C Sᵀ + Σ`, with the errors of `μ` and `Σ`, and left as its
-//! session found it.
+//! `Σ` is widened by what is not known of it, as it is estimated from a number of devices. A device that is not of the type is told by
+//! `μ − S y` against `S C Sᵀ + Σ`, with the errors of `μ` and `Σ`, and left as its session found it.
 
 mod belonging;
 mod inform;
@@ -90,6 +90,14 @@ pub struct PriorShare {
     pub by_prior: f64,
 }
 
+/// The finding about a file of another kind.
+fn other_schema(found: &str) -> Finding {
+    Finding::of(Kind::EntryOther)
+        .detail("key", "schema")
+        .detail("found", shown(found))
+        .detail("expected", PRIOR_SCHEMA)
+}
+
 impl Prior {
     /// The prior of the file at `path`.
     ///
@@ -98,8 +106,15 @@ impl Prior {
     pub fn read(path: &Path) -> Result<Self, Error> {
         let text = recording::read_text(path)?;
         let of_file = |found: Finding| Error::input(found.in_file(shown_path(path)));
-        let prior: Self =
+        let whole: serde_json::Value =
             serde_json::from_str(&text).map_err(|e| of_file(of_json(Kind::NotJson, &e)))?;
+        let schema = whole.get("schema").and_then(|schema| schema.as_str());
+        if schema != Some(PRIOR_SCHEMA) {
+            return Err(of_file(other_schema(schema.unwrap_or("no schema"))));
+        }
+        // The text has lines and columns.
+        let prior: Self =
+            serde_json::from_str(&text).map_err(|e| of_file(of_json(Kind::Unreadable, &e)))?;
         match prior.fault() {
             None => Ok(prior),
             Some(found) => Err(of_file(found)),
@@ -108,14 +123,6 @@ impl Prior {
 
     fn fault(&self) -> Option<Finding> {
         let n = self.parameters.len();
-        if self.schema != PRIOR_SCHEMA {
-            return Some(
-                Finding::of(Kind::EntryOther)
-                    .detail("key", "schema")
-                    .detail("found", shown(&self.schema))
-                    .detail("expected", PRIOR_SCHEMA),
-            );
-        }
         let square = |m: &[Vec<f64>]| m.len() == n && m.iter().all(|row| row.len() == n);
         let fits =
             self.mean.len() == n && square(&self.covariance) && square(&self.mean_covariance);

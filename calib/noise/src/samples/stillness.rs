@@ -1,6 +1,7 @@
 //! Detection of motion in a recording, as an Allan analysis requires a static one.
 
 use nalgebra::Vector3;
+use recording::averages::median;
 use recording::intervals::{Span, complement, union};
 
 use super::changes::Mean;
@@ -18,6 +19,11 @@ const QUIET_SHARE: f64 = 0.1;
 /// A block whose spread is this many times that at rest moves. A hand shakes a phone by a hundred
 /// times its noise; the noise of one second repeats to a tenth.
 const MOVING: f64 = 10.0;
+
+/// An accelerometer moves throughout where even its quiet blocks spread by this share of gravity, and neighbours differ by that one in the
+/// mean: white noise averages out within a block.
+const SHAKEN: f64 = 0.03;
+const TILTED: f64 = 0.01;
 
 /// The spread and the mean of one sensor's readings, block by block: a few numbers a second, however long the
 /// recording.
@@ -122,6 +128,20 @@ impl Spreads {
         })
     }
 
+    /// Returns true if these are an accelerometer's and it moves throughout.
+    pub(crate) fn never_rest(&self) -> bool {
+        let shares = self.closed.iter().map(|b| b.spread.norm() / b.mean.norm());
+        let mut shares: Vec<f64> = shares.collect();
+        if shares.len() < FEWEST {
+            return false;
+        }
+        let rank = (QUIET_SHARE * (shares.len() - 1) as f64) as usize;
+        let quiet = *shares.select_nth_unstable_by(rank, f64::total_cmp).1;
+        let neighbours = self.closed.windows(2);
+        let differ = neighbours.map(|w| (w[1].mean - w[0].mean).norm() / w[0].mean.norm());
+        quiet > SHAKEN && median(differ).is_some_and(|usual| usual > TILTED)
+    }
+
     /// The time covered, and the blocks that move. The level at rest is that of the quietest tenth,
     /// and at least a step of the readings: a coarse sensor at rest shows the same number for seconds.
     fn motions(mut self) -> (Option<Span>, Vec<Span>) {
@@ -176,6 +196,14 @@ pub enum AtRest {
 const SHORTEST_REST: f64 = 60.0;
 
 impl Stillness {
+    /// That of a recording in motion from beginning to end.
+    pub(crate) fn nowhere(whole: Span) -> Self {
+        Self {
+            motions: vec![whole],
+            rests: Vec::new(),
+        }
+    }
+
     /// Returns the part that may be analysed.
     pub fn at_rest(&self) -> AtRest {
         let longest = self.longest_rest();
@@ -268,6 +296,21 @@ mod tests {
             coarse.push(f64::from(k) * 0.02, &Vector3::new(flicker, 0.0, 9.8));
         }
         assert_eq!(Stillness::of([coarse]).motions, []);
+    }
+
+    #[test]
+    fn a_walk_never_rests_and_a_noisy_accelerometer_does() {
+        let of = |walks: bool| {
+            let mut spreads = Spreads::default();
+            for k in 0..3000 {
+                let t = f64::from(k) * 0.02;
+                let sign = if k % 2 == 0 { 0.5 } else { -0.5 };
+                let tilt = if walks { (0.9 * t).sin() } else { 0.0 };
+                spreads.push(t, &Vector3::new(sign, tilt, 9.8));
+            }
+            spreads.never_rest()
+        };
+        assert!(of(true) && !of(false));
     }
 
     #[test]

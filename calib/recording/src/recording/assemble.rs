@@ -219,7 +219,11 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
             .filter(|described| described.sensor == Sensor::Accelerometer)
             .for_each(|described| described.unit = unit.name());
     }
-    if let Some((stream, (), mut noticed)) = gyroscope? {
+    let gyroscope = match gyroscope {
+        Err(_) if options.accelerometer_alone => None,
+        found => found?,
+    };
+    if let Some((stream, (), mut noticed)) = gyroscope {
         recording.gyroscope = Some(stream);
         recording.warnings.append(&mut noticed.warnings);
         recording.frozen.append(&mut noticed.frozen);

@@ -50,6 +50,8 @@ pub struct ReadOptions {
     pub device: Option<String>,
     /// Number of the recording, from 1, in a file in which the clock begins again.
     pub part: Option<usize>,
+    /// Leave out a gyroscope whose readings cannot be used, instead of refusing the recording.
+    pub accelerometer_alone: bool,
     /// Rows after which reading is refused.
     pub max_rows: u64,
     /// Bytes of (decompressed) text after which reading is refused.
@@ -76,6 +78,7 @@ impl Default for ReadOptions {
             instance: None,
             device: None,
             part: None,
+            accelerometer_alone: false,
             max_rows: 200_000_000,
             max_bytes: 16 << 30,
         }

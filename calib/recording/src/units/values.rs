@@ -1,6 +1,6 @@
 //! Values that no working sensor gives, and values at its rails.
 
-use findings::{Finding, Findings, Kind};
+use findings::{Finding, Findings, Kind, OptionName, Remedy};
 use std::ops::Range;
 
 use nalgebra::Vector3;
@@ -55,7 +55,12 @@ pub(crate) fn check(
             found.detail("axis", ["x", "y", "z"][axis])
         };
         if samples.t.len() >= ENOUGH && low == high {
-            return Err(stuck(name, of(Kind::AxisConstant), samples, low));
+            let found = of(Kind::AxisConstant);
+            let found = match sensor {
+                Sensor::Gyroscope => found.remedy(accelerometer_alone()),
+                _ => found,
+            };
+            return Err(stuck(name, found, samples, low));
         }
         if let Some(run) = stuck_within(samples, axis) {
             let found = of(Kind::AxisStuck).detail("column", column(sensor, axis));
@@ -113,6 +118,11 @@ fn ranges(values: &[Vector3<f64>]) -> [(f64, f64); 3] {
         }
     }
     ranges
+}
+
+/// The way out where the gyroscope cannot be used.
+fn accelerometer_alone() -> Remedy {
+    Remedy::set_to(OptionName::Sensor, Sensor::Accelerometer.name())
 }
 
 fn stuck(name: &str, found: Finding, samples: &Samples, value: f64) -> Error {

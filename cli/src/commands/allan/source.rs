@@ -15,7 +15,7 @@ const LISTED: usize = 4;
 
 /// Status 4 with the times of the motions.
 pub fn moved(stillness: &Stillness, longest: Option<Span>) -> Failure {
-    let length = longest.map_or("no rest in it".into(), |rest| {
+    let length = longest.map_or("never rested".into(), |rest| {
         format!(
             "its longest rest is {:.0} s long (t = {:.2} to {:.2} s)",
             rest.length(),

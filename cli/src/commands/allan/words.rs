@@ -63,6 +63,8 @@ pub fn largest_white(noise: &SensorNoise, (unit, factor): (&str, f64)) -> String
     let bound = bounds.map(|term| term.upper.unwrap_or(f64::INFINITY));
     match bound.fold(0.0, f64::max) {
         bound if bound.is_infinite() => "not known".into(),
+        // Readings that never change show no noise, which is no noise of zero.
+        0.0 if seen == 0.0 => "not known".into(),
         bound if bound > seen => format!("below {} {unit}", significant(factor * bound)),
         _ => format!("{} {unit}", significant(factor * seen)),
     }

@@ -1,10 +1,11 @@
 //! `batch prior`: what the devices of a type have in common.
 
-use std::io::ErrorKind;
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
-use batch::{members, prior_of};
+use batch::{Error, calibrations_of, prior_of};
 use calib::Calibration;
+use calib::gravity::GravitySource;
 use calib::prior::Prior;
 
 use super::failure::failure;
@@ -46,12 +47,30 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         let named = |path: PathBuf| (name(input, &path), path);
         found.extend(files(input)?.into_iter().map(named));
     }
+    tell_apart(&mut found);
     let inputs: Vec<&Path> = found.iter().map(|(_, path)| path.as_path()).collect();
     let output = Output::claim(&args.output, args.replace, &inputs)?;
     args.replace.end_if_all_exist()?;
     let mut calibrations: Vec<(String, Calibration)> = Vec::new();
     for (name, path) in &found {
         calibrations.push((name.clone(), load(path)?));
+    }
+    let before = calibrations.len();
+    let mut seen = HashSet::new();
+    calibrations.retain(|(_, calibration)| seen.insert(samples(calibration)));
+    let copies = before - calibrations.len();
+    if copies > 0 {
+        show::warn(&format!(
+            "{copies} of {before} calibrations are of the same samples as another: each counts once"
+        ));
+    }
+    let assumed = |(_, c): &&(String, Calibration)| c.gravity_source == GravitySource::Assumed;
+    let assumed = calibrations.iter().filter(assumed).count();
+    if assumed > 0 {
+        show::warn(&format!(
+            "of {assumed} calibrations gravity was assumed: an error of gravity is the same in all of them, and neither the spread nor the \
+             error of the mean of the accelerometer's scale factors has it; run the batch with --gravity"
+        ));
     }
     let informed = calibrations
         .iter()
@@ -80,33 +99,55 @@ fn name(input: &Path, path: &Path) -> String {
     name.unwrap_or_default().to_string_lossy().into_owned()
 }
 
+/// Folders in place of names that several files share, as `cal.json`; paths where these do too.
+fn tell_apart(found: &mut [(String, PathBuf)]) {
+    let folder = |path: &Path| {
+        let name = path.parent().and_then(Path::file_name)?;
+        Some(name.to_string_lossy().into_owned())
+    };
+    let whole = |path: &Path| Some(path.display().to_string());
+    let others: [&dyn Fn(&Path) -> Option<String>; 2] = [&folder, &whole];
+    for other in others {
+        let names: Vec<String> = found.iter().map(|(name, _)| name.clone()).collect();
+        for (name, path) in &mut *found {
+            if names.iter().filter(|own| *own == name).count() > 1 {
+                *name = other(path).unwrap_or_else(|| name.clone());
+            }
+        }
+    }
+}
+
+/// What tells the samples behind a calibration from others; its own numbers where it does not say.
+fn samples(calibration: &Calibration) -> Vec<String> {
+    let inputs = &calibration.provenance.inputs;
+    let own = inputs.iter().map(|input| input.samples_sha256.clone());
+    match inputs.is_empty() {
+        true => calibration
+            .provenance
+            .numbers_sha256
+            .iter()
+            .cloned()
+            .collect(),
+        false => own.collect(),
+    }
+}
+
 /// The calibrations at a path.
 fn files(input: &Path) -> Result<Vec<PathBuf>, Failure> {
     let found = looked_at(input, std::fs::metadata(input))?;
     if !found.is_some_and(|found| found.is_dir()) {
         return Ok(vec![input.to_owned()]);
     }
-    let folder = input.join("devices");
-    let unread = |e: std::io::Error| {
-        Failure::new(
+    calibrations_of(input).map_err(|error| match error {
+        Error::Io { path, source } => Failure::new(
             INPUT,
             format!(
-                "{}: {e}; name the output folder of a batch",
-                show::path(&folder)
+                "{}: {source}; name the output folder of a batch",
+                show::path(&path)
             ),
-        )
-    };
-    let mut files = Vec::new();
-    for device in members(&folder).map_err(unread)? {
-        let path = device.join("cal.json");
-        match path.try_exists() {
-            Ok(false) => {}
-            Err(error) if error.kind() == ErrorKind::NotADirectory => {}
-            // Of one that the system does not tell of, whoever reads it says why.
-            _ => files.push(path),
-        }
-    }
-    Ok(files)
+        ),
+        other => failure(other),
+    })
 }
 
 fn text(prior: &Prior) -> String {

@@ -1,7 +1,7 @@
 //! A batch as tables for people.
 
 use batch::Record;
-use batch::statistics::{pareto, yields};
+use batch::statistics::{Cause, cared, pareto, yields};
 use serde_json::{Value, json};
 
 use crate::{show, terminal};
@@ -13,26 +13,29 @@ const FIRST: usize = 16;
 /// Characters of a reason in a table.
 const REASON: usize = 52;
 
-/// The devices of a run: those that failed first, all where they are few.
+/// The devices of a run: those that failed first, then those to be used with care, all where they are few.
 pub fn of_run(records: &[Record]) -> String {
     let mut table = show::table(&["device", "status", "exit", "reason"]);
     if let Some(column) = table.column_mut(3) {
         column.set_cell_alignment(comfy_table::CellAlignment::Left);
     }
     let mut shown: Vec<&Record> = records.iter().collect();
-    shown.sort_by_key(|r| (r.exit == 0, r.index));
+    shown.sort_by_key(|r| (r.exit == 0, r.care().is_none(), r.index));
     let most = if terminal::is_verbose() {
         LISTED
     } else {
         FIRST
     };
     for r in shown.iter().take(most) {
-        let reason = r.reasons.first().map_or("", String::as_str);
+        let reason = match r.care() {
+            Some(why) => format!("with care: {why}"),
+            None => r.reasons.first().cloned().unwrap_or_default(),
+        };
         table.add_row([
             short(&r.id, 12),
             r.status.name().into(),
             r.exit.to_string(),
-            short(reason, 37),
+            short(&reason, 37),
         ]);
     }
     let more = match records.len().saturating_sub(most) {
@@ -47,7 +50,11 @@ pub fn of_run(records: &[Record]) -> String {
 
 /// Yield and reasons.
 pub fn of_all(records: &[Record]) -> String {
-    let causes = pareto(records);
+    let mut causes = pareto(records);
+    causes.extend(cared(records).into_iter().map(|cause| Cause {
+        words: format!("with care: {}", cause.words),
+        ..cause
+    }));
     if causes.is_empty() {
         return summary(records);
     }
@@ -90,8 +97,12 @@ pub fn summary(records: &[Record]) -> String {
         true => String::new(),
         false => format!("; {}", others.join(", ")),
     };
+    let with_care = match found.with_care {
+        0 => String::new(),
+        n => format!(", {n} of them with care"),
+    };
     format!(
-        "{} of {} devices pass ({share:.1} %){others}",
+        "{} of {} devices pass ({share:.1} %){with_care}{others}",
         found.passed, found.devices
     )
 }
@@ -103,15 +114,17 @@ pub fn document(records: &[Record]) -> Value {
         .by_status
         .iter()
         .map(|(status, n)| (status.name().to_owned(), json!(n)));
-    let causes = pareto(records).into_iter();
-    let causes: Vec<Value> = causes
-        .map(|c| json!({"reason": c.words, "devices": c.count, "example": c.example}))
-        .collect();
+    let listed = |causes: Vec<Cause>| -> Vec<Value> {
+        let one = |c: Cause| json!({"reason": c.words, "devices": c.count, "example": c.example});
+        causes.into_iter().map(one).collect()
+    };
     json!({
         "devices": found.devices,
         "passed": found.passed,
+        "with_care": found.with_care,
         "by_status": status.collect::<serde_json::Map<_, _>>(),
-        "reasons": causes,
+        "reasons": listed(pareto(records)),
+        "care": listed(cared(records)),
     })
 }
 

@@ -51,7 +51,7 @@ pub struct Args {
     #[arg(long, value_name = "A,B", value_delimiter = ',')]
     pub(super) effects: Vec<String>,
     /// What the device's type has in common, from `batch prior`: its information is added to that of the recording, its effects
-    /// are fitted
+    /// are fitted. The recording has to determine every parameter by itself
     #[arg(long, value_name = "FILE.json")]
     pub(super) prior: Option<PathBuf>,
     /// File that defines effects as expressions (TOML), to be named in `--effects`

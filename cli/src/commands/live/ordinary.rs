@@ -8,6 +8,7 @@ use clap::Parser;
 use super::args::Args;
 use super::finish::Finish;
 use super::web::Web;
+use crate::call;
 use crate::commands::calibrate;
 use crate::commands::shared::inputs::as_paths;
 use crate::exit::{Failure, USAGE};
@@ -22,7 +23,7 @@ struct Ordinary {
 
 /// The call of `calibrate` for `recording`.
 pub(super) fn parse(args: &Args, recording: &Path) -> Result<calibrate::Args, Failure> {
-    let mut call: Vec<OsString> = vec![recording.into()];
+    let mut words: Vec<OsString> = vec![recording.into()];
     let place = [
         ("--gravity", args.place.gravity),
         ("--latitude", args.place.latitude),
@@ -30,25 +31,27 @@ pub(super) fn parse(args: &Args, recording: &Path) -> Result<calibrate::Args, Fa
     ];
     for (option, value) in place {
         if let Some(value) = value {
-            call.push(format!("{option}={value}").into());
+            words.push(format!("{option}={value}").into());
         }
     }
     if let Some(output) = &args.output {
-        call.extend(["-o".into(), output.into()]);
+        words.extend(["-o".into(), output.into()]);
     }
     let flags = [
         ("--json", args.json),
         ("--force", args.replace.force()),
         ("--skip-existing", args.replace.skip_existing()),
     ];
-    call.extend(
+    words.extend(
         flags
             .iter()
             .filter(|(_, given)| *given)
             .map(|(flag, _)| (*flag).into()),
     );
-    call.extend(args.calibrate.iter().map(OsString::from));
-    let parsed = Ordinary::try_parse_from(call);
+    words.extend(args.calibrate.iter().map(OsString::from));
+    let command = std::iter::once("calibrate".into());
+    call::repeat(&command.chain(words.iter().cloned()).collect::<Vec<_>>());
+    let parsed = Ordinary::try_parse_from(words);
     let as_it_came = |mut ordinary: Ordinary| {
         ordinary.args.read_as(&args.read);
         ordinary.args

@@ -56,16 +56,23 @@ fn verdict(runs: &[Run]) -> String {
     let best = named.iter().skip(1).filter_map(with_mean);
     let best = best.min_by(|a, b| a.1.total_cmp(&b.1));
     let raw = named.first().and_then(with_mean);
+    // A distance is one number, a position three.
+    let is_distance = first.results.iter().any(|o| o.distance_error.is_some());
+    let off = match (is_distance, runs.len()) {
+        (true, 1) => "the horizontal distance is off by",
+        (true, _) => "on average the horizontal distance is off by",
+        (false, _) => "on average over x, y and z the position is off by",
+    };
     match (best.or(raw.clone()), raw.map(|(_, mean)| mean)) {
         (Some((name, mean)), Some(raw)) if name != "raw" && mean >= raw => format!(
-            "{} is no better than the raw readings: the position is off by {mean:.3} m on average (raw {raw:.3} m).",
+            "{} is no better than the raw readings: {off} {mean:.3} m (raw {raw:.3} m).",
             show::capital(&name)
         ),
         (Some((name, mean)), Some(raw)) if name != "raw" => {
-            format!("With {name} the position is off by {mean:.3} m on average (raw {raw:.3} m).")
+            format!("With {name} {off} {mean:.3} m (raw {raw:.3} m).")
         }
         (Some((name, mean)), _) => {
-            format!("With {name} the position is off by {mean:.3} m on average.")
+            format!("With {name} {off} {mean:.3} m.")
         }
         (None, _) => {
             let ended = named

@@ -14,6 +14,9 @@ use crate::exit::{Failure, USAGE};
 /// A tilt at the end beyond this is no error that has grown on the way, °.
 const LOST: f64 = 10.0;
 
+/// Motions that are listed one by one.
+const LISTED: usize = 6;
+
 /// The authors' calibration, as they used it.
 pub(super) const AUTHORS_PROPOSED: &str = "authors-proposed";
 
@@ -149,6 +152,17 @@ pub(super) fn equations(
         None => Motion::find(recording)?,
     };
     let mut warnings = Vec::new();
+    let all = Motion::all(recording).unwrap_or_default();
+    if span.is_none() && all.len() > 1 {
+        warnings.push(several(&recording.name, &motion, &all));
+    }
+    if span.is_some() && ending != Ending::Free && motion.ends_in(&all) {
+        warnings.push(format!(
+            "{}: the device still moves at {:.1} s, where the motion is said to end: its velocity there is taken for zero, which it is \
+             not; give an end at rest, or --ending free",
+            recording.name, motion.span.to
+        ));
+    }
     if motion.after.is_none() && ending != Ending::Free {
         warnings.push(format!(
             "{}: no rest after the motion, so nothing is known of its end",
@@ -208,6 +222,27 @@ pub(super) fn equations(
         results,
         warnings,
     })
+}
+
+/// What is said of a recording with several motions.
+fn several(name: &str, taken: &Motion, all: &[Motion]) -> String {
+    let others = all.iter().filter(|other| other.span != taken.span);
+    let listed: Vec<String> = others
+        .clone()
+        .take(LISTED)
+        .map(|other| format!("{:.1} to {:.1}", other.span.from, other.span.to))
+        .collect();
+    let more = match others.count().saturating_sub(LISTED) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    format!(
+        "{name}: of {} motions between rests only the longest is solved ({:.1} to {:.1} s); choose another by --motion T0,T1: {}{more} s",
+        all.len(),
+        taken.span.from,
+        taken.span.to,
+        listed.join(", "),
+    )
 }
 
 /// Solves by the procedure of the published paper.

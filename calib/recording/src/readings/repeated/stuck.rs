@@ -19,14 +19,19 @@ const EXPECTED: f64 = 40.0;
 /// ... or so many times where it reads 0, as a dead zone does through a short turn.
 const EXPECTED_AT_ZERO: f64 = 400.0;
 
+/// Readings at the end of the range before the last run of them that show it to be one.
+const CLIPPED: usize = 6;
+
 /// The longest run of equal values of an axis, where the other axes change in it as they do elsewhere, when
 /// this axis changes too. A run at the largest or smallest value is clipped, unless it is the recording's
-/// last; a run at zero is that of a dead zone where the axis has one.
+/// last and the value is not met before; a run at zero is that of a dead zone where the axis has one.
 pub(crate) fn stuck(values: &[Vector3<f64>], axis: usize) -> Option<Range<usize>> {
     let run = longest_run(values, axis).filter(|run| run.len() >= RUN)?;
     let value = values[run.start][axis];
     let extreme = |sign: f64| values.iter().all(|v| sign * v[axis] <= sign * value);
-    if run.end < values.len() && (extreme(1.0) || extreme(-1.0)) {
+    let before = values[..run.start].iter();
+    let is_met_again = before.filter(|v| v[axis] == value).count() >= CLIPPED;
+    if (run.end < values.len() || is_met_again) && (extreme(1.0) || extreme(-1.0)) {
         return None;
     }
     if value == 0.0 && is_left_out(values, axis) {

@@ -17,17 +17,22 @@ use crate::report::{Level, Report};
 /// The page.
 pub fn page(records: &[Record]) -> Result<Report, Failure> {
     let failed = records.iter().any(|r| r.exit != 0);
-    let (level, next) = if failed {
-        (
+    let with_care = records.iter().any(|r| r.care().is_some());
+    let (level, next) = match (failed, with_care) {
+        (true, _) => (
             Level::Care,
             "Cure the commonest reason in the table below, then run the batch again with --resume: devices that passed are kept.",
-        )
-    } else {
-        (
+        ),
+        (false, true) => (
+            Level::Care,
+            "Look at the devices to be used with care in the table below; correct the recordings of each device with its own file: stillpoint \
+             apply OUT/devices/ID/cal.json RECORDING -o corrected.csv",
+        ),
+        (false, false) => (
             Level::Good,
             "Correct the recordings of each device with its own file: stillpoint apply OUT/devices/ID/cal.json RECORDING -o \
              corrected.csv",
-        )
+        ),
     };
     let mut report = Report::new("Batch")
         .verdict(level, format!("{}.", summary(records).replace('_', " ")))

@@ -1,7 +1,7 @@
-//! Why devices fail, the commonest reason first.
+//! Why devices fail or are to be used with care, the commonest reason first.
 
 use batch::Record;
-use batch::statistics::pareto;
+use batch::statistics::{cared, pareto};
 
 use super::values::ROWS;
 use crate::commands::batch::tables::short;
@@ -14,8 +14,26 @@ const BARS: usize = 24;
 /// Smallest upper end of the device axis. A smaller one would have ticks between whole numbers.
 const FEWEST: f64 = 5.0;
 
-/// Reasons, the commonest first, and what is left when each is cured.
+/// Reasons of failure, what is left when each is cured, and reasons for care.
 pub(super) fn reasons(report: Report, records: &[Record]) -> Result<Report, Failure> {
+    let report = failures(report, records)?;
+    let causes = cared(records);
+    if causes.is_empty() {
+        return Ok(report);
+    }
+    let mut table = ReportTable::new(["devices", "example", "reason"]);
+    for cause in causes.iter().take(ROWS) {
+        table.row([
+            cause.count.to_string(),
+            show::name(&cause.example),
+            short(&cause.words, 160),
+        ]);
+    }
+    let report = report.section("Devices that pass and are to be used with care");
+    Ok(report.table(table))
+}
+
+fn failures(report: Report, records: &[Record]) -> Result<Report, Failure> {
     let causes = pareto(records);
     if causes.is_empty() {
         return Ok(report);

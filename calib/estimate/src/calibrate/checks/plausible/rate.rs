@@ -81,7 +81,11 @@ fn of_axes(fit: &RateFit<'_>, columns: &Columns, force: &Columns, said: &mut Sai
         false => turned,
         true => turned
             .detail("other", Sensor::Accelerometer.name())
-            .only_remedies([force.turned(&axes.opposite().inverse())]),
+            // The likelier first: one slip in the accelerometer's columns is two in the gyroscope's.
+            .only_remedies([
+                force.turned(&axes.opposite().inverse()),
+                columns.turned(&axes),
+            ]),
     });
 }
 

@@ -234,7 +234,7 @@ mod tests {
 
     #[test]
     fn a_time_constant_that_is_little_known_has_larger_errors_than_the_linear_ones() {
-        let (sure, unsure) = (factors(40.0), factors(2.0));
+        let (sure, unsure) = (factors(40.0), factors(1.0));
         assert!(sure.len() == 4 && sure.iter().all(|f| *f < 1.1), "{sure:?}");
         assert!(unsure[3] > 1.1, "{unsure:?}");
     }

@@ -14,7 +14,7 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
     Entry::error(
         Kind::AxisConstant,
         "{sensor} {axis} is {value} in every row up to line {last}: {doubt}",
-        "correct the column if it is the wrong one; if it is right, check the sensor and record again; if you do not need this sensor, calibrate without it",
+        "correct the column if it is the wrong one; if it is right, check the sensor and record again",
         Vec::new,
     ),
     Entry::error(
