@@ -14,7 +14,7 @@ use recording::{Error, Recording};
 use sensor::EffectRef;
 
 use super::base::base;
-use super::calibrated::{calibrated, calibration, calibration_that, settle};
+use super::calibrated::{calibrated, calibration, calibration_that, settle, with_magnetometer};
 use super::fault::delay::{Delay, delay};
 use super::fault::integrity::{Integrity, SPOILT, disturbed, integrity};
 use super::fault::undersampled::undersampled;
@@ -102,6 +102,7 @@ pub(super) fn discover_in(session: &mut Session<'_>) -> Result<Discovery, Error>
         calibration = calibration_that(true, session, &search.last)?;
         calibration.warnings = warnings;
     }
+    calibration = with_magnetometer(session, calibration)?;
     if let Some((effect, late)) = stamps.together {
         let again = delay(&search.last);
         let late = late_finding(&effect, &late, again, &session.request, &mut calibration);

@@ -349,6 +349,10 @@ kinds! {
     FieldDisturbed = "field_disturbed",
     /// The magnetic field differs from place to place.
     FieldUneven = "field_uneven",
+    /// The magnetometer's bias steps part of the way.
+    MagneticBiasStepped = "magnetic_bias_stepped",
+    /// The magnetic field around the device steps part of the way.
+    FieldStepped = "field_stepped",
     /// The magnetometer has an effect that its model lacks.
     MagneticEffect = "magnetic_effect",
     /// Magnetometer and gyroscope disagree about the heading.
@@ -1372,6 +1376,8 @@ kinds! {
     NormOff = "norm_off",
     /// The norm of corrected readings is off by more than in the calibration's recordings.
     NormGrown = "norm_grown",
+    /// The corrected magnetic field differs from rest to rest.
+    FieldOff = "field_off",
     /// Readings were corrected before otherwise than those of the calibration.
     CorrectedOtherwise = "corrected_otherwise",
     /// Readings of some recordings were corrected before.

@@ -202,11 +202,12 @@ pub fn judged(
     let doubt = own.into_iter().flatten().find(|found| {
         matches!(
             found.kind,
-            Kind::DirectionOff | Kind::NormGrown | Kind::NormOff
+            Kind::DirectionOff | Kind::FieldOff | Kind::NormGrown | Kind::NormOff
         )
     });
     if let Some(found) = doubt {
         let why = match found.kind {
+            Kind::FieldOff => "The corrected magnetic field is another in each placement.",
             Kind::NormGrown => {
                 "In its own recordings it left far less: the sensor has changed since."
             }

@@ -3,7 +3,9 @@
 mod settle;
 
 use ::findings::{Finding, Kind};
-use estimate::calibrate::{Account, Frame, gyroscope_of_one_device, written_down};
+use estimate::calibrate::{
+    Account, Frame, beside_the_others, gyroscope_of_one_device, written_down,
+};
 use estimate::calibration::Calibration;
 use estimate::methods::earth;
 use estimate::methods::joint::{JointFit, JointRequest, fit_joint};
@@ -41,6 +43,20 @@ pub(super) fn calibrated(
     )?);
     warnings.extend(search.spent.clone());
     Ok(calibration)
+}
+
+/// The same with the magnetometer, in which nothing is looked for: the file takes the place of a calibration.
+pub(super) fn with_magnetometer(
+    session: &Session<'_>,
+    calibration: Calibration,
+) -> Result<Calibration, Error> {
+    let choices: Vec<_> = session.recordings.iter().map(|(_, c)| c).collect();
+    beside_the_others(
+        calibration,
+        &session.ready(),
+        &choices,
+        session.request.latitude,
+    )
 }
 
 /// The calibration of a model.

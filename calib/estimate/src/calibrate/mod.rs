@@ -35,7 +35,7 @@ pub use checks::{
 };
 pub use cut::of_one_recording_each;
 pub use joint::{Account, LatitudeDoubt, refuse_unobservable, written_down};
-pub use magnetic::FIELDS;
+pub use magnetic::{FIELDS, beside_the_others};
 pub use outcome::Outcome;
 pub use part_way::changes_part_way;
 pub use prepared::Prepared;

@@ -8,7 +8,7 @@ use recording::{Error, Recording};
 use sensor::Sensor;
 
 use super::Calibration;
-use crate::evaluate::{Misfits, misfits};
+use crate::evaluate::{FieldMisfit, Misfits, misfits};
 use crate::methods::cut;
 
 /// A corrected rate above this in static intervals is none of the device or unit that was calibrated, rad/s. Biases of
@@ -26,6 +26,13 @@ const ENOUGH_TURNS: usize = 3;
 
 /// One turn in so many may be spoilt.
 const MAY_BE_SPOILT: usize = 8;
+
+/// Static intervals that show an uneven field.
+const ENOUGH_FIELDS: usize = 4;
+
+/// Spread of a corrected field's strength, or of its angle to the vertical in rad, from one static interval to the next that is no field
+/// of a room away from iron (2.3°).
+const UNEVEN: f64 = 0.04;
 
 /// Longer turns add up too much of a bias to judge by, s.
 const LONGEST_TURN: f64 = 20.0;
@@ -67,6 +74,7 @@ pub fn doubts(calibration: &Calibration, recording: &Recording) -> Result<Vec<Fi
         &left,
     )?);
     said.extend(norm_in_doubt(recording, calibration, &left));
+    said.extend(field_in_doubt(recording, calibration, &left));
     Ok(said)
 }
 
@@ -162,6 +170,27 @@ fn norm_in_doubt(
         .number("rms", rms, "m/s^2")
         .affects("corrected_reading", rms, "m/s^2");
     Some(left_of_its_own(found, usual, "m/s^2"))
+}
+
+fn field_in_doubt(
+    recording: &Recording,
+    calibration: &Calibration,
+    left: &Misfits,
+) -> Option<Finding> {
+    let own = calibration.magnetic_field.as_ref()?;
+    let seen = FieldMisfit::of(&left.fields).filter(|_| left.fields.len() >= ENOUGH_FIELDS)?;
+    let usual = own.unevenness / own.last.strength;
+    let angle = seen.angle_spread.to_radians();
+    let limit = UNEVEN.max(WORSE * usual);
+    (seen.norm_spread.max(angle) > limit).then(|| {
+        let found = Finding::of(Kind::FieldOff)
+            .in_recording(&recording.name)
+            .of_sensor(Sensor::Magnetometer)
+            .number("share", seen.norm_spread, "share")
+            .number("angle", angle, "rad")
+            .affects("heading", angle, "rad");
+        left_of_its_own(found, usual, "share")
+    })
 }
 
 /// With what a calibration left of its own recordings; nothing of one that another tool made, which does not say.

@@ -8,17 +8,21 @@ mod collect;
 mod inertial;
 mod missing;
 mod source;
+mod stepped;
 mod turns;
 mod write;
 
 use findings::{Finding, Kind};
 use inertial::Inertial;
+use recording::averages::median;
 use recording::{Error, FieldUnit, Recording, figure};
 use sensor::{EffectRef, Quantity, Sensor};
 
 use super::checks::turned_field;
 use super::outcome::Outcome;
 use super::request::{Method, Request};
+use crate::calibration::Calibration;
+use crate::methods::Choice;
 use crate::methods::magnetic::{MagneticRequest, fit_magnetometer};
 
 /// Strengths of a magnetic field that may be given, µT. The earth's is 22 to 67.
@@ -57,6 +61,32 @@ pub(super) fn with_magnetometer(
         }
         Err(other) => Err(other),
     }
+}
+
+/// A calibration of the other sensors with the magnetometer of the recordings that it was made from, cut as `choices` say; with a warning that
+/// says why where that cannot be calibrated.
+///
+/// # Errors
+/// [`Error::Usage`] where recordings have different units.
+pub fn beside_the_others(
+    calibration: Calibration,
+    recordings: &[&Recording],
+    choices: &[&Choice],
+    latitude: Option<f64>,
+) -> Result<Calibration, Error> {
+    let outcome = Outcome {
+        calibration,
+        choices: choices.iter().copied().cloned().collect(),
+        accelerometer: None,
+        gyroscope: None,
+        joint: None,
+    };
+    let request = Request {
+        method: Method::Joint,
+        latitude,
+        ..Request::default()
+    };
+    Ok(with_magnetometer(outcome, recordings, &request)?.calibration)
 }
 
 /// Refuses recordings of a magnetometer and nothing else.
@@ -107,17 +137,27 @@ fn fitted(
         strength: request.field,
         walk: collected.walk,
     };
-    let fit = fit_magnetometer(base.clone())?;
+    let whole = fit_magnetometer(base.clone())?;
     let has_temperature = with_field
         .iter()
         .all(|&k| recordings[k].temperature.is_some());
-    let missing = missing::effect(&model, &fit, has_temperature, |larger| {
+    let missing = missing::effect(&model, &whole, has_temperature, |larger| {
         fit_magnetometer(base.clone().with_model(larger)).ok()
     });
-    let names: Vec<&str> = with_field
+    let mut names: Vec<&str> = with_field
         .iter()
         .map(|&k| recordings[k].name.as_str())
         .collect();
+    // What an effect explains is no step.
+    let step = match missing {
+        None => stepped::stepped(&base, &whole, names[0]),
+        Some(_) => None,
+    };
+    let is_divided = step.is_some();
+    let (fit, step) = step.map_or((whole, None), |(fit, step)| (fit, Some(step)));
+    if is_divided {
+        names = vec![names[0]; 2];
+    }
     write::write(
         &mut outcome.calibration,
         &write::Written {
@@ -125,12 +165,14 @@ fn fitted(
             model: &model,
             inertial: &inertial,
             recordings: &names,
+            is_divided,
             unit,
             strength_given: request.field.is_some(),
             missing,
             updates_others: request.method == Method::Joint,
         },
     );
+    outcome.calibration.warnings.extend(step);
     let calibration = &mut outcome.calibration;
     let written = calibration.magnetometer.as_ref();
     let written = written.zip(calibration.magnetic_field.as_ref());
@@ -161,6 +203,9 @@ fn common_unit(recordings: &[&Recording], request: &Request) -> Result<Option<Fi
                 .detail("others", word(unit)),
         ));
     }
+    if unit.is_none() {
+        of_one_size(recordings)?;
+    }
     if let Some(field) = request.field.filter(|field| !FIELDS.contains(field)) {
         let expected = format!("{} to {} µT", FIELDS.start(), FIELDS.end());
         return Err(Error::usage(
@@ -171,4 +216,36 @@ fn common_unit(recordings: &[&Recording], request: &Request) -> Result<Option<Fi
         ));
     }
     Ok(unit)
+}
+
+/// Readings of recordings without a unit whose lengths differ by more are in different units: bias included, no device's are.
+const OTHER_UNIT: f64 = 5.0;
+
+/// Refuses magnetometers that nobody gives a unit, and whose readings are of different sizes.
+fn of_one_size(recordings: &[&Recording]) -> Result<(), Error> {
+    let size = |recording: &&Recording| {
+        let values = &recording.magnetometer.as_ref()?.stream.values;
+        Some((
+            recording.name.clone(),
+            median(values.iter().map(|v| v.norm()))?,
+        ))
+    };
+    let sizes: Vec<(String, f64)> = recordings.iter().filter_map(size).collect();
+    let Some((first, of_first)) = sizes.first() else {
+        return Ok(());
+    };
+    let is_other =
+        |(_, own): &&(String, f64)| !(OTHER_UNIT.recip()..OTHER_UNIT).contains(&(own / of_first));
+    let Some((name, own)) = sizes.iter().find(is_other) else {
+        return Ok(());
+    };
+    let words = |size: f64| format!("readings of about {size:.3}");
+    Err(Error::usage(
+        Finding::of(Kind::FieldUnitsDiffer)
+            .in_recording(name)
+            .of_sensor(Sensor::Magnetometer)
+            .detail("unit", words(*own))
+            .detail("other", first.clone())
+            .detail("others", words(*of_first)),
+    ))
 }

@@ -24,6 +24,8 @@ pub struct Written<'a> {
     pub inertial: &'a Inertial,
     /// Names of the recordings with a magnetometer.
     pub recordings: &'a [&'a str],
+    /// True if these are the parts of one recording, of which the last counts.
+    pub is_divided: bool,
     pub unit: Option<FieldUnit>,
     pub strength_given: bool,
     /// An effect that the readings go with and the model lacks, and the probability of so much by chance.
@@ -76,10 +78,9 @@ fn triad(written: &Written<'_>, fitted: &Fitted) -> Triad {
         reduced_chi2: Some(fit.reduced_chi2),
         static_intervals: Some(fit.placements.iter().filter(|p| p.is_used).count()),
         dynamic_intervals: (fit.turns > 0).then_some(fit.turns),
-        recordings: if fit.biases.len() > 1 {
-            own_biases(written)
-        } else {
-            Vec::new()
+        recordings: match fit.biases.len() > 1 && !written.is_divided {
+            true => own_biases(written),
+            false => Vec::new(),
         },
         ..assemble::triad(Sensor::Magnetometer, fitted)
     }
@@ -136,7 +137,10 @@ fn field(written: &Written<'_>) -> MagneticField {
         strength_given: written.strength_given,
         unevenness: written.fit.unevenness,
         last,
-        recordings: if all.len() > 1 { all } else { Vec::new() },
+        recordings: match all.len() > 1 && !written.is_divided {
+            true => all,
+            false => Vec::new(),
+        },
     }
 }
 

@@ -30,6 +30,12 @@ pub(in super::super::super) const ENTRIES: &[Entry] = &[
         || vec![Remedy::CalibrateAgain],
     ),
     Entry::doubt(
+        Kind::FieldOff,
+        "the corrected magnetic field differs from one static interval to the next by {share} in strength and by {angle} in its angle to the vertical[, and in the calibration's own recordings by {usual}]. The magnetometer's bias has moved, its unit, signs or order of axes are others, the calibration is of another device, or iron was near",
+        "calibrate the magnetometer again if unit, signs and order of the columns are those of the calibration's recordings",
+        || vec![Remedy::OwnCalibration],
+    ),
+    Entry::doubt(
         Kind::CorrectedOtherwise,
         "{by} had corrected the readings of the {sensor} in this recording before, and {own} those behind the calibration. So the calibration does not hold for this recording",
         "do not use the corrected readings; calibrate from recordings that were corrected as this one",
