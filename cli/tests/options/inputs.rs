@@ -330,6 +330,7 @@ fn fleet(path: &Path) {
     }
     for device in 0..DEVICES {
         let mut own = calibration.clone();
+        own["inputs"][0]["samples_sha256"] = format!("{device:064x}").into();
         let mut count = 0;
         for sensor in ["accelerometer", "gyroscope"] {
             let size = if sensor == "gyroscope" { 0.01 } else { 0.1 };

@@ -71,7 +71,7 @@ const PATTERNS: &[(&str, Kind)] = &[
     ("tremor", Kind::Shakes),
     ("disagree", Kind::Disagrees),
     ("about the vertical", Kind::Turning),
-    ("tilts steadily", Kind::Turning),
+    ("the device tilts", Kind::Turning),
     ("turns while", Kind::Turning),
     ("turned while", Kind::Turning),
     ("rotation in it", Kind::Turning),

@@ -56,7 +56,11 @@ fn known(name: &str, finding: &Finding) -> Option<String> {
         _ => {}
     }
     if let Some((name, thing)) = name.split_once(':') {
-        let plural = if finding.value(name)? == 1.0 { "" } else { "s" };
+        let plural = match finding.value(name)? == 1.0 {
+            true => "",
+            false if thing.ends_with("ch") => "es",
+            false => "s",
+        };
         return Some(format!("{} {thing}{plural}", known(name, finding)?));
     }
     if let Some(number) = finding.numbers.iter().find(|n| n.name == name) {

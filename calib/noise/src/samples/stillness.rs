@@ -139,7 +139,8 @@ impl Spreads {
         let quiet = *shares.select_nth_unstable_by(rank, f64::total_cmp).1;
         let neighbours = self.closed.windows(2);
         let differ = neighbours.map(|w| (w[1].mean - w[0].mean).norm() / w[0].mean.norm());
-        quiet > SHAKEN && median(differ).is_some_and(|usual| usual > TILTED)
+        // What has no gravity in it is no accelerometer.
+        (SHAKEN..0.5).contains(&quiet) && median(differ).is_some_and(|usual| usual > TILTED)
     }
 
     /// The time covered, and the blocks that move. The level at rest is that of the quietest tenth,

@@ -18,6 +18,11 @@ const DEVICES: usize = 4;
 const LOOKED_AT: usize = 100_000;
 /// Parts of the rows, in each of which devices have to show.
 const PARTS: usize = 4;
+/// Rows of each device in a row whose means are compared, and how many such places together.
+const IN_A_ROW: usize = 4;
+const CHUNK: usize = 50;
+/// Of what is between devices their mean over these places keeps more than this share of the square; of a beat less.
+const KEPT: f64 = 0.4;
 /// Readings that far apart are those of different devices, in units of what those of one are apart.
 const APART: f64 = 3.0;
 
@@ -129,7 +134,37 @@ pub fn in_turn(values: &[Vector3<f64>]) -> Option<usize> {
             rows.ratio() >= APART && is_coarse(values, devices, step)
         })
     };
-    (2..=DEVICES).find(|devices| shows(*devices))
+    let devices = (2..=DEVICES).find(|devices| shows(*devices))?;
+    (!is_vibration(values, devices)).then_some(devices)
+}
+
+/// True where what is between rows by turns points another way all the time: a vibration near a half, a third or a fourth of the rate beats
+/// with it. Between devices it is the same while they rest.
+fn is_vibration(values: &[Vector3<f64>], devices: usize) -> bool {
+    let rows = IN_A_ROW * devices;
+    let between = |rows: &[Vector3<f64>]| -> Vec<Vector3<f64>> {
+        let whole = rows.iter().sum::<Vector3<f64>>() / rows.len() as f64;
+        let of = |device: usize| {
+            let own = rows.iter().skip(device).step_by(devices);
+            own.sum::<Vector3<f64>>() / IN_A_ROW as f64 - whole
+        };
+        (0..devices).map(of).collect()
+    };
+    let turns = |rows: &[Vector3<f64>]| {
+        let mut sums = vec![Vector3::zeros(); devices];
+        let mut squares = 0.0;
+        let count = rows.len() / (IN_A_ROW * devices);
+        for part in rows.chunks_exact(IN_A_ROW * devices) {
+            for (sum, own) in sums.iter_mut().zip(between(part)) {
+                *sum += own;
+                squares += own.norm_squared();
+            }
+        }
+        let kept = sums.iter().map(|sum| sum.norm_squared()).sum::<f64>() / count as f64;
+        kept < KEPT * squares
+    };
+    let chunks: Vec<bool> = values.chunks_exact(rows * CHUNK).map(turns).collect();
+    2 * chunks.iter().filter(|turns| **turns).count() > chunks.len()
 }
 
 /// True where rows that follow one another differ by more than steps of a coarse sensor.
@@ -163,6 +198,10 @@ mod tests {
             .map(|k| Vector3::new((k % 2) as f64, 0.0, 9.0))
             .collect();
         assert_eq!(in_turn(&coarse), None);
+        // One on a machine that hums at 49.7 Hz, sampled at 100 Hz.
+        let hum = |k: usize| 10.0 * (std::f64::consts::TAU * 0.497 * k as f64).sin();
+        let humming: Vec<_> = (0..4000).map(|k| noisy(k, hum(k))).collect();
+        assert_eq!(in_turn(&humming), None);
         // One that moves.
         let turning: Vec<_> = (0..2000)
             .map(|k| noisy(k, (0.02 * k as f64).sin() * 300.0))

@@ -47,6 +47,10 @@ const PIECES: usize = 9;
 const TURN: f64 = 0.035;
 const TURN_BEYOND_USUAL: f64 = 10.0;
 
+/// Length of the stretches in which a slow turn is looked for, s, and the rotation that is one, rad (1°).
+const SLOW: f64 = 4.0;
+const SLOW_TURN: f64 = 0.0175;
+
 /// Steps from one stretch to the next, as a share of it.
 const PER_STRETCH: usize = 4;
 
@@ -114,7 +118,42 @@ impl<'a> Ends<'a> {
         let stretch = ((STRETCH / self.step) as usize).clamp(3, n / 3);
         let usual = usual_turn(values, &bias, stretch);
         let limit = (TURN / factor).max(TURN_BEYOND_USUAL * usual);
-        complement(span, &turning_stretches(t, values, &bias, stretch, limit))
+        let mut turning = turning_stretches(t, values, &bias, stretch, limit);
+        turning.extend(self.slow_turns(t, values));
+        complement(span, &union(turning))
+    }
+
+    /// The stretches of four seconds in which the device turns by more than 1° beyond what the rate on both sides makes it: a bias that
+    /// drifts does so on both. Two in a row, for one may end within a knock that turns back.
+    fn slow_turns(&self, t: &[f64], values: &[Vector3<f64>]) -> Vec<Span> {
+        let length = (SLOW / self.step) as usize;
+        let step = length / PER_STRETCH;
+        if step == 0 || values.len() < 3 * length {
+            return Vec::new();
+        }
+        let mean = |part: &[Vector3<f64>]| part.iter().sum::<Vector3<f64>>() / part.len() as f64;
+        let firsts = (length..=values.len() - 2 * length).step_by(step);
+        let turned: Vec<(usize, f64)> = firsts
+            .map(|k| {
+                let [before, within, after] =
+                    [k - length, k, k + length].map(|from| mean(&values[from..from + length]));
+                let excess = (within - (before + after) * 0.5).norm();
+                (k, excess * length as f64 * self.step * self.scale)
+            })
+            .collect();
+        let second = ((STRETCH / self.step) as usize).clamp(3, length);
+        let usual = usual_turn(values, &middle_rate(values), second) * self.step * self.scale;
+        // White noise adds up with the root of time.
+        let usual = usual * (length as f64 / second as f64).sqrt();
+        let limit = SLOW_TURN.max(TURN_BEYOND_USUAL * usual);
+        let twice = turned
+            .windows(2)
+            .filter(|pair| pair.iter().all(|(_, angle)| *angle > limit));
+        let spans = twice.map(|pair| Span {
+            from: t[pair[0].0],
+            to: t[pair[1].0 + length - 1],
+        });
+        spans.collect()
     }
 
     /// Returns true if the device moves for half of the interval: its rate, smoothed over a quarter of a second, differs from that of
@@ -367,6 +406,37 @@ mod tests {
         };
         let cut = Ends::of(&stream, 1.0).trimmed(whole);
         assert!(cut.from < 0.1 && (cut.to - 120.5).abs() < 0.1, "{cut:?}");
+    }
+
+    #[test]
+    fn a_slow_turn_about_the_vertical_cuts_a_rest_and_a_drift_does_not() {
+        let mut stream = stream(1e-3);
+        stream.t = (0..3000).map(|k| 0.01 * f64::from(k)).collect();
+        let noise = stream.values[..900].to_vec();
+        let of = |rate: &dyn Fn(f64) -> f64| {
+            let values = stream.t.iter().zip(noise.iter().cycle());
+            let values = values.map(|(&t, v)| v + Vector3::z() * rate(t)).collect();
+            let stream = Stream {
+                t: stream.t.clone(),
+                values,
+            };
+            let whole = Span {
+                from: 0.0,
+                to: 29.9,
+            };
+            Ends::of(&stream, 1.0).without_turns(whole)
+        };
+        let yaw = |t: f64| {
+            if (12.0..18.0).contains(&t) {
+                0.0175
+            } else {
+                0.0
+            }
+        };
+        let pieces = of(&yaw);
+        assert_eq!(pieces.len(), 2, "{pieces:?}");
+        assert!(pieces[0].to < 13.0 && pieces[1].from > 17.0, "{pieces:?}");
+        assert_eq!(of(&|t: f64| 1e-3 * t).len(), 1);
     }
 
     #[test]

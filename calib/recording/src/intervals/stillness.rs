@@ -6,7 +6,7 @@ use sensor::Base;
 use super::rejected::{Reason, Rejected};
 use super::spans::Span;
 use super::stamps::Stamps;
-use super::tilt::tilt;
+use super::tilt::{tilt, turned_over};
 use super::unexplained_turn::{MeanRate, turning};
 use crate::recording::{Recording, Stream};
 
@@ -17,7 +17,7 @@ const PIECES: usize = 10;
 const MOST_CLIPPED: f64 = 0.02;
 
 /// Parts the quiet stretches into static intervals and those in which the device turns about the vertical
-/// or, where `no_tilt` asks for it, tilts steadily. `base` carries the accelerometer's readings to m/s²,
+/// is turned over slowly or, where `no_tilt` asks for it, tilts steadily. `base` carries the accelerometer's readings to m/s²,
 /// `scale` the gyroscope's to rad/s.
 pub(super) fn static_and_rejected(
     recording: &Recording,
@@ -48,11 +48,14 @@ pub(super) fn static_and_rejected(
             *reason = reason.or_else(|| (0..3).find(at_limit).map(Reason::Clipped));
         }
     }
-    if no_tilt {
-        for (span, reason) in quiet.iter().zip(&mut reasons) {
-            let samples = stamps.between(span.from, span.to);
-            *reason = reason.or_else(|| tilt(force, samples, base).map(Reason::Tilting));
-        }
+    for (span, reason) in quiet.iter().zip(&mut reasons) {
+        let samples = || stamps.between(span.from, span.to);
+        let tilted = || match no_tilt {
+            true => tilt(force, samples(), base),
+            false => None,
+        };
+        let found = || tilted().or_else(|| turned_over(force, samples(), base));
+        *reason = reason.or_else(|| found().map(Reason::Tilting));
     }
     let (mut kept, mut rejected) = (Vec::new(), Vec::new());
     for (span, reason) in quiet.into_iter().zip(reasons) {

@@ -14,6 +14,41 @@ const LEAST: f64 = 2.6e-3;
 /// A slope stands out by so many of its standard errors: a hand sways, and does not go one way.
 const BEYOND: f64 = 8.0;
 
+/// Between two pieces of a rest the direction of specific force differs by less, rad (4°): a boat rolls by it, a hand sways by it.
+const MOST: f64 = 0.07;
+
+/// The largest angle between specific forces of a stretch that is no rest whatever it is for, rad: a slow turn.
+pub(super) fn turned_over(
+    stream: &Stream,
+    samples: std::ops::Range<usize>,
+    base: &Base<f64>,
+) -> Option<f64> {
+    let means = means(stream, samples, base)?;
+    let angles = means.iter().enumerate().flat_map(|(k, a)| {
+        let others = means[k + 1..].iter();
+        others.map(move |b| a.angle(b))
+    });
+    let largest = angles.fold(0.0, f64::max);
+    (largest > MOST).then_some(largest)
+}
+
+/// The means of [`PIECES`] of the samples, m/s²; `None` of fewer than two each.
+fn means(
+    stream: &Stream,
+    samples: std::ops::Range<usize>,
+    base: &Base<f64>,
+) -> Option<Vec<Vector3<f64>>> {
+    let values = stream.values.get(samples)?;
+    let length = values.len() / PIECES;
+    if length < 2 {
+        return None;
+    }
+    let mean = |piece: &[Vector3<f64>]| {
+        base.correct(&(piece.iter().sum::<Vector3<f64>>() / length as f64))
+    };
+    Some(values.chunks_exact(length).take(PIECES).map(mean).collect())
+}
+
 /// The tilt of specific force from begin to end of the samples, rad, where it is a steady one: a slope of
 /// the means of twelve pieces that stands out of what they scatter about it.
 pub(super) fn tilt(
@@ -21,16 +56,7 @@ pub(super) fn tilt(
     samples: std::ops::Range<usize>,
     base: &Base<f64>,
 ) -> Option<f64> {
-    let values = stream.values.get(samples)?;
-    let length = values.len() / PIECES;
-    if length < 2 {
-        return None;
-    }
-    let means: Vec<Vector3<f64>> = values
-        .chunks_exact(length)
-        .take(PIECES)
-        .map(|piece| base.correct(&(piece.iter().sum::<Vector3<f64>>() / length as f64)))
-        .collect();
+    let means = means(stream, samples, base)?;
     let n = means.len() as f64;
     let mean = means.iter().sum::<Vector3<f64>>() / n;
     let place = |k: usize| (k as f64 + 0.5) / n - 0.5;
@@ -67,6 +93,14 @@ mod tests {
     fn a_steady_tilt_is_measured() {
         let found = tilt(&stream(|t| 0.01 * t / 5.0), 0..500, &Base::identity()).unwrap();
         assert!((found - 0.01).abs() < 5e-4, "{found}");
+    }
+
+    #[test]
+    fn a_slow_turn_is_no_rest_and_a_sway_of_two_degrees_may_be() {
+        let over = |angle: fn(f64) -> f64| turned_over(&stream(angle), 0..500, &Base::identity());
+        let turn = over(|t| 0.3 * ((t - 2.0) / 2.0).clamp(0.0, 1.0)).unwrap();
+        assert!((turn - 0.3).abs() < 0.01, "{turn}");
+        assert_eq!(over(|t| 0.03 * (2.0 * t).sin()), None);
     }
 
     #[test]

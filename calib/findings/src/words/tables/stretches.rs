@@ -32,7 +32,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Remark,
         severity: 0.02,
         reason: "the device tilts in a quiet stretch",
-        text: "[the quiet stretch at {at} is no static interval][{count} quiet stretches are no static intervals ({listed})]: the device tilts steadily[, by a slope of {slope} and {angle} in all]",
+        text: "[the quiet stretch at {at} is no static interval][{count} quiet stretches are no static intervals ({listed})]: the device tilts[, by a slope of {slope} and {angle} in all]",
         advice: "nothing has to be done while ten static intervals are left; else lay it down on something firm",
         remedies: Vec::new,
     },
