@@ -328,7 +328,8 @@ fn a_prior_of_the_type_is_used_and_says_what_it_gave() {
     let with: Value = serde_json::from_slice(&bytes(&folder.join("with.json"))).unwrap();
     let error = |cal: &Value| cal["accelerometer"]["bias_std"][0].as_f64().unwrap();
     assert!(
-        error(&with) < 0.5 * error(&cal),
+        // A spread that 120 devices tell is widened by 119/97.
+        error(&with) < 0.55 * error(&cal),
         "{} of {}",
         error(&with),
         error(&cal)

@@ -101,18 +101,18 @@ fn name(input: &Path, path: &Path) -> String {
 
 /// Folders in place of names that several files share, as `cal.json`; paths where these do too.
 fn tell_apart(found: &mut [(String, PathBuf)]) {
-    let folder = |path: &Path| {
-        let name = path.parent().and_then(Path::file_name)?;
-        Some(name.to_string_lossy().into_owned())
-    };
-    let whole = |path: &Path| Some(path.display().to_string());
-    let others: [&dyn Fn(&Path) -> Option<String>; 2] = [&folder, &whole];
-    for other in others {
-        let names: Vec<String> = found.iter().map(|(name, _)| name.clone()).collect();
-        for (name, path) in &mut *found {
-            if names.iter().filter(|own| *own == name).count() > 1 {
-                *name = other(path).unwrap_or_else(|| name.clone());
-            }
+    rename_shared(found, |path| {
+        let folder = path.parent().and_then(Path::file_name)?;
+        Some(folder.to_string_lossy().into_owned())
+    });
+    rename_shared(found, |path| Some(path.display().to_string()));
+}
+
+fn rename_shared(found: &mut [(String, PathBuf)], other: impl Fn(&Path) -> Option<String>) {
+    let names: Vec<String> = found.iter().map(|(name, _)| name.clone()).collect();
+    for (name, path) in found {
+        if names.iter().filter(|own| *own == name).count() > 1 {
+            *name = other(path).unwrap_or_else(|| name.clone());
         }
     }
 }
