@@ -62,15 +62,24 @@ impl Motion {
     /// # Errors
     /// A recording without such a rest, or without motion after it.
     pub fn find(recording: &Recording) -> Result<Self, Error> {
-        let all = Self::all(recording)?.into_iter();
-        all.max_by(|a, b| a.span.length().total_cmp(&b.span.length()))
-            .ok_or_else(|| {
-                Error::not_enough(
-                    Finding::of(Kind::MotionMissing)
-                        .in_recording(&recording.name)
-                        .number("rest", DETECTOR.min_static, "s"),
-                )
-            })
+        Self::longest(&Self::all(recording)?, recording)
+    }
+
+    /// The longest of the motions that [`Motion::all`] finds in a recording.
+    ///
+    /// # Errors
+    /// [`Error::NotEnough`] where there are none.
+    pub fn longest(all: &[Self], recording: &Recording) -> Result<Self, Error> {
+        let longest = all
+            .iter()
+            .max_by(|a, b| a.span.length().total_cmp(&b.span.length()));
+        longest.copied().ok_or_else(|| {
+            Error::not_enough(
+                Finding::of(Kind::MotionMissing)
+                    .in_recording(&recording.name)
+                    .number("rest", DETECTOR.min_static, "s"),
+            )
+        })
     }
 
     /// Returns true if a motion that was found lasts beyond the end of this one: no rest begins there.

@@ -36,11 +36,11 @@ impl<'a> Cut<'a> {
             };
             cut(recordings[k], &request, Some(k))
         })?;
-        let cut = choices.iter().map(|choice| &choice.segmentation);
-        checks::readings_of_the_device(recordings.iter().copied().zip(cut))?;
+        let each = choices.iter().map(|choice| &choice.segmentation);
+        let each = recordings.iter().copied().zip(each);
+        checks::readings_of_the_device(each.clone())?;
         if !request.force_device {
-            let cut = choices.iter().map(|choice| &choice.segmentation);
-            of_one_recording_each(recordings.iter().copied().zip(cut), request.gravity)?;
+            of_one_recording_each(each, request.gravity)?;
         }
         let cut = Self {
             recordings,

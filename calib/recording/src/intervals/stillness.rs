@@ -6,7 +6,7 @@ use sensor::Base;
 use super::rejected::{Reason, Rejected};
 use super::spans::Span;
 use super::stamps::Stamps;
-use super::tilt::{tilt, turned_over};
+use super::tilt::{means, tilt, turned_over};
 use super::unexplained_turn::{MeanRate, turning};
 use crate::recording::{Recording, Stream};
 
@@ -16,7 +16,7 @@ const PIECES: usize = 10;
 /// An interval in which more than this share of the samples is cut off has no mean.
 const MOST_CLIPPED: f64 = 0.02;
 
-/// Parts the quiet stretches into static intervals and those in which the device turns about the vertical
+/// Parts the quiet stretches into static intervals and those in which the device turns about the vertical,
 /// is turned over slowly or, where `no_tilt` asks for it, tilts steadily. `base` carries the accelerometer's readings to m/s²,
 /// `scale` the gyroscope's to rad/s.
 pub(super) fn static_and_rejected(
@@ -49,13 +49,14 @@ pub(super) fn static_and_rejected(
         }
     }
     for (span, reason) in quiet.iter().zip(&mut reasons) {
-        let samples = || stamps.between(span.from, span.to);
-        let tilted = || match no_tilt {
-            true => tilt(force, samples(), base),
-            false => None,
+        let samples = stamps.between(span.from, span.to);
+        let Some(pieces) = means(force, samples, base).filter(|_| reason.is_none()) else {
+            continue;
         };
-        let found = || tilted().or_else(|| turned_over(force, samples(), base));
-        *reason = reason.or_else(|| found().map(Reason::Tilting));
+        let steadily = no_tilt.then(|| tilt(&pieces)).flatten();
+        *reason = steadily
+            .or_else(|| turned_over(&pieces))
+            .map(Reason::Tilting);
     }
     let (mut kept, mut rejected) = (Vec::new(), Vec::new());
     for (span, reason) in quiet.into_iter().zip(reasons) {

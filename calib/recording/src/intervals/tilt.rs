@@ -17,13 +17,8 @@ const BEYOND: f64 = 8.0;
 /// Between two pieces of a rest the direction of specific force differs by less, rad (4°): a boat rolls by it, a hand sways by it.
 const MOST: f64 = 0.07;
 
-/// The largest angle between specific forces of a stretch that is no rest whatever it is for, rad: a slow turn.
-pub(super) fn turned_over(
-    stream: &Stream,
-    samples: std::ops::Range<usize>,
-    base: &Base<f64>,
-) -> Option<f64> {
-    let means = means(stream, samples, base)?;
+/// The largest angle between the mean specific forces of the pieces of a stretch that is no rest whatever it is for, rad: a slow turn.
+pub(super) fn turned_over(means: &[Vector3<f64>]) -> Option<f64> {
     let angles = means.iter().enumerate().flat_map(|(k, a)| {
         let others = means[k + 1..].iter();
         others.map(move |b| a.angle(b))
@@ -33,7 +28,7 @@ pub(super) fn turned_over(
 }
 
 /// The means of [`PIECES`] of the samples, m/s²; `None` of fewer than two each.
-fn means(
+pub(super) fn means(
     stream: &Stream,
     samples: std::ops::Range<usize>,
     base: &Base<f64>,
@@ -49,14 +44,9 @@ fn means(
     Some(values.chunks_exact(length).take(PIECES).map(mean).collect())
 }
 
-/// The tilt of specific force from begin to end of the samples, rad, where it is a steady one: a slope of
+/// The tilt of specific force from begin to end, rad, where it is a steady one: a slope of
 /// the means of twelve pieces that stands out of what they scatter about it.
-pub(super) fn tilt(
-    stream: &Stream,
-    samples: std::ops::Range<usize>,
-    base: &Base<f64>,
-) -> Option<f64> {
-    let means = means(stream, samples, base)?;
+pub(super) fn tilt(means: &[Vector3<f64>]) -> Option<f64> {
     let n = means.len() as f64;
     let mean = means.iter().sum::<Vector3<f64>>() / n;
     let place = |k: usize| (k as f64 + 0.5) / n - 0.5;
@@ -89,15 +79,19 @@ mod tests {
         Stream { t, values }
     }
 
+    fn pieces(stream: &Stream) -> Vec<Vector3<f64>> {
+        means(stream, 0..500, &Base::identity()).unwrap()
+    }
+
     #[test]
     fn a_steady_tilt_is_measured() {
-        let found = tilt(&stream(|t| 0.01 * t / 5.0), 0..500, &Base::identity()).unwrap();
+        let found = tilt(&pieces(&stream(|t| 0.01 * t / 5.0))).unwrap();
         assert!((found - 0.01).abs() < 5e-4, "{found}");
     }
 
     #[test]
     fn a_slow_turn_is_no_rest_and_a_sway_of_two_degrees_may_be() {
-        let over = |angle: fn(f64) -> f64| turned_over(&stream(angle), 0..500, &Base::identity());
+        let over = |angle: fn(f64) -> f64| turned_over(&pieces(&stream(angle)));
         let turn = over(|t| 0.3 * ((t - 2.0) / 2.0).clamp(0.0, 1.0)).unwrap();
         assert!((turn - 0.3).abs() < 0.01, "{turn}");
         assert_eq!(over(|t| 0.03 * (2.0 * t).sin()), None);
@@ -105,7 +99,7 @@ mod tests {
 
     #[test]
     fn sway_noise_and_a_small_tilt_are_none() {
-        let none = |s: &Stream| tilt(s, 0..500, &Base::identity()).is_none();
+        let none = |s: &Stream| tilt(&pieces(s)).is_none();
         assert!(none(&stream(|_| 0.0)));
         assert!(none(&stream(|t| 0.002 * t / 5.0)));
         assert!(none(&stream(|t| 0.01 * (2.0 * t).sin())));

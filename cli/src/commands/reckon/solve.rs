@@ -147,12 +147,16 @@ pub(super) fn equations(
     ending: Ending,
     known: Known,
 ) -> Result<Run, Failure> {
-    let motion = match span {
-        Some(span) => Motion::given(recording, span)?,
-        None => Motion::find(recording)?,
+    let found = Motion::all(recording);
+    let (motion, all) = match span {
+        // What is given needs no motion that is found.
+        Some(span) => (Motion::given(recording, span)?, found.unwrap_or_default()),
+        None => {
+            let all = found?;
+            (Motion::longest(&all, recording)?, all)
+        }
     };
     let mut warnings = Vec::new();
-    let all = Motion::all(recording).unwrap_or_default();
     if span.is_none() && all.len() > 1 {
         warnings.push(several(&recording.name, &motion, &all));
     }
