@@ -312,7 +312,7 @@ fn two_sensors_on_clocks_of_their_own_keep_them() {
     let (_dir, folder) = folder();
     let recording = session().recording;
     std::fs::create_dir(folder.join("phone")).unwrap();
-    let acc = stream_to_csv(recording.accelerometer.as_ref().unwrap(), "t,ax,ay,az");
+    let acc = stream_to_csv(recording.accelerometer.as_ref().unwrap(), "t,ax,ay,az", 0);
     let mut gyroscope = recording.gyroscope.clone().unwrap();
     for t in &mut gyroscope.t {
         *t += 0.0037;
@@ -320,7 +320,7 @@ fn two_sensors_on_clocks_of_their_own_keep_them() {
     std::fs::write(folder.join("phone/acc.csv"), acc).unwrap();
     std::fs::write(
         folder.join("phone/gyro.csv"),
-        stream_to_csv(&gyroscope, "t,gx,gy,gz"),
+        stream_to_csv(&gyroscope, "t,gx,gy,gz", 0),
     )
     .unwrap();
     let run = stillpoint(&folder, &["calibrate", "phone", "-o", "cal.json"]);

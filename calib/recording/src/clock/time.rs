@@ -28,16 +28,19 @@ const SECONDS_OF_A_YEAR: f64 = 31_556_952.0;
 /// Rates of most recordings, Hz: of two units the one with such a rate is meant.
 const USUAL: std::ops::Range<f64> = 20.0..2000.0;
 
-/// Turns the stamps of every table, on one clock and in one unit, into seconds.
+/// Turns the stamps of every table, on one clock and in one unit, into seconds; returns the stamp at zero, ns.
 pub(crate) fn to_seconds(
     tables: &mut [Table],
     options: &ReadOptions,
     warnings: &mut Findings,
-) -> Result<(), Error> {
+) -> Result<i128, Error> {
     let Some(first) = tables.first() else {
-        return Ok(());
+        return Ok(0);
     };
+    let origin = first.clock.origin.filter(|_| first.time_affine.is_none());
     let first = unit(first, options, warnings)?;
+    let nanoseconds = 1e9 / first.per_second();
+    let zero = i128::from(origin.unwrap_or(0)) * nanoseconds.round() as i128;
     for table in tables {
         if let Some(line) = table.clock.wraps.first() {
             let count = table.clock.wraps.len();
@@ -67,7 +70,7 @@ pub(crate) fn to_seconds(
             columns.flatten().for_each(|t| *t = change(*t));
         }
     }
-    Ok(())
+    Ok(zero)
 }
 
 /// Returns the user's scale and offset for the stamps of a table; the identity if none is given.

@@ -54,7 +54,7 @@ pub(crate) fn assemble(
                 checks::order(&recording.name, samples, &mut Findings::new())?;
             }
         }
-        in_seconds?;
+        recording.zero_ns = in_seconds?;
     } else if tables.iter().any(|table| table.has_time) {
         let ignored = Finding::of(Kind::StampsIgnored);
         recording

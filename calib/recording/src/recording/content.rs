@@ -15,6 +15,8 @@ use crate::units::AccelUnit;
 pub struct Recording {
     /// Name of the file, as the user gave it.
     pub name: String,
+    /// Stamp in the file at `t = 0`, ns: stamps since 1970, whose first is taken off, keep their digits. Zero where `t` is the file's own.
+    pub zero_ns: i128,
     /// Specific force, m/s² (or raw counts).
     pub accelerometer: Option<Stream>,
     /// Angular rate, rad/s (or raw counts).

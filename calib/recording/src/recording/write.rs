@@ -1,6 +1,7 @@
 //! Recordings as plain CSV or Parquet.
 
 mod folder;
+mod stamp;
 
 use findings::{Finding, Kind};
 use sensor::Sensor;
@@ -8,12 +9,13 @@ use std::fmt::Write as _;
 
 use file_formats::write_parquet;
 
+use self::stamp::FileStamp;
 use super::{Magnetometer, Recording, Stream, Temperature};
 use crate::Error;
 
 pub use folder::{FOLDER_FILES, FolderFile};
 
-/// The recording as one plain CSV table, numbers to their last digit.
+/// The recording as one plain CSV table, numbers to their last digit, stamps on the clock of the file that it is from.
 ///
 /// Where the sensors have clocks of their own the gyroscope is interpolated to the stamps of the
 /// accelerometer that lie within its own; a warning is added that says so. The temperature is that at each stamp, and a
@@ -21,12 +23,12 @@ pub use folder::{FOLDER_FILES, FolderFile};
 pub fn to_csv(recording: &mut Recording) -> String {
     let plain = Plain::of(recording);
     let mut text = plain.names.join(",") + "\n";
+    // Writing to a string does not fail.
     for row in 0..plain.rows() {
-        let mut separator = "";
+        let _ = write!(text, "{}", plain.stamp(row));
         plain.cells(row, |cell| {
-            text.push_str(std::mem::replace(&mut separator, ","));
+            text.push(',');
             if let Some(number) = cell {
-                // Writing to a string does not fail.
                 let _ = write!(text, "{number}");
             }
         });
@@ -46,11 +48,13 @@ pub fn to_parquet(recording: &mut Recording) -> Result<Vec<u8>, Error> {
     let mut columns: Vec<(String, Vec<f64>)> = plain.names.iter().map(column).collect();
     for row in 0..rows {
         let mut column = columns.iter_mut();
-        plain.cells(row, |cell| {
+        let mut push = |value| {
             if let Some((_, values)) = column.next() {
-                values.push(cell.unwrap_or(f64::NAN));
+                values.push(value);
             }
-        });
+        };
+        push(plain.stamp(row).seconds());
+        plain.cells(row, |cell| push(cell.unwrap_or(f64::NAN)));
     }
     write_parquet(&columns).map_err(|error| Error::usage(error.finding()))
 }
@@ -65,6 +69,7 @@ fn joined(sensor: Sensor, other: &str) -> Finding {
 /// A recording as one table.
 struct Plain<'a> {
     names: Vec<String>,
+    zero_ns: i128,
     streams: Vec<Stream>,
     temperature: Option<&'a Temperature>,
     field: Option<&'a Magnetometer>,
@@ -111,6 +116,7 @@ impl<'a> Plain<'a> {
         }
         Self {
             names,
+            zero_ns: recording.zero_ns,
             streams,
             temperature: recording.temperature.as_ref(),
             field: recording.magnetometer.as_ref(),
@@ -128,10 +134,16 @@ impl<'a> Plain<'a> {
         self.stamps().len()
     }
 
-    /// Hands over the cells of a row, `None` where there is nothing.
+    fn stamp(&self, row: usize) -> FileStamp {
+        FileStamp {
+            zero_ns: self.zero_ns,
+            t: self.stamps()[row],
+        }
+    }
+
+    /// Hands over the cells of a row behind its stamp, `None` where there is nothing.
     fn cells(&self, row: usize, mut cell: impl FnMut(Option<f64>)) {
         let t = self.stamps()[row];
-        cell(Some(t));
         for stream in &self.streams {
             stream.values[row]
                 .iter()
@@ -159,11 +171,12 @@ pub fn field_names(field: &Magnetometer) -> String {
         .join(",")
 }
 
-/// One sensor as CSV with the given column names.
-pub fn stream_to_csv(stream: &Stream, names: &str) -> String {
+/// One sensor as CSV with the given column names; `zero_ns` is the recording's.
+pub fn stream_to_csv(stream: &Stream, names: &str, zero_ns: i128) -> String {
     let mut text = format!("{names}\n");
-    for (t, v) in stream.t.iter().zip(&stream.values) {
-        let _ = writeln!(text, "{t},{},{},{}", v.x, v.y, v.z);
+    for (&t, v) in stream.t.iter().zip(&stream.values) {
+        let stamp = FileStamp { zero_ns, t };
+        let _ = writeln!(text, "{stamp},{},{},{}", v.x, v.y, v.z);
     }
     text
 }
@@ -185,6 +198,27 @@ mod tests {
     use super::*;
     use crate::recording::ReadOptions;
     use nalgebra::Vector3;
+
+    #[test]
+    fn stamps_since_1970_are_written_as_they_were_read() {
+        let stamps: Vec<String> = (0..40)
+            .map(|k| format!("1764370000.{:06}", 500_001 + 10_000 * k))
+            .collect();
+        let mut file = "t,ax,ay,az,gx,gy,gz\n".to_owned();
+        for (k, stamp) in stamps.iter().enumerate() {
+            let _ = writeln!(file, "{stamp},0.{k},0.2,9.8,0.0{k},0.002,0.003");
+        }
+        let options = ReadOptions::default();
+        let mut read = Recording::from_bytes("r", file.into_bytes(), &options).unwrap();
+        let text = to_csv(&mut read);
+        let written = text
+            .lines()
+            .skip(1)
+            .filter_map(|line| line.split(',').next());
+        assert!(written.eq(stamps.iter().map(String::as_str)));
+        let again = Recording::from_bytes("r", text.into_bytes(), &options).unwrap();
+        assert_eq!(again.accelerometer, read.accelerometer);
+    }
 
     #[test]
     fn a_magnetometer_alone_keeps_its_samples_and_its_stamps() {

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use super::stamp::FileStamp;
 use super::{field_names, stream_to_csv};
 use crate::recording::{Recording, Temperature};
 
@@ -20,14 +21,14 @@ pub static FOLDER_FILES: [FolderFile; 4] = [
         name: "acc.csv",
         text: |recording| {
             let stream = recording.accelerometer.as_ref()?;
-            Some(stream_to_csv(stream, "t,ax,ay,az"))
+            Some(stream_to_csv(stream, "t,ax,ay,az", recording.zero_ns))
         },
     },
     FolderFile {
         name: "gyro.csv",
         text: |recording| {
             let stream = recording.gyroscope.as_ref()?;
-            Some(stream_to_csv(stream, "t,gx,gy,gz"))
+            Some(stream_to_csv(stream, "t,gx,gy,gz", recording.zero_ns))
         },
     },
     FolderFile {
@@ -35,20 +36,24 @@ pub static FOLDER_FILES: [FolderFile; 4] = [
         text: |recording| {
             let field = recording.magnetometer.as_ref()?;
             let names = format!("t,{}", field_names(field));
-            Some(stream_to_csv(&field.stream, &names))
+            Some(stream_to_csv(&field.stream, &names, recording.zero_ns))
         },
     },
     FolderFile {
         name: "temp.csv",
-        text: |recording| recording.temperature.as_ref().map(temperature_to_csv),
+        text: |recording| {
+            let temperature = recording.temperature.as_ref()?;
+            Some(temperature_to_csv(temperature, recording.zero_ns))
+        },
     },
 ];
 
-fn temperature_to_csv(temperature: &Temperature) -> String {
+fn temperature_to_csv(temperature: &Temperature, zero_ns: i128) -> String {
     let mut text = "t,temp\n".to_owned();
-    for (t, celsius) in temperature.t.iter().zip(&temperature.celsius) {
+    for (&t, celsius) in temperature.t.iter().zip(&temperature.celsius) {
+        let stamp = FileStamp { zero_ns, t };
         // Writing to a string does not fail.
-        let _ = writeln!(text, "{t},{celsius}");
+        let _ = writeln!(text, "{stamp},{celsius}");
     }
     text
 }
