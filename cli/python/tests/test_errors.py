@@ -57,14 +57,13 @@ def test_files_are_refused_with_their_place(folder):
     assert (copy.message, copy.line, copy.kind) == (error.message, 3, "input")
 
 
-def test_files_of_tables_that_the_wheel_does_not_read_are_refused_with_the_way_out(folder):
+def test_damaged_files_of_tables_are_refused_by_name(folder):
     for name, begin, program in (("a.parquet", b"PAR1", "Parquet"), ("a.h5", b"\x89HDF\r\n\x1a\n", "HDF5")):
         with open(name, "wb") as out:
             out.write(begin + bytes(200))
         with pytest.raises(InputError) as caught:
             Recording.from_file(name)
-        error = caught.value
-        assert error.file == name and program in error.message and "CSV" in error.message
+        assert caught.value.file == name and program in caught.value.message
 
 
 def test_requests_that_make_no_sense_are_refused(arrays):
