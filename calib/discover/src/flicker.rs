@@ -1,5 +1,6 @@
 //! A search under noise that flickers, where the biases do.
 
+use ::findings::Kind;
 use recording::Error;
 
 use super::extension::Extension;
@@ -140,10 +141,12 @@ fn beside_flicker(name: &Name) -> Option<f64> {
     Some(flickering.max(own.evidence - lost))
 }
 
-/// Returns true if the biases are taken to walk alone and the recordings can show that they flicker.
+/// Returns true if the biases are taken to walk alone and the recordings can show that they flicker: of a device that turns at rest the
+/// rate looks like such a bias.
 fn may_flicker(session: &Session<'_>, model: &State) -> bool {
-    let is_knocked = model.fit.data.misses_something_between_samples();
-    !(session.request.flicker || session.request.noise.is_some() || is_knocked)
+    let moves =
+        model.fit.data.misses_something_between_samples() || session.remarks.has(Kind::RestsTurn);
+    !(session.request.flicker || session.request.noise.is_some() || moves)
 }
 
 /// By how much the data are likelier (log) with biases that flicker.

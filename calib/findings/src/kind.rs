@@ -237,6 +237,8 @@ kinds! {
     DeviceSways = "device_sways",
     /// The readings swing with one period in the static intervals.
     RestsSwing = "rests_swing",
+    /// The device turns slowly in many static intervals.
+    RestsTurn = "rests_turn",
     /// A bias steps within a static interval.
     BiasStepped = "bias_stepped",
     /// The readings drift while the device should rest.

@@ -18,6 +18,7 @@ mod rezeroing;
 mod spikes;
 mod swing;
 mod symptom;
+mod turning;
 mod vibration;
 
 pub use crate::recording::Frozen;
@@ -52,7 +53,11 @@ pub fn altered_bias(recording: &Recording, segmentation: &Segmentation) -> Optio
 
 /// Everything that the readings show once it is known where the device was still.
 pub fn symptoms(recording: &Recording, segmentation: &Segmentation) -> Vec<Symptom> {
-    let mut all = Vec::new();
+    let mut all: Vec<Symptom> = hand::found(recording).into_iter().collect();
+    if all.is_empty() {
+        all.extend(turning::found(recording, segmentation));
+    }
+    let lies_still = all.is_empty();
     for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
         let Some(of) = OfSensor::new(sensor, recording, segmentation) else {
             continue;
@@ -60,8 +65,8 @@ pub fn symptoms(recording: &Recording, segmentation: &Segmentation) -> Vec<Sympt
         let dead = dead_zone::found(&of);
         let coarse = quantisation::found(&of, dead.as_ref());
         all.extend(clipping::found(&of, &recording.warnings));
-        // Where steps are wide, how much readings scatter says how near a step they are.
-        if dead.is_none() && coarse.is_none() {
+        // Where steps are wide, how much readings scatter says how near a step they are; a device that moves makes them scatter.
+        if lies_still && dead.is_none() && coarse.is_none() {
             all.extend(vibration::found(&of));
             all.extend(swing::found(&of));
         }
@@ -71,6 +76,5 @@ pub fn symptoms(recording: &Recording, segmentation: &Segmentation) -> Vec<Sympt
             all.extend(rezeroing::found(&of));
         }
     }
-    all.extend(hand::found(recording));
     all
 }

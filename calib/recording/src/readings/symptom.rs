@@ -128,6 +128,17 @@ pub enum Symptom {
         /// Amplitude of the swing, over the axes.
         size: f64,
     },
+    /// The device turns slowly in many static intervals: both sensors agree on it.
+    RestsTurn {
+        /// The intervals, counted from 1.
+        intervals: Vec<usize>,
+        /// Number of intervals that were looked at.
+        of: usize,
+        /// Angle by which the direction of gravity moves in the middle one, rad.
+        angle: f64,
+        /// Length of the middle one, s.
+        length: f64,
+    },
     /// The rate wavers in the quietest stretches as in a hand.
     HandHeld {
         /// Root mean square of the wavering rate, rad/s.
@@ -324,6 +335,16 @@ impl Symptom {
             } => of(Kind::RestsSwing, *sensor)
                 .number("period", *period, "s")
                 .number("size", *size, unit(*sensor)),
+            Self::RestsTurn {
+                intervals,
+                of,
+                angle,
+                length,
+            } => Finding::of(Kind::RestsTurn)
+                .count("count", intervals.len())
+                .count("of", *of)
+                .number("angle", *angle, "rad")
+                .number("length", *length, "s"),
             Self::HandHeld { rate } => Finding::of(Kind::HandHeld).number("rate", *rate, "rad/s"),
         }
     }

@@ -63,6 +63,15 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         remedies: Vec::new,
     },
     Entry {
+        kind: Kind::RestsTurn,
+        level: Level::Care,
+        severity: 0.1,
+        reason: "the device turned slowly in {count} of {of} static intervals, as on a soft or moving support",
+        text: "the device turned slowly in {count} of {of} static intervals, by {angle} within {length} in the middle one: accelerometer and gyroscope agree on it. A soft surface gives way, a vehicle or a boat sways",
+        advice: "lay the device on a hard surface that does not move",
+        remedies: || vec![Remedy::RecordAgain],
+    },
+    Entry {
         kind: Kind::BiasStepped,
         level: Level::Remark,
         severity: 0.02,

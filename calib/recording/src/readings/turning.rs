@@ -1,0 +1,206 @@
+//! Static intervals in which the device turns slowly, as on a surface that gives way or on a boat.
+//!
+//! Gravity moves by `Δu = u × θ` where the device turns by `θ` (rad, body frame), and the gyroscope reads `θ` and its bias. No error of one
+//! sensor makes the other agree: a bias that moves turns no gravity, and an accelerometer that warms up turns no gyroscope.
+
+use nalgebra::{Matrix3, Vector3};
+use sensor::Sensor;
+
+use super::symptom::Symptom;
+use crate::averages::median;
+use crate::intervals::Segmentation;
+use crate::recording::{Recording, Stream};
+
+/// Shortest interval that is looked at, s, and fewest of them.
+const SHORTEST: f64 = 1.5;
+const FEWEST: usize = 4;
+
+/// Share of an interval whose mean is its begin, or its end; fewest samples of it.
+const BLOCK: f64 = 0.2;
+const FEWEST_SAMPLES: usize = 8;
+
+/// The direction of gravity moves where it does by so many of its standard deviations, in this share of the intervals.
+const EVIDENT: f64 = 5.0;
+const SHARE: f64 = 0.25;
+
+/// The sensors agree where what they see correlates so much and is the same up to this factor.
+const CORRELATED: f64 = 0.8;
+const SAME: f64 = 1.5;
+
+/// What both sensors see of one interval.
+struct Turned {
+    interval: usize,
+    length: f64,
+    /// Direction of the specific force, unit.
+    up: Vector3<f64>,
+    /// Its change from the begin to the end, and the standard deviation of an axis of that, rad.
+    change: Vector3<f64>,
+    std: f64,
+    /// The rotation that the gyroscope reads over the same time, rad, and that time, s.
+    rotation: Vector3<f64>,
+    time: f64,
+}
+
+impl Turned {
+    /// The change that the gyroscope says, with its bias taken off.
+    fn said(&self, bias: &Vector3<f64>) -> Vector3<f64> {
+        self.up.cross(&(self.rotation - bias * self.time))
+    }
+}
+
+/// The device turns in a quarter of the static intervals and more, and both sensors agree on it.
+pub(super) fn found(recording: &Recording, segmentation: &Segmentation) -> Option<Symptom> {
+    let (force, rate) = (
+        recording.accelerometer.as_ref()?,
+        recording.gyroscope.as_ref()?,
+    );
+    if recording.is_in_counts(Sensor::Gyroscope) {
+        return None;
+    }
+    let spans = segmentation.statics.iter().enumerate();
+    let all: Vec<Turned> = spans
+        .filter_map(|(k, interval)| turned(k, [interval.span.from, interval.span.to], force, rate))
+        .collect();
+    let moved = |one: &&Turned| one.change.norm() > EVIDENT * one.std;
+    let evident: Vec<&Turned> = all.iter().filter(moved).collect();
+    if all.len() < FEWEST || evident.len() < FEWEST.max((SHARE * all.len() as f64).ceil() as usize)
+    {
+        return None;
+    }
+    let bias = bias(&all)?;
+    let (mut seen, mut said, mut both) = (0.0, 0.0, 0.0);
+    for one in &all {
+        let weight = one.std.powi(-2);
+        let by_gyroscope = one.said(&bias);
+        seen += weight * one.change.norm_squared();
+        said += weight * by_gyroscope.norm_squared();
+        both += weight * one.change.dot(&by_gyroscope);
+    }
+    let agrees =
+        both > CORRELATED * (seen * said).sqrt() && (said / SAME..said * SAME).contains(&both);
+    agrees.then(|| Symptom::RestsTurn {
+        intervals: evident.iter().map(|one| one.interval + 1).collect(),
+        of: all.len(),
+        angle: median(evident.iter().map(|one| one.change.norm())).unwrap_or(0.0),
+        length: median(evident.iter().map(|one| one.length)).unwrap_or(0.0),
+    })
+}
+
+/// What is seen of an interval from `from` to `to`.
+fn turned(interval: usize, [from, to]: [f64; 2], force: &Stream, rate: &Stream) -> Option<Turned> {
+    let length = to - from;
+    let block = BLOCK * length;
+    let first = &force.values[force.between(from, from + block)];
+    let last = &force.values[force.between(to - block, to)];
+    let samples = first.len().min(last.len());
+    if length < SHORTEST || samples < FEWEST_SAMPLES {
+        return None;
+    }
+    let whole = &force.values[force.between(from, to)];
+    let strength = mean(whole).norm();
+    let up = mean(whole) / strength;
+    let change = (mean(last) - mean(first)) / strength;
+    let steps = whole
+        .windows(2)
+        .map(|pair| (pair[1] - pair[0]).norm_squared());
+    let variance = steps.sum::<f64>() / (6.0 * (whole.len() - 1) as f64);
+    // The gyroscope's rate under the weights that the difference of two such means has: up, level, down.
+    let (mut sum, mut weights) = (Vector3::zeros(), 0.0);
+    let own = rate.between(from, to);
+    for (t, value) in rate.t[own.clone()].iter().zip(&rate.values[own]) {
+        let weight = ((t - from).min(to - t) / block).clamp(0.0, 1.0);
+        sum += value * weight;
+        weights += weight;
+    }
+    let time = length - block;
+    (weights > 0.0 && variance > 0.0 && strength > 0.0).then(|| Turned {
+        interval,
+        length,
+        up,
+        change: change - up * up.dot(&change),
+        std: (2.0 * variance / samples as f64).sqrt() / strength,
+        rotation: sum * (time / weights),
+        time,
+    })
+}
+
+/// The gyroscope's bias, rad/s, with which it agrees best with the accelerometer in all intervals.
+fn bias(all: &[Turned]) -> Option<Vector3<f64>> {
+    let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
+    for one in all {
+        let by_bias = one.up.cross_matrix() * (one.time / one.std);
+        let left = (one.up.cross(&one.rotation) - one.change) / one.std;
+        normal += by_bias.tr_mul(&by_bias);
+        right += by_bias.tr_mul(&left);
+    }
+    Some(normal.cholesky()?.solve(&right))
+}
+
+fn mean(values: &[Vector3<f64>]) -> Vector3<f64> {
+    values.iter().sum::<Vector3<f64>>() / values.len().max(1) as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::intervals::Span;
+
+    /// What is found in twelve rests of 6 s in turned placements, in each of which the device turns by `turn` about a horizontal axis, and
+    /// the gyroscope reads `drift` besides.
+    fn in_rests(turn: f64, drift: f64) -> Option<Symptom> {
+        let mut state = 1_u64;
+        let mut random = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
+            ((state >> 33) as f64 / f64::from(1_u32 << 31) - 0.5) * 12f64.sqrt()
+        };
+        let mut noise = || Vector3::from_fn(|_, _| random());
+        let bias = Vector3::new(0.01, -0.02, 0.005);
+        let (mut force, mut rate, mut spans) = (Stream::default(), Stream::default(), Vec::new());
+        for k in 0..12 {
+            let from = 10.0 * f64::from(k);
+            spans.push(Span {
+                from,
+                to: from + 6.0,
+            });
+            let up = noise().normalize();
+            let axis = up.cross(&noise()).normalize();
+            for i in 0..600 {
+                let since = 0.01 * f64::from(i);
+                let left = (-since / 3.0).exp();
+                force.t.push(from + since);
+                rate.t.push(from + since);
+                force
+                    .values
+                    .push((up - up.cross(&axis) * (turn * left)) * 9.81 + noise() * 0.02);
+                let turning = axis * (turn * left / 3.0);
+                rate.values
+                    .push(bias + turning + noise() * 0.001 + axis * (drift * since));
+            }
+        }
+        let recording = Recording {
+            accelerometer: Some(force),
+            gyroscope: Some(rate),
+            ..Recording::default()
+        };
+        let segmentation = Segmentation::from_spans(&recording, &spans, 1.0);
+        found(&recording, &segmentation)
+    }
+
+    #[test]
+    fn a_surface_that_gives_way_is_seen_by_both_sensors_and_a_drifting_bias_by_one() {
+        let Some(Symptom::RestsTurn {
+            intervals, angle, ..
+        }) = in_rests(0.005, 0.0)
+        else {
+            panic!("not found");
+        };
+        assert_eq!(intervals.len(), 12);
+        assert!((0.003..0.005).contains(&angle), "{angle}");
+        assert_eq!(in_rests(0.0, 0.0), None);
+        assert_eq!(in_rests(0.0, 0.001), None);
+        // Only the accelerometer: a turn that the gyroscope does not read is none.
+        assert_eq!(in_rests(0.005, 0.01), None);
+    }
+}
