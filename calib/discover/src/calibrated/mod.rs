@@ -29,7 +29,7 @@ pub(super) fn calibrated(
     held: Vec<HeldShape>,
 ) -> Result<Calibration, Error> {
     let (calibration, held) = determined(session, search, held)?;
-    let mut calibration = match on_an_unknown_earth(session, &search.last)? {
+    let mut calibration = match fitted_again(session, &search.last)? {
         Some(fit) => written(&fit, session.request.latitude.is_some(), session)?,
         None => calibration,
     };
@@ -73,24 +73,28 @@ pub(super) fn calibration_that(
     written(&last.fit, keeps_the_earth, session)
 }
 
-/// The fit of a model where the earth's rotation is uncertainty, as nobody says the latitude: at rest its vertical part does what the
-/// diagonal of a g-sensitivity does. A search has no such uncertainty, for the rotation is one of the things that it looks for. `None`
-/// where the model has the rotation.
-fn on_an_unknown_earth(session: &Session<'_>, last: &State) -> Result<Option<JointFit>, Error> {
+/// The final model with what the search leaves out, `None` where that is nothing. Where nobody says the latitude the earth's rotation is
+/// uncertainty: at rest its vertical part does what the diagonal of a g-sensitivity does, and the rotation is one of the things that are
+/// looked for. Where the device turns at rest, rates and turns scatter by that.
+fn fitted_again(session: &Session<'_>, last: &State) -> Result<Option<JointFit>, Error> {
     let request = session.joint(&last.extension);
-    if session.request.latitude.is_some() || earth::is_among(request.gyroscope.effects()) {
+    let of_the_earth = request.gyroscope.effects();
+    let earth = session.request.latitude.is_none() && !earth::is_among(of_the_earth);
+    let turns = session.remarks.has(Kind::RestsTurn);
+    if !earth && !turns {
         return Ok(None);
     }
     let fit = fit_joint(&JointRequest {
-        earth: true,
+        earth,
+        disturbances: turns,
         compared: false,
-        before: Some(&last.fit),
+        before: Some(&*last.fit).filter(|_| !turns),
+        from_its_minimum: request.from_its_minimum && !turns,
         ..request
     })?;
     Ok(Some(fit))
 }
 
-/// The calibration of a fit.
 fn written(
     fit: &JointFit,
     keeps_the_earth: bool,

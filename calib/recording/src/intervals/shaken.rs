@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::Moments;
 use super::spans::Span;
+use crate::averages::median;
 use crate::recording::Stream;
 
 /// Length of the stretches whose means are compared, s.
@@ -12,6 +13,9 @@ const STRETCH: f64 = 0.5;
 /// Means of stretches may vary by so many times what independent samples of the same spread would: a hand
 /// that carries the device moves them by far more.
 const STEADY: f64 = 4.0;
+
+/// A machine shakes evenly: the loudest stretch varies by no more than so many times the middle one (variances). A knock does.
+const EVEN: f64 = 10.0;
 
 /// Selects static intervals on a vibrating table from `turned`, the spans in which the gyroscope shows no motion: none of `quiet`
 /// touches them, and the mean of specific force is constant.
@@ -31,6 +35,11 @@ fn is_steady(stream: &Stream, span: Span) -> bool {
             Moments::of(&stream.values[stream.between(from, from + STRETCH)])
         })
         .collect();
+    let variances = || stretches.iter().map(|m| m.covariance.trace());
+    let loudest = variances().fold(0.0, f64::max);
+    if median(variances()).is_none_or(|middle| loudest > EVEN * middle) {
+        return false;
+    }
     let means: Vec<Vector3<f64>> = stretches.iter().map(|m| m.mean).collect();
     let Some(between) = Moments::of(&means).filter(|_| means.len() > 1) else {
         return false;

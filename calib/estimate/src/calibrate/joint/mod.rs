@@ -3,6 +3,7 @@
 mod determined;
 mod doubts;
 mod latitude;
+mod misfits;
 mod temperature;
 mod triads;
 mod written_down;
@@ -94,15 +95,10 @@ pub(super) fn calibrate(
         names_what_is_missing: false,
     };
     let calibration = written_down(&fit, &of_parts, &choices, &account, &mut warnings)?;
-    // What differs from recording to recording, or a device that turns at rest, looks like an effect to the fit of all.
-    let looks_like_one = |found: &Finding| {
-        let own = found.kind;
-        matches!(
-            own,
-            Kind::RecordingsDiffer | Kind::GyroscopeDiffers | Kind::RestsTurn
-        )
-    };
-    if warnings.iter().any(looks_like_one) {
+    // What differs from recording to recording looks like an effect to the fit of all.
+    let differs =
+        |found: &Finding| matches!(found.kind, Kind::RecordingsDiffer | Kind::GyroscopeDiffers);
+    if warnings.iter().any(differs) {
         warnings.retain(|found| found.kind != Kind::EffectMissing);
     }
     let mut calibration = Calibration {

@@ -10,9 +10,12 @@ use crate::methods::joint::JointFit;
 /// per K, a usual coefficient, a scale factor by `2e-3`.
 const LARGE: f64 = 10.0;
 
-/// Temperatures at which the device was at rest, from the lowest to the highest, where they differ by more than [`LARGE`] and the model
-/// looks at no temperature.
-pub fn changed(fit: &JointFit, recordings: &[&Recording]) -> Option<Finding> {
+/// A change beside which the fit misses something or a bias has moved, K: a usual gyroscope's bias moves by `1e-4` to `1e-3` rad/s with it.
+const LARGE_BESIDE: f64 = 3.0;
+
+/// Temperatures at which the device was at rest, from the lowest to the highest, where they differ by more than [`LARGE`], or than
+/// [`LARGE_BESIDE`] where there is a `doubt` of the fit, and the model looks at no temperature.
+pub fn changed(fit: &JointFit, recordings: &[&Recording], doubt: bool) -> Option<Finding> {
     let mut effects = fit.models.iter().flat_map(|model| model.effects());
     if effects.any(|effect| effect.needs().into_iter().any(Quantity::is_thermal)) {
         return None;
@@ -25,7 +28,8 @@ pub fn changed(fit: &JointFit, recordings: &[&Recording]) -> Option<Finding> {
         (f64::INFINITY, f64::NEG_INFINITY),
         |(low, high), celsius| (low.min(celsius), high.max(celsius)),
     );
-    (high - low > LARGE).then(|| {
+    let large = if doubt { LARGE_BESIDE } else { LARGE };
+    (high - low > large).then(|| {
         Finding::of(Kind::TemperatureChanged)
             .number("low", low, "°C")
             .number("high", high, "°C")
@@ -46,16 +50,18 @@ mod tests {
         let spec = Spec::hand_held(3);
         let mut recording = spec.run().unwrap().recording;
         let segmentation = segment(&recording, &Detector::default()).unwrap();
-        let mut found = |rise: f64| {
+        let mut found = |rise: f64, doubt: bool| {
             let t = recording.accelerometer.as_ref().unwrap().t.clone();
             let last = t[t.len() - 1];
             let celsius = t.iter().map(|t| 25.0 + rise * t / last).collect();
             recording.temperature = Some(Temperature { t, celsius });
             let request = JointRequest::new(vec![(&recording, &segmentation)], spec.gravity);
-            changed(&fit_joint(&request).unwrap(), &[&recording])
+            changed(&fit_joint(&request).unwrap(), &[&recording], doubt)
         };
-        assert_eq!(found(1.0), None);
-        let said = found(15.0).unwrap();
+        assert_eq!(found(1.0, true), None);
+        assert_eq!(found(5.0, false), None);
+        assert!(found(5.0, true).is_some());
+        let said = found(15.0, false).unwrap();
         let [low, high] = ["low", "high"].map(|name| said.value(name).unwrap());
         assert!(high - low > 10.0 && low > 25.0 && high < 40.0, "{said:?}");
     }

@@ -1,15 +1,15 @@
 //! A joint fit as a calibration.
 
 use effects::earth_rotation;
-use findings::{Finding, Findings};
+use findings::Findings;
 use recording::{Error, Recording};
 use sensor::Sensor;
 
 use super::determined::{check_force, check_rate};
-use super::doubts::{disturbances, influences, of_missing, placements_apart};
+use super::doubts::{disturbances, influences, placements_apart};
 use super::latitude::LatitudeDoubt;
-use super::temperature;
-use super::triads::{biases_that_moved, force_fit, force_triad, rate_fit, rate_triad};
+use super::misfits::say_misfits;
+use super::triads::{force_fit, force_triad, rate_fit, rate_triad};
 use crate::calibrate::assemble::effect_values;
 use crate::calibrate::checks;
 use crate::calibrate::left_out::left_out;
@@ -18,7 +18,7 @@ use crate::calibrate::request::Frame;
 use crate::calibrate::unusable_turns::TurnCount;
 use crate::calibration::{
     Calibration, NotCalibrated, NotCalibratedReason, Provenance, RecordingBias, RecordingClock,
-    Remainder, SCHEMA, Triad, WITH_WALKS, in_symmetric_frame,
+    Remainder, SCHEMA, Triad, in_symmetric_frame,
 };
 use crate::gravity::GravitySource;
 use crate::methods::joint::{BiasMotion, Channel, JointFit};
@@ -107,30 +107,14 @@ pub fn written_down(
     warnings.extend(clocks::doubts(fit));
     disturbances(fit, warnings);
     let remainders: Vec<Remainder> = fit.misfits().iter().map(Remainder::of).collect();
-    let misfits = remainders.iter().filter_map(|r| r.finding(WITH_WALKS));
-    let mut misfits: Vec<Finding> = misfits.collect();
-    if account.names_what_is_missing {
-        misfits.iter_mut().for_each(|found| found.remedies.clear());
-    } else {
-        let missing = fit.missing(recordings);
-        misfits.extend(missing.and_then(|missing| of_missing(&missing)));
-        misfits.extend(temperature::changed(fit, recordings));
-    }
-    warnings.extend(misfits);
+    let is_of_search = account.names_what_is_missing;
+    say_misfits(fit, &remainders, recordings, is_of_search, warnings);
     // More than the earth turns is an error of the gyroscope, whatever the latitude.
     let doubt = account.latitude.and_then(|l| LatitudeDoubt::of(fit, l));
     let doubt = doubt.filter(LatitudeDoubt::is_of_the_earth);
     warnings.extend(doubt.map(|doubt| doubt.finding()));
     influences(fit, warnings);
-    let both = [Sensor::Accelerometer, Sensor::Gyroscope];
     let motions = fit.bias_motions();
-    for (sensor, motions) in both.into_iter().zip(&motions) {
-        let mut moved = biases_that_moved(fit, sensor, motions);
-        if account.names_what_is_missing {
-            moved.iter_mut().for_each(|found| found.remedies.clear());
-        }
-        warnings.extend(moved);
-    }
     let last = |motions: &[Option<BiasMotion>]| motions.last().copied().flatten();
     let [moved_force, moved_rate] = [last(&motions[0]), last(&motions[1])];
     let of_the_earth =

@@ -13,7 +13,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         severity: 0.04,
         reason: "the recording speaks against the latitude",
         text: "the earth's rotation has a vertical part of {expected} at a latitude of {given}. The recording shows {shown} ± {error}, as at a latitude of {seen}, and speaks against the given latitude. {what} may be wrong[. The model was fitted at the latitude that the recording shows, because it explains as much as {instead}]",
-        advice: "check the sign and the value of the latitude",
+        advice: "check the sign and the value of the latitude; check that the accelerometer reads +g on an axis that points up, for with all its signs turned the latitude seems to have the other sign",
         remedies: || {
             vec![Remedy::Omit {
                 option: OptionName::Latitude,
@@ -182,7 +182,7 @@ pub(in super::super) const ENTRIES: &[Entry] = &[
         kind: Kind::BiasMoved,
         level: Level::Care,
         severity: 0.1,
-        reason: "the bias of the {sensor} moved by {change} during the recording",
+        reason: "the bias of the {sensor} moved by {change} during the recording, as with the temperature",
         text: "the bias (the reading at rest) of the {sensor} moved by {change} from the first static interval to the last, more than it walks by. The calibration states its mean over that time",
         advice: "let the device warm up before you record",
         remedies: || vec![Remedy::Discover],
