@@ -1,8 +1,5 @@
 //! Levels of noise by restricted likelihood.
 
-#[cfg(test)]
-pub(crate) mod dense;
-
 use std::cell::Cell;
 
 use faer::Mat;
@@ -247,4 +244,4 @@ pub fn left_null_space(jacobian: &Mat<f64>) -> Mat<f64> {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

@@ -191,7 +191,7 @@ mod tests {
     use crate::methods::joint::blocks::covariance::Covariance;
     use crate::methods::joint::blocks::groups::RowGroups;
     use crate::methods::joint::noise::chain::{Chain, Link};
-    use crate::methods::joint::noise::likelihood::dense::Dense;
+    use crate::methods::joint::noise::likelihood::tests::dense::Dense;
     use crate::methods::joint::noise::stations::Stations;
     use crate::methods::joint::noise::weights::{ComponentKind, Form};
 

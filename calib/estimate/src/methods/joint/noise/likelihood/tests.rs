@@ -1,12 +1,19 @@
 //! The likelihood station by station against dense matrices, and how its work grows.
 
+pub(crate) mod dense;
+
+use rand::SeedableRng;
+use rand_distr::{Distribution, StandardNormal};
 use recording::intervals::{Detector, segment};
 use simulate::Spec;
 
-use super::dense::Dense;
+use self::dense::Dense;
 use super::*;
 use crate::methods::joint::blocks::covariance::Covariance;
-use crate::methods::joint::noise::weights::Form;
+use crate::methods::joint::blocks::groups::RowGroups;
+use crate::methods::joint::noise::chain::{Chain, Link};
+use crate::methods::joint::noise::stations::Stations;
+use crate::methods::joint::noise::weights::{ComponentKind, Form};
 use crate::methods::joint::{JointFit, JointRequest, fit_joint};
 
 #[test]
@@ -16,6 +23,83 @@ fn the_left_null_space_is_orthogonal_to_every_column() {
     assert_eq!((null.nrows(), null.ncols()), (7, 4));
     assert!((null.transpose() * &j).norm_max() < 1e-13);
     assert!((null.transpose() * &null - Mat::<f64>::identity(4, 4)).norm_max() < 1e-14);
+}
+
+/// `count` normal numbers of unit variance.
+fn normal(seed: u64, count: usize) -> Vec<f64> {
+    let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(seed);
+    (0..count)
+        .map(|_| StandardNormal.sample(&mut random))
+        .collect()
+}
+
+/// The only variance of residuals without parameters, by a component that is passed from row to row.
+fn only_variance(residuals: &[f64], chain: impl Fn(&Stations) -> Chain) -> f64 {
+    let groups = RowGroups::whole(residuals.len());
+    let component = Component {
+        kind: ComponentKind::TurnScatter,
+        covariance: Covariance::none(residuals.len()),
+        form: Form::Passed(chain(&Stations::single(&groups))),
+    };
+    let restricted = Restricted::new(residuals, &Columns::none(&groups), &[&component]);
+    restricted.variances(&[false], &[0.0])[0]
+}
+
+#[test]
+fn the_variance_of_independent_residuals_has_its_closed_form() {
+    // One component C = I with 1 + θ = Σ z²/q at the maximum.
+    let z: Vec<f64> = normal(5, 300).iter().map(|v| 2.0 * v).collect();
+    let closed = z.iter().map(|v| v * v).sum::<f64>() / 300.0 - 1.0;
+    let identity = Covariance::of_blocks(
+        300,
+        (0..300).map(|k| (vec![k], Mat::identity(1, 1))).collect(),
+    );
+    let found = only_variance(&z, |stations| Chain::of_each(stations, &identity));
+    assert!((found / closed - 1.0).abs() < 2e-3, "{found} {closed}");
+}
+
+#[test]
+fn a_component_that_is_not_there_is_left_out() {
+    let one = |value: f64| nalgebra::DMatrix::from_element(1, 1, value);
+    let link = |row: usize| {
+        let square = (row + 1) as f64;
+        let link = Link {
+            own: one(square),
+            gives: one(1.0),
+            takes: one(square),
+            keeps: vec![1.0],
+        };
+        (row, link)
+    };
+    let walk = |stations: &Stations| Chain::of_links(stations, 1, (0..200).map(link));
+    assert_eq!(only_variance(&normal(6, 200), walk), 0.0);
+}
+
+#[test]
+fn recordings_by_themselves_have_the_likelihood_of_all_rows_together() {
+    let r = normal(7, 60);
+    let whole = Mat::from_fn(60, 6, |i, k| {
+        let value = ((i * 7 + k * 5 + i * k) % 11) as f64 - 5.0;
+        if k < 2 || i / 30 == k / 4 { value } else { 0.0 }
+    });
+    let walk = Mat::from_fn(30, 30, |i, j| 0.1 * (i.min(j) + 1) as f64);
+    let blocks = [0, 30].map(|first| ((first..first + 30).collect(), walk.clone()));
+    let walk = Covariance::of_blocks(60, blocks.into());
+    let scatter = Covariance::of_blocks(60, vec![((5..35).collect(), Mat::identity(30, 30))]);
+    let groups = RowGroups::new((0..60).map(|i| i / 30).collect());
+    let change = |groups: &RowGroups, all: &[&Covariance], theta: &[f64]| {
+        let dense = Dense::new(&r, &Columns::cut(&whole, groups), all);
+        let nothing = vec![0.0; theta.len()];
+        dense.log_likelihood(theta).unwrap() - dense.log_likelihood(&nothing).unwrap()
+    };
+    for (all, theta) in [
+        (&[&walk][..], &[0.7][..]),
+        (&[&walk, &scatter], &[0.7, 0.0]),
+        (&[&walk, &scatter], &[0.2, 1.3]),
+    ] {
+        let [apart, one] = [&groups, &RowGroups::whole(60)].map(|g| change(g, all, theta));
+        assert!((apart - one).abs() < 1e-10, "{apart} {one}");
+    }
 }
 
 /// The device of all recordings.
