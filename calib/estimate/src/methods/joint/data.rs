@@ -191,9 +191,9 @@ pub struct Cut<'a> {
     /// Its rests and turns.
     pub segmentation: &'a Segmentation,
     /// The unit of the accelerometer.
-    pub force_unit: &'a RawUnit,
+    pub force_unit: RawUnit,
     /// The unit of the gyroscope.
-    pub rate_unit: &'a RawUnit,
+    pub rate_unit: RawUnit,
     /// Clock by which the turns are integrated.
     pub clock: ClockMode,
 }

@@ -113,7 +113,7 @@ impl Run<'_> {
                 None => rows.chords(self.first_values(&rows).values()),
             },
             data: self.data.clone(),
-            charts: self.charts.to_vec(),
+            charts: self.charts.clone(),
             disturbance_columns: columns.clone(),
             whitening: weights.whitening,
             components: weights.components,
@@ -156,7 +156,7 @@ impl Run<'_> {
 
     fn one_in_words(&self, suspect: &Suspect, fitted: &[f64]) -> Flagged {
         let fault = suspect.fault;
-        let (recording, interval, span) = fault.scope().when(self.data, suspect.place);
+        let (recording, interval, span) = fault.scope().when(&self.data, suspect.place);
         let norm = fitted.iter().take(3).map(|v| v * v).sum::<f64>().sqrt();
         Flagged {
             fault,

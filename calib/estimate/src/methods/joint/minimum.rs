@@ -17,16 +17,16 @@ use crate::methods::joint::noise::weights::Whitening;
 use crate::methods::joint::rows::chart::Chart;
 use crate::methods::joint::rows::{Linear, Rows};
 
-/// Inputs of a joint fit that stay the same over all rounds.
+/// A joint fit on its way: data and coordinates stay the same over all rounds of weighting.
 pub(crate) struct Run<'a> {
     /// Request of the fit.
     pub request: &'a JointRequest<'a>,
     /// Means of the rests and turns.
-    pub data: &'a Data,
+    pub data: Data,
     /// Coordinates of the direction in each rest.
-    pub charts: &'a [Chart],
+    pub charts: Vec<Chart>,
     /// First values.
-    pub start: &'a Start,
+    pub start: Start,
 }
 
 /// The minimum under some weights.
@@ -60,10 +60,10 @@ impl Run<'_> {
     pub fn rows<'b>(&'b self, disturbances: &'b [Column]) -> Rows<'b> {
         let models = (&self.request.accelerometer, &self.request.gyroscope);
         Rows::new(
-            self.data,
+            &self.data,
             models,
             self.request.gravity,
-            self.charts,
+            &self.charts,
             (self.start.own_force_bias, disturbances),
         )
     }
@@ -129,7 +129,7 @@ impl Run<'_> {
         let gyroscope = (rows.layout.gyroscope > 0).then(|| self.request.gyroscope.parameters());
         let mut parameters = rows
             .layout
-            .parameters(&accelerometer, gyroscope.as_ref(), self.data);
+            .parameters(&accelerometer, gyroscope.as_ref(), &self.data);
         for (recording, p) in self.start.accelerometer.iter().enumerate() {
             let columns = rows.layout.columns(Sensor::Accelerometer, (recording, 0));
             for (column, value) in columns.into_iter().zip(p) {

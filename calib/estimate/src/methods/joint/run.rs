@@ -9,7 +9,6 @@ use super::minimum::{Point, Run};
 use super::request::JointRequest;
 use super::start::{Start, charts, start};
 use crate::methods::joint::clock::fit::settle_clock;
-use crate::methods::joint::rows::chart::Chart;
 use crate::methods::joint::rows::knowledge::by_models;
 
 /// Rounds of weighting at most; one suffices where nothing was disturbed.
@@ -31,48 +30,27 @@ pub fn fit_joint(request: &JointRequest<'_>) -> Result<JointFit, Error> {
         .map(|(recording, segmentation)| Cut {
             recording,
             segmentation,
-            force_unit: &start.force_unit,
-            rate_unit: &start.rate_unit,
+            force_unit: start.force_unit,
+            rate_unit: start.rate_unit,
             clock: request.clock,
         })
         .collect();
-    let begun = match request.minimum_before() {
-        Some(before) => go_on(request, &start, &cuts, before)?,
-        None => begin(request, &start, &cuts)?,
+    let (mut run, mut point) = match request.minimum_before() {
+        Some(before) => go_on(request, start, &cuts, before)?,
+        None => begin(request, start, &cuts)?,
     };
-    let Begun {
-        mut data,
-        charts,
-        mut point,
-    } = begun;
     // A search for what noise does not explain keeps to what the readings show of it: rests of a device that sways differ by
     // more than a smaller noise.
-    if request.disturbances && data.is_coloured() {
-        let run = Run {
-            request,
-            data: &data,
-            charts: &charts,
-            start: &start,
-        };
+    if request.disturbances && run.data.is_coloured() {
         let (shares, reached) = run.shares_of_noise(point.as_ref())?;
-        data.lower_noise(&shares);
+        run.data.lower_noise(&shares);
         point = Some(reached);
     }
-    Run {
-        request,
-        data: &data,
-        charts: &charts,
-        start: &start,
-    }
-    .run(point)
+    run.run(point)
 }
 
-/// The data, where the directions are looked for, and the first point.
-struct Begun {
-    data: Data,
-    charts: Vec<Chart>,
-    point: Option<Point>,
-}
+/// A run with its data and the point that it begins at.
+type Begun<'a> = (Run<'a>, Option<Point>);
 
 /// The rests, turns and noise of the recordings.
 fn cut_up(cuts: &[Cut<'_>]) -> Data {
@@ -83,7 +61,11 @@ fn cut_up(cuts: &[Cut<'_>]) -> Data {
 }
 
 /// From the recordings.
-fn begin(request: &JointRequest<'_>, start: &Start, cuts: &[Cut<'_>]) -> Result<Begun, Error> {
+fn begin<'a>(
+    request: &'a JointRequest<'a>,
+    start: Start,
+    cuts: &[Cut<'_>],
+) -> Result<Begun<'a>, Error> {
     let mut data = request
         .before
         .map_or_else(|| cut_up(cuts), |before| before.data.clone());
@@ -100,111 +82,80 @@ fn begin(request: &JointRequest<'_>, start: &Start, cuts: &[Cut<'_>]) -> Result<
     if let Some(decided) = &request.clocks {
         data.go_by(decided);
     }
-    let charts = charts(&data, &request.accelerometer, start)?;
-    let known = |data: &mut Data, before| know(request, data, cuts, &charts, start, before);
-    let first = covariates.then(|| known(&mut data, None)).transpose()?;
-    let mut point = settle_clock(request, &mut data, &charts, start, first.clone())?;
-    // What effects ask for is asked for at the samples' times.
-    if covariates && point.is_some() {
-        point = Some(known(&mut data, point.as_ref())?);
-    }
-    let point = point.or(first);
-    Ok(Begun {
+    let charts = charts(&data, &request.accelerometer, &start)?;
+    let mut run = Run {
+        request,
         data,
         charts,
-        point,
-    })
+        start,
+    };
+    let first = covariates.then(|| run.know(cuts, None)).transpose()?;
+    let mut point = settle_clock(&mut run, first.clone())?;
+    // What effects ask for is asked for at the samples' times.
+    if covariates && point.is_some() {
+        point = Some(run.know(cuts, point.as_ref())?);
+    }
+    Ok((run, point.or(first)))
 }
 
 /// From a fit of the same recordings with other effects: what these change is small.
-fn go_on(
-    request: &JointRequest<'_>,
-    start: &Start,
+fn go_on<'a>(
+    request: &'a JointRequest<'a>,
+    start: Start,
     cuts: &[Cut<'_>],
     before: &JointFit,
-) -> Result<Begun, Error> {
-    let (mut data, charts) = (before.data.clone(), before.charts.clone());
-    let run = Run {
+) -> Result<Begun<'a>, Error> {
+    let mut run = Run {
         request,
-        data: &data,
-        charts: &charts,
+        data: before.data.clone(),
+        charts: before.charts.clone(),
         start,
     };
-    let rows = run.rows(&[]);
-    let x = run.begin_at(&rows);
+    let x = run.begin_at(&run.rows(&[]));
     let point = run.approach(&run.weights_at(x.values()), None)?;
-    let settled = settle_clock(request, &mut data, &charts, start, Some(point.clone()))?;
-    let point = settled.unwrap_or(point);
-    let models = Run {
-        request,
-        data: &data,
-        charts: &charts,
-        start,
-    }
-    .models(&point);
-    write_down(request, &mut data, cuts, &models);
-    Ok(Begun {
-        data,
-        charts,
-        point: Some(point),
-    })
-}
-
-/// Works out what effects look at: by the models at first, or at the fit before, then by those of a first fit, which is
-/// returned.
-fn know(
-    request: &JointRequest<'_>,
-    data: &mut Data,
-    cuts: &[Cut<'_>],
-    charts: &[Chart],
-    start: &Start,
-    before: Option<&Point>,
-) -> Result<Point, Error> {
-    let first = match before {
-        Some(point) => Run {
-            request,
-            data,
-            charts,
-            start,
-        }
-        .models(point),
-        None => {
-            let perfect = request.gyroscope.parameters();
-            let first = start.accelerometer.iter();
-            first
-                .map(|p| (p.clone(), perfect.values().to_vec()))
-                .collect()
-        }
-    };
-    write_down(request, data, cuts, &first);
-    let run = Run {
-        request,
-        data,
-        charts,
-        start,
-    };
-    let point = run.approach(&run.weights_near(None), before)?;
-    let fitted = run.models(&point);
-    write_down(request, data, cuts, &fitted);
-    Ok(point)
+    let point = settle_clock(&mut run, Some(point.clone()))?.unwrap_or(point);
+    let models = run.models(&point);
+    run.write_down(cuts, &models);
+    Ok((run, Some(point)))
 }
 
 /// Parameters of the accelerometer and the gyroscope in each recording.
 type ByRecording = Vec<(Vec<f64>, Vec<f64>)>;
 
-fn write_down(request: &JointRequest<'_>, data: &mut Data, cuts: &[Cut<'_>], models: &ByRecording) {
-    for (k, (cut, (force, rate))) in cuts.iter().zip(models).enumerate() {
-        let (force, rate) = (
-            (&request.accelerometer, force.as_slice()),
-            (&request.gyroscope, rate.as_slice()),
-        );
-        let truth = by_models(cut, force, rate);
-        data.know(k, &truth, cut.recording.start());
-    }
-    data.forget_what_some_know();
-}
-
 impl Run<'_> {
+    /// Works out what effects look at: by the models at first, or at the fit before, then by those of a first fit, which is
+    /// returned.
+    fn know(&mut self, cuts: &[Cut<'_>], before: Option<&Point>) -> Result<Point, Error> {
+        let first = match before {
+            Some(point) => self.models(point),
+            None => {
+                let perfect = self.request.gyroscope.parameters();
+                let first = self.start.accelerometer.iter();
+                first
+                    .map(|p| (p.clone(), perfect.values().to_vec()))
+                    .collect()
+            }
+        };
+        self.write_down(cuts, &first);
+        let point = self.approach(&self.weights_near(None), before)?;
+        let fitted = self.models(&point);
+        self.write_down(cuts, &fitted);
+        Ok(point)
+    }
+
+    fn write_down(&mut self, cuts: &[Cut<'_>], models: &ByRecording) {
+        let request = self.request;
+        for (k, (cut, (force, rate))) in cuts.iter().zip(models).enumerate() {
+            let (force, rate) = (
+                (&request.accelerometer, force.as_slice()),
+                (&request.gyroscope, rate.as_slice()),
+            );
+            let truth = by_models(cut, force, rate);
+            self.data.know(k, &truth, cut.recording.start());
+        }
+        self.data.forget_what_some_know();
+    }
+
     /// The models at a fit: what effects look at depends on them in second order only.
     fn models(&self, point: &Point) -> ByRecording {
         let (rows, x) = (self.rows(&[]), point.parameters.values());

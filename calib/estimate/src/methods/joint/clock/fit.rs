@@ -12,9 +12,6 @@ use super::sampling::{Share, likeliest};
 use crate::methods::joint::clock::{ClockMode, ClockState, DecidedClock};
 use crate::methods::joint::data::{Data, Source};
 use crate::methods::joint::minimum::{Point, Run};
-use crate::methods::joint::request::JointRequest;
-use crate::methods::joint::rows::chart::Chart;
-use crate::methods::joint::start::Start;
 
 /// Rounds at most, for one clock.
 const ROUNDS: usize = 5;
@@ -64,47 +61,47 @@ const WHOLE: f64 = 0.9;
 /// # Errors
 /// What the solver refuses.
 pub(crate) fn settle_clock(
-    request: &JointRequest<'_>,
-    data: &mut Data,
-    charts: &[Chart],
-    start: &Start,
+    run: &mut Run<'_>,
     point: Option<Point>,
 ) -> Result<Option<Point>, Error> {
+    let request = run.request;
     let mut fit = ClockFit {
-        request,
-        charts,
-        start,
+        run,
         open: Vec::new(),
         point,
         decided: request.clocks.clone(),
     };
+    let data = &fit.run.data;
     let left = if request.clocks.is_some() {
         if !data.misses_something_between_samples() {
             return Ok(None);
         }
-        fit.rounds(data)?
+        fit.rounds()?
     } else {
-        if request.clock == ClockMode::Auto {
-            fit.open = data.with_scatter();
-        }
         let is_slow = |source: &Source| source.gyroscope.is_some_and(|n| n.interval > SLOW);
         let all = 0..data.sources.len();
         let slow: Vec<usize> = all.clone().filter(|&k| is_slow(&data.sources[k])).collect();
-        if fit.open.is_empty() && slow.is_empty() && !all.clone().any(|k| data.jumps(k)) {
+        let jumps = all.clone().any(|k| data.jumps(k));
+        if request.clock == ClockMode::Auto {
+            fit.open = data.with_scatter();
+        }
+        if fit.open.is_empty() && slow.is_empty() && !jumps {
             return Ok(None);
         }
-        let left = fit.choose(data, &slow)?;
+        let left = fit.choose(&slow)?;
         match request.disturbances {
             true => left,
-            false => fit.with_the_whole_scatter(data, left)?,
+            false => fit.with_the_whole_scatter(left)?,
         }
     };
-    fit.decide(data, &left);
+    fit.decide(&left);
+    let ClockFit { run, point, .. } = fit;
     // What scatters beyond noise and clock is judged with everything else.
-    data.sources
+    run.data
+        .sources
         .iter_mut()
         .for_each(|source| source.floor = 0.0);
-    Ok(fit.point)
+    Ok(point)
 }
 
 /// The usual share in place of a scatter, for the recordings with jumps.
@@ -138,10 +135,8 @@ fn say_how_sure(data: &mut Data, left: &Left) {
 }
 
 /// A fit on its way.
-struct ClockFit<'a> {
-    request: &'a JointRequest<'a>,
-    charts: &'a [Chart],
-    start: &'a Start,
+struct ClockFit<'a, 'b> {
+    run: &'a mut Run<'b>,
     /// The recordings whose share is fitted.
     open: Vec<usize>,
     point: Option<Point>,
@@ -149,57 +144,59 @@ struct ClockFit<'a> {
     decided: Option<Vec<DecidedClock>>,
 }
 
-impl ClockFit<'_> {
+impl ClockFit<'_, '_> {
     /// The likeliest clocks: the shares from two starts, then what is behind the stamps, then what the samples of the `slow`
     /// recordings are.
-    fn choose(&mut self, data: &mut Data, slow: &[usize]) -> Result<Left, Error> {
-        let mut left = self.rounds(data)?;
-        if data.sources.iter().any(|source| source.floor > 0.0) {
-            left = self.anew_with_a_share(data, left)?;
+    fn choose(&mut self, slow: &[usize]) -> Result<Left, Error> {
+        let mut left = self.rounds()?;
+        let scatters = |source: &Source| source.floor > 0.0;
+        if self.run.data.sources.iter().any(scatters) {
+            left = self.anew_with_a_share(left)?;
         }
         for k in self.open.clone() {
-            if data.bases(k) < 2 {
+            if self.run.data.bases(k) < 2 {
                 continue;
             }
-            let before = (data.sources[k].clock, left.misfit(data, k));
-            data.set_clock(k, 1, before.0.share);
-            left = self.rounds(data)?;
-            if left.misfit(data, k) >= before.1 {
-                data.set_clock(k, 0, before.0.share);
-                left = self.rounds(data)?;
+            let share = self.run.data.sources[k].clock.share;
+            let misfit = left.misfit(&self.run.data, k);
+            self.run.data.set_clock(k, 1, share);
+            left = self.rounds()?;
+            if left.misfit(&self.run.data, k) >= misfit {
+                self.run.data.set_clock(k, 0, share);
+                left = self.rounds()?;
             }
         }
         for &k in slow {
-            let (before, score) = (data.decided_clocks(), left.score(data, k));
-            let point = self.point.clone();
-            data.sources[k].clock.instants = true;
-            left = self.rounds(data)?;
-            if left.score(data, k) < score + EVIDENT {
+            let score = left.score(&self.run.data, k);
+            let (before, point) = (self.run.data.decided_clocks(), self.point.clone());
+            self.run.data.sources[k].clock.instants = true;
+            left = self.rounds()?;
+            if left.score(&self.run.data, k) < score + EVIDENT {
                 // The last point may lie elsewhere: what is judged is judged at the one that stays.
-                data.go_by(&before);
+                self.run.data.go_by(&before);
                 self.point = point;
-                left = self.fit(data)?;
+                left = self.fit()?;
             }
         }
         Ok(left)
     }
 
     /// Fits until the shares stand still, or the data are less likely under others.
-    fn rounds(&mut self, data: &mut Data) -> Result<Left, Error> {
-        let mut left = self.fit(data)?;
+    fn rounds(&mut self) -> Result<Left, Error> {
+        let mut left = self.fit()?;
         for _ in 0..ROUNDS {
-            let (before, point) = (data.decided_clocks(), self.point.clone());
-            let moved = self.sampling(data, &left) | self.shares(data, &left);
+            let (before, point) = (self.run.data.decided_clocks(), self.point.clone());
+            let moved = self.sampling(&left) | self.shares(&left);
             if !moved {
                 break;
             }
-            let next = self.fit(data)?;
+            let next = self.fit()?;
             if next.likelihood < left.likelihood - LESS_LIKELY {
-                let clocks = before.into_iter().zip(&data.sources);
+                let clocks = before.into_iter().zip(&self.run.data.sources);
                 let clocks = clocks.map(|(before, since)| before.with_fitted(&since.clock));
-                data.go_by(&clocks.collect::<Vec<_>>());
+                self.run.data.go_by(&clocks.collect::<Vec<_>>());
                 self.point = point;
-                say_how_sure(data, &left);
+                say_how_sure(&mut self.run.data, &left);
                 break;
             }
             left = next;
@@ -212,15 +209,15 @@ impl ClockFit<'_> {
     ///
     /// Turns that were believed to their noise at first bend the models, and what then remains of them looks like a scatter
     /// that is the same for all.
-    fn anew_with_a_share(&mut self, data: &mut Data, left: Left) -> Result<Left, Error> {
-        let (before, point) = (data.decided_clocks(), self.point.clone());
-        begin_with_a_share(data);
-        let from_share = self.rounds(data)?;
-        let mut shares = data.sources.iter().map(|s| s.clock.sampling.value);
+    fn anew_with_a_share(&mut self, left: Left) -> Result<Left, Error> {
+        let (before, point) = (self.run.data.decided_clocks(), self.point.clone());
+        begin_with_a_share(&mut self.run.data);
+        let from_share = self.rounds()?;
+        let mut shares = self.run.data.sources.iter().map(|s| s.clock.sampling.value);
         if from_share.likelihood > left.likelihood && shares.all(|share| share < WHOLE) {
             return Ok(from_share);
         }
-        data.go_by(&before);
+        self.run.data.go_by(&before);
         self.point = point;
         Ok(left)
     }
@@ -228,17 +225,19 @@ impl ClockFit<'_> {
     /// Refits with the whole scatter of the turns given to the sampling share, where the request allows the turns no
     /// scatter beyond all noise.
     /// The fits that this one is compared with do the same: a comparison needs the same noise in all of them.
-    fn with_the_whole_scatter(&mut self, data: &mut Data, left: Left) -> Result<Left, Error> {
+    fn with_the_whole_scatter(&mut self, left: Left) -> Result<Left, Error> {
         let shares = |source: &Source| source.floor > 0.0 && source.clock.sampling.value > 0.0;
-        if !data.sources.iter().any(shares) {
+        if !self.run.data.sources.iter().any(shares) {
             return Ok(left);
         }
-        self.decided = Some(data.decided_clocks());
-        data.sources
+        self.decided = Some(self.run.data.decided_clocks());
+        self.run
+            .data
+            .sources
             .iter_mut()
             .filter(|source| shares(source))
             .for_each(|source| source.floor = 0.0);
-        self.rounds(data)
+        self.rounds()
     }
 
     /// Returns the earlier decision on whether a recording misses something between samples; `None` without one.
@@ -248,31 +247,27 @@ impl ClockFit<'_> {
     }
 
     /// The minimum with the shares as they are.
-    fn fit(&mut self, data: &Data) -> Result<Left, Error> {
-        let run = Run {
-            request: self.request,
-            data,
-            charts: self.charts,
-            start: self.start,
-        };
-        let noise = run.noise_near(self.point.as_ref());
-        let weights = run.weights_under(&noise);
-        let point = run.approach(&weights, self.point.as_ref())?;
+    fn fit(&mut self) -> Result<Left, Error> {
+        let noise = self.run.noise_near(self.point.as_ref());
+        let weights = self.run.weights_under(&noise);
+        let point = self.run.approach(&weights, self.point.as_ref())?;
         let under = (&weights.whitening.white, noise.by_share.as_slice());
-        let left = Left::of_fit(&run, &point, under, &self.open);
+        let left = Left::of_fit(self.run, &point, under, &self.open);
         self.point = Some(point);
         Ok(left)
     }
 
     /// The likeliest sampling share of every recording; whether any moved.
-    fn sampling(&self, data: &mut Data, left: &Left) -> bool {
+    fn sampling(&mut self, left: &Left) -> bool {
         let mut moved = false;
-        for k in 0..data.sources.len() {
+        for k in 0..self.run.data.sources.len() {
+            let decided = self.decided(k);
+            let data = &mut self.run.data;
             if !data.jumps(k) {
                 continue;
             }
             let before = data.sources[k].levels();
-            let (share, floor) = likeliest(&left.of(data, k), before, self.decided(k));
+            let (share, floor) = likeliest(&left.of(data, k), before, decided);
             data.sources[k].clock.sampling = share;
             data.sources[k].floor = floor;
             let differs = |a: f64, b: f64, by: f64| (a - b).abs() > by * a.max(b);
@@ -283,7 +278,8 @@ impl ClockFit<'_> {
     }
 
     /// The likeliest shares of the clocks; whether any moved.
-    fn shares(&self, data: &mut Data, left: &Left) -> bool {
+    fn shares(&mut self, left: &Left) -> bool {
+        let data = &mut self.run.data;
         let Some((steps, errors)) = left.steps(data) else {
             return false;
         };
@@ -304,7 +300,8 @@ impl ClockFit<'_> {
     }
 
     /// Takes 0 or 1 where `χ²` allows it.
-    fn decide(&self, data: &mut Data, left: &Left) {
+    fn decide(&mut self, left: &Left) {
+        let data = &mut self.run.data;
         for k in 0..data.sources.len() {
             if data.turns.iter().any(|turn| turn.recording == k) {
                 data.sources[k].clock.misfit = Some(left.whole_misfit(data, k));
@@ -362,7 +359,7 @@ mod tests {
     use simulate::{Grade, Sampling, Spec};
 
     use super::*;
-    use crate::methods::joint::{SourceClock, fit_joint};
+    use crate::methods::joint::{JointRequest, SourceClock, fit_joint};
 
     fn clock_of(spec: &Spec) -> SourceClock {
         let recording = spec.run().unwrap().recording;

@@ -37,8 +37,8 @@ impl Data {
     /// Every sample is in one chunk or in one turn, so that their white noise is independent.
     pub fn add(&mut self, cut: &Cut<'_>) {
         let place = self.sources.len();
-        let force = near_si(cut.recording.accelerometer.as_ref(), cut.force_unit);
-        let rate = near_si(cut.recording.gyroscope.as_ref(), cut.rate_unit);
+        let force = near_si(cut.recording.accelerometer.as_ref(), &cut.force_unit);
+        let rate = near_si(cut.recording.gyroscope.as_ref(), &cut.rate_unit);
         let (force, rate) = (force.as_deref(), rate.as_deref());
         let spans: Vec<Span> = cut
             .segmentation

@@ -124,7 +124,7 @@ impl Run<'_> {
         match &self.request.bias_noise {
             Some(noise) => noise.levels(),
             None => {
-                let within = within(self.data, &analysis.estimated_kinds());
+                let within = within(&self.data, &analysis.estimated_kinds());
                 analysis.levels(known, &within, before)
             }
         }

@@ -11,7 +11,7 @@ pub type NearSi<'a> = (&'a Model, &'a [f64]);
 
 /// Builds the true signals of a recording from the units of its readings alone.
 pub fn by_units<'a>(cut: &Cut<'a>) -> Truth<'a> {
-    let first = |sensor, unit: &RawUnit| Some(Sensing::first(Model::base(sensor), *unit));
+    let first = |sensor, unit: RawUnit| Some(Sensing::first(Model::base(sensor), unit));
     let models = Models {
         accelerometer: first(Sensor::Accelerometer, cut.force_unit),
         ..Models::default()
@@ -21,11 +21,11 @@ pub fn by_units<'a>(cut: &Cut<'a>) -> Truth<'a> {
 
 /// Builds the true signals of a recording from models of its sensors.
 pub fn by_models<'a>(cut: &Cut<'a>, force: NearSi<'_>, rate: NearSi<'_>) -> Truth<'a> {
-    let sensing = |(model, p): NearSi<'_>, unit: &RawUnit| {
+    let sensing = |(model, p): NearSi<'_>, unit: RawUnit| {
         Some(Sensing {
             model: model.clone(),
             parameters: p.to_vec(),
-            unit: *unit,
+            unit,
         })
     };
     let models = Models {
