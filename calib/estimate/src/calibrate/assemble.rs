@@ -1,7 +1,6 @@
 //! The fits written down as a [`Calibration`].
 
 use findings::{Finding, Findings, Kind};
-use nalgebra::Matrix3;
 use recording::intervals::Segmentation;
 use recording::{Error, Recording};
 use sensor::{BASE_PARAMETERS, Base, Model, PLACES, Sensor, base_names};
@@ -12,8 +11,8 @@ use super::rest_bias::rest_bias;
 use super::static_norm::{StaticNorms, per_degree_of_freedom};
 use super::{checks, noise};
 use crate::calibration::{
-    Calibration, EffectParameter, EffectValues, Outside, Provenance, RecordingBias, Remainder,
-    SCHEMA, Triad, WITHOUT_WALKS, effect_named,
+    Calibration, EffectParameter, EffectValues, Outside, RecordingBias, Remainder, Triad,
+    WITHOUT_WALKS, effect_named,
 };
 use crate::methods::joint::Channel;
 use crate::methods::{AccelerometerFit, Choice, Fitted, GyroscopeFit};
@@ -57,14 +56,8 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
         for (recording, choice) in recordings.iter().zip(choices) {
             warnings.extend(checks::long_turns(recording, &choice.segmentation));
         }
-        let said = checks::ForceFit {
-            base: Base::from_parameters(fit.fitted.parameters.values()),
-            std: checks::diagonal_std(&fit.fitted, Sensor::Accelerometer),
-            unit: fit.unit,
-            gravity: request.gravity,
-            recordings,
-        }
-        .said();
+        let force = checks::ForceFit::of(&fit.fitted, fit.unit, request.gravity, recordings);
+        let said = force.said();
         said.add_to(&mut failed_gates, &mut warnings);
         accelerometer_triad(fit, recordings, norms.as_ref(), request)
     });
@@ -72,15 +65,8 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
         (Some(fit), Some(force)) => {
             table.add(&fit.fitted);
             let turned: Vec<&Recording> = turning.iter().map(|(recording, _)| *recording).collect();
-            let said = checks::RateFit {
-                base: Base::from_parameters(fit.fitted.parameters.values()),
-                std: checks::diagonal_std(&fit.fitted, Sensor::Gyroscope),
-                scale: fit.unit.scale,
-                missed: fit.rms(),
-                force_is_si: force.unit.is_si(),
-                recordings: &turned,
-            }
-            .said();
+            let rate = checks::RateFit::of(&fit.fitted, &fit.unit, fit.rms(), &force.unit, &turned);
+            let said = rate.said();
             said.add_to(&mut failed_gates, &mut warnings);
             Some(gyroscope_triad(fit, force, turning, request, &mut table))
         }
@@ -125,29 +111,16 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
         .zip(norms.as_ref())
         .map_or_else(Vec::new, |(fit, norms)| left_out_by_norms(fit, norms));
     let calibration = Calibration {
-        schema: SCHEMA.into(),
-        created_by: concat!("stillpoint ", env!("CARGO_PKG_VERSION")).into(),
-        gravity: request.gravity,
-        gravity_source: request.gravity_source,
-        method: "stepwise".into(),
         accelerometer: accelerometer_triad,
         gyroscope: gyroscope_triad,
-        magnetometer: None,
-        magnetic_field: None,
-        scalars: Vec::new(),
-        not_calibrated: Vec::new(),
         effects,
         parameters: table.names,
         covariance: table.covariance,
         misfit: remainders,
         left_out,
         warnings,
-        clocks: Vec::new(),
-        history: Vec::new(),
         failed_gates,
-        limits: Vec::new(),
-        prior: None,
-        provenance: Provenance::of(Vec::new(), None),
+        ..Calibration::by("stepwise", request.gravity, request.gravity_source)
     };
     Ok(match request.frame {
         Frame::Triangular => calibration,
@@ -277,23 +250,11 @@ fn direction_freedom(fit: &GyroscopeFit, rms: f64, reduced_chi2: f64) -> f64 {
 fn resting_gyroscope(turning: &[(&Recording, &Segmentation)], table: &mut Table) -> Option<Triad> {
     let rests = turning.iter().flat_map(|(_, s)| &s.statics);
     rests.clone().find_map(|rest| rest.gyroscope)?;
-    let identity = Matrix3::identity();
     let mut triad = Triad {
-        model: Sensor::Gyroscope.equation().into(),
-        t: rows(&identity),
-        bias: [0.0; 3],
-        t_std: [[None; 3]; 3],
-        bias_std: [None; 3],
-        bias_time: None,
-        residual_rms: 0.0,
-        reduced_chi2: None,
         static_intervals: Some(rests.count()),
-        dynamic_intervals: None,
         rank: 3,
-        condition: 1.0,
         unobservable: vec![Finding::of(Kind::NotSeenWithoutGravity).what()],
-        units: None,
-        recordings: Vec::new(),
+        ..Triad::of(Sensor::Gyroscope, &Base::identity())
     };
     rest_biases(&mut triad, turning, table);
     Some(triad)
@@ -334,26 +295,13 @@ pub(super) fn triad(sensor: Sensor, fitted: &Fitted) -> Triad {
         t_std[i][j] = fitted.standard_error(name);
     }
     Triad {
-        model: sensor.equation().into(),
-        t: rows(&base.t),
-        bias: base.bias.into(),
         t_std,
         bias_std: [9, 10, 11].map(|k| fitted.standard_error(&names[k])),
-        bias_time: None,
-        residual_rms: 0.0,
-        reduced_chi2: None,
-        static_intervals: None,
-        dynamic_intervals: None,
         rank: fitted.rank,
         condition: fitted.condition,
         unobservable: fitted.unobservable.clone(),
-        units: None,
-        recordings: Vec::new(),
+        ..Triad::of(sensor, &base)
     }
-}
-
-fn rows(t: &Matrix3<f64>) -> [[f64; 3]; 3] {
-    std::array::from_fn(|i| std::array::from_fn(|j| t[(i, j)]))
 }
 
 pub(super) fn effect_values<'a>(

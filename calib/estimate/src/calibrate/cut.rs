@@ -125,12 +125,7 @@ fn whole(recording: &Recording, request: &Request, k: Option<usize>) -> Result<C
         .filter(|spans| !spans.is_empty())
     {
         let segmentation = Segmentation::from_spans(recording, spans, request.detector.multiplier);
-        return Ok(Choice {
-            segmentation,
-            trials: Vec::new(),
-            shortened: None,
-            of_another: None,
-        });
+        return Ok(Choice::given(segmentation));
     }
     let (choose, gravity) = (request.choose_multiplier, request.gravity);
     let detector = Detector {

@@ -11,7 +11,7 @@ use crate::methods::joint::{JointFit, effect_slopes};
 use crate::methods::left_out::squares_added;
 use crate::methods::{AccelerometerFit, Fitted};
 use crate::residuals::{GravityNorm, StaticMean};
-use crate::truth::{supposed, unneeded};
+use crate::truth::supposed;
 
 /// The effects that a joint fit leaves out: all of the catalogue that are functions of what their sensor measures, whatever
 /// else happens.
@@ -100,11 +100,7 @@ fn slopes_of_norms(fit: &AccelerometerFit, norms: &StaticNorms) -> Option<Mat<f6
         .map(|name| parameters.index(name))
         .collect::<Option<_>>()?;
     let means: Vec<StaticMean> = (norms.each())
-        .map(|norm| StaticMean {
-            raw: *norm.mean,
-            rest: unneeded(),
-            white: 0.0,
-        })
+        .map(|norm| StaticMean::bare(*norm.mean))
         .collect();
     let problem = GravityNorm {
         model: &accelerometer::model(),

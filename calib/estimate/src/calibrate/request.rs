@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use recording::intervals::{Detector, Span};
 use recording::watch::Watch;
 use recording::{Error, Recording};
-use sensor::{EffectRef, ScalarSensorRef};
+use sensor::{EffectRef, Model, ScalarSensorRef, Sensor};
 use serde::{Deserialize, Serialize};
 
 use crate::gravity::{GravitySource, STANDARD_GRAVITY};
@@ -146,6 +146,12 @@ impl Request {
             )),
             None => Ok(()),
         }
+    }
+
+    /// The base model of a sensor with its effects.
+    pub(super) fn model(&self, sensor: Sensor) -> Model {
+        let effects = self.effects.iter().cloned();
+        effects.fold(Model::base(sensor), Model::with)
     }
 
     /// The same with a method that is no longer open.

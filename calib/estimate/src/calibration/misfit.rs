@@ -77,18 +77,11 @@ impl Remainder {
 
     /// Builds it from a channel of the joint fit.
     pub fn of(misfit: &ChannelMisfit) -> Self {
+        let (rms, reduced_chi2) = (misfit.rms, misfit.chi2 / misfit.dof);
         Self {
-            channel: misfit.channel,
-            rms: misfit.rms,
-            noise: misfit.noise,
-            unit: unit(misfit.channel).into(),
-            reduced_chi2: misfit.chi2 / misfit.dof,
-            degrees_of_freedom: misfit.dof,
             p_value: misfit.p_value,
-            pattern: None,
-            pattern_p_value: None,
+            ..Self::new(misfit.channel, rms, reduced_chi2, misfit.dof).depending(misfit.pattern)
         }
-        .depending(misfit.pattern)
     }
 
     /// A finding where more than `limit` times the noise is left and chance does not explain it.

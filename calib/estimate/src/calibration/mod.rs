@@ -211,6 +211,27 @@ pub struct RecordingBias {
 }
 
 impl Triad {
+    /// Builds the triad of a base model of which nothing else is known yet.
+    pub fn of(sensor: Sensor, base: &Base<f64>) -> Self {
+        Self {
+            model: sensor.equation().into(),
+            t: std::array::from_fn(|i| std::array::from_fn(|j| base.t[(i, j)])),
+            bias: base.bias.into(),
+            t_std: [[None; 3]; 3],
+            bias_std: [None; 3],
+            bias_time: None,
+            residual_rms: 0.0,
+            reduced_chi2: None,
+            static_intervals: None,
+            dynamic_intervals: None,
+            rank: 0,
+            condition: 1.0,
+            unobservable: Vec::new(),
+            units: None,
+            recordings: Vec::new(),
+        }
+    }
+
     /// The base model.
     pub fn base(&self) -> Base<f64> {
         Base {
@@ -221,6 +242,35 @@ impl Triad {
 }
 
 impl Calibration {
+    /// Builds a calibration by a `method`, in which no sensor is calibrated yet.
+    pub fn by(method: &str, gravity: f64, gravity_source: GravitySource) -> Self {
+        Self {
+            schema: SCHEMA.into(),
+            created_by: concat!("stillpoint ", env!("CARGO_PKG_VERSION")).into(),
+            gravity,
+            gravity_source,
+            method: method.into(),
+            accelerometer: None,
+            gyroscope: None,
+            magnetometer: None,
+            magnetic_field: None,
+            scalars: Vec::new(),
+            not_calibrated: Vec::new(),
+            effects: Vec::new(),
+            parameters: Vec::new(),
+            covariance: Vec::new(),
+            misfit: Vec::new(),
+            left_out: Vec::new(),
+            warnings: Findings::new(),
+            failed_gates: Findings::new(),
+            limits: Vec::new(),
+            prior: None,
+            clocks: Vec::new(),
+            history: Vec::new(),
+            provenance: Provenance::of(Vec::new(), None),
+        }
+    }
+
     /// Writes down what it was made from.
     pub fn state_inputs<'a>(
         &mut self,

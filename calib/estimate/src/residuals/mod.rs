@@ -17,6 +17,8 @@ pub use together::{Recordings, Stacked};
 use nalgebra::Vector3;
 use sensor::Kinematics;
 
+use crate::truth::unneeded;
+
 /// A mean reading (raw unit) and what else is known of its static interval.
 #[derive(Clone, Copy, Debug)]
 pub struct StaticMean {
@@ -27,4 +29,15 @@ pub struct StaticMean {
     /// Standard deviation of an axis of the mean by the white noise within the interval, raw unit;
     /// zero where it is not known.
     pub white: f64,
+}
+
+impl StaticMean {
+    /// Builds a mean of which nothing else is known.
+    pub fn bare(raw: Vector3<f64>) -> Self {
+        Self {
+            raw,
+            rest: unneeded(),
+            white: 0.0,
+        }
+    }
 }

@@ -24,7 +24,7 @@ pub use of_the_device::readings_of_the_device;
 pub use on_top::corrected_before;
 pub(super) use on_top::reads_zero_at_rest;
 pub(super) use plausible::none_is_turned;
-pub(super) use plausible::{ForceFit, RateFit, diagonal_std, signed_axes, turned_field};
+pub(super) use plausible::{ForceFit, RateFit, signed_axes, turned_field};
 pub use plausible::{Said, implausible, implausible_base};
 pub(super) use rests::{disagreeing_rests, long_turns, restless};
 pub(super) use twice::none_is_there_twice;
@@ -32,14 +32,12 @@ pub use twice::without_copies;
 pub(super) use unknowable::{refuse_attitude, refuse_unknowable};
 
 use ::findings::{Finding, Kind};
-use nalgebra::Vector3;
 use recording::readings::{Quiet, quietest, symptoms};
 use recording::{Error, Recording, Stream};
 use sensor::{EffectRef, Quantity};
 
 use crate::methods::Choice;
 use crate::residuals::StaticMean;
-use crate::truth::unneeded;
 
 /// Rates above this are said to be more than needed, and which would do, Hz.
 const FASTEST: f64 = 5000.0;
@@ -71,15 +69,6 @@ fn fast_sampling(recording: &Recording) -> Option<Finding> {
             .number("rate", rate, "Hz")
             .number("block", (rate / ENOUGH_RATE).round(), "count")
     })
-}
-
-/// A mean of which nothing else is known.
-pub(super) fn bare_mean(raw: Vector3<f64>) -> StaticMean {
-    StaticMean {
-        raw,
-        rest: unneeded(),
-        white: 0.0,
-    }
 }
 
 /// Refuses effects that look at more than the specific force: of means from a file nothing else is known.

@@ -10,6 +10,7 @@ mod written_down;
 
 use findings::{Finding, Findings, Kind};
 use recording::{Error, Recording};
+use sensor::Sensor;
 
 pub use self::determined::refuse_unobservable;
 pub use self::latitude::LatitudeDoubt;
@@ -54,11 +55,8 @@ pub(super) fn calibrate(
         .map(|(own, choice)| (*own, &choice.segmentation));
     let cut: Vec<_> = cut.collect();
     checks::refuse_unknowable(cut.iter().copied(), &request.effects)?;
-    let (mut accelerometer, mut gyroscope) = (accelerometer::model(), gyroscope::model());
-    for effect in &request.effects {
-        accelerometer = accelerometer.with(effect.clone());
-        gyroscope = gyroscope.with(effect.clone());
-    }
+    let accelerometer = request.model(Sensor::Accelerometer);
+    let mut gyroscope = request.model(Sensor::Gyroscope);
     // Where nobody says the latitude and no effect estimates it, the earth's rotation is uncertainty.
     let earth = request.latitude.is_none() && !earth::is_among(&request.effects);
     let held = match request.latitude {

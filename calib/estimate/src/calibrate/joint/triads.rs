@@ -1,11 +1,9 @@
 //! The sensors of a calibration from a joint fit.
 
 use findings::{Finding, Kind};
-use recording::Recording;
-use sensor::{BASE_PARAMETERS, Base, Sensor};
+use sensor::{BASE_PARAMETERS, Sensor};
 
 use crate::calibrate::assemble::triad;
-use crate::calibrate::checks;
 use crate::calibration::{BiasTime, RecordingBias, Triad};
 use crate::methods::Fitted;
 use crate::methods::joint::{BiasMotion, JointFit, Source};
@@ -18,37 +16,6 @@ const SHOWS: f64 = 0.05;
 
 /// The same of one that wanders: 17 mm/s² or 36 °/h, more than any sensor's noise makes in minutes.
 const WANDERS: f64 = 0.1;
-
-/// The accelerometer as it is held against gravity.
-pub fn force_fit<'a>(
-    fit: &JointFit,
-    fitted: &Fitted,
-    recordings: &'a [&'a Recording],
-) -> checks::ForceFit<'a> {
-    checks::ForceFit {
-        base: Base::from_parameters(fitted.parameters.values()),
-        std: checks::diagonal_std(fitted, Sensor::Accelerometer),
-        unit: fit.force_unit,
-        gravity: fit.gravity,
-        recordings,
-    }
-}
-
-/// The gyroscope as it is held against the turns.
-pub fn rate_fit<'a>(
-    fit: &JointFit,
-    fitted: &Fitted,
-    recordings: &'a [&'a Recording],
-) -> checks::RateFit<'a> {
-    checks::RateFit {
-        base: Base::from_parameters(fitted.parameters.values()),
-        std: checks::diagonal_std(fitted, Sensor::Gyroscope),
-        scale: fit.rate_unit.scale,
-        missed: fit.missed(),
-        force_is_si: fit.force_unit.is_si(),
-        recordings,
-    }
-}
 
 /// The accelerometer.
 pub fn force_triad(fit: &JointFit, fitted: &Fitted, moved: Option<&BiasMotion>) -> Triad {

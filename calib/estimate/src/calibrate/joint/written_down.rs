@@ -9,7 +9,7 @@ use super::determined::{check_force, check_rate};
 use super::doubts::{disturbances, influences, placements_apart};
 use super::latitude::LatitudeDoubt;
 use super::misfits::say_misfits;
-use super::triads::{force_fit, force_triad, rate_fit, rate_triad};
+use super::triads::{force_triad, rate_triad};
 use crate::calibrate::assemble::effect_values;
 use crate::calibrate::checks;
 use crate::calibrate::left_out::left_out;
@@ -17,8 +17,8 @@ use crate::calibrate::prepared::clocks;
 use crate::calibrate::request::Frame;
 use crate::calibrate::unusable_turns::TurnCount;
 use crate::calibration::{
-    Calibration, NotCalibrated, NotCalibratedReason, Provenance, RecordingBias, RecordingClock,
-    Remainder, SCHEMA, Triad, in_symmetric_frame,
+    Calibration, NotCalibrated, NotCalibratedReason, RecordingBias, RecordingClock, Remainder,
+    Triad, in_symmetric_frame,
 };
 use crate::gravity::GravitySource;
 use crate::methods::joint::{BiasMotion, Channel, JointFit};
@@ -98,10 +98,11 @@ pub fn written_down(
         .collect();
     failed_gates.extend(not_calibrated.iter().map(NotCalibrated::gate));
     failed_gates.extend(placements_apart(fit));
-    let said = force_fit(fit, &force, recordings).said();
+    let said = checks::ForceFit::of(&force, fit.force_unit, fit.gravity, recordings).said();
     said.add_to(&mut failed_gates, warnings);
     if let Some(rate) = turned {
-        let said = rate_fit(fit, rate, recordings).said();
+        let (missed, force_unit) = (fit.missed(), &fit.force_unit);
+        let said = checks::RateFit::of(rate, &fit.rate_unit, missed, force_unit, recordings).said();
         said.add_to(&mut failed_gates, warnings);
     }
     warnings.extend(clocks::doubts(fit));
@@ -131,11 +132,6 @@ pub fn written_down(
         own.map(|r| r.reduced_chi2)
     };
     let calibration = Calibration {
-        schema: SCHEMA.into(),
-        created_by: concat!("stillpoint ", env!("CARGO_PKG_VERSION")).into(),
-        gravity: account.gravity,
-        gravity_source: account.gravity_source,
-        method: "joint".into(),
         accelerometer: Some(Triad {
             reduced_chi2: chi2(Channel::Force),
             ..force_triad(fit, &force, moved_force.as_ref())
@@ -144,22 +140,15 @@ pub fn written_down(
             reduced_chi2: chi2(Channel::Direction),
             ..rate_triad(fit, rate, moved_rate.as_ref())
         }),
-        magnetometer: None,
-        magnetic_field: None,
-        scalars: Vec::new(),
         not_calibrated,
         effects,
         left_out: left_out(fit, &all),
         parameters: all.free,
         covariance: all.covariance,
         misfit: remainders,
-        warnings: Findings::new(),
         clocks: RecordingClock::of(fit),
-        history: Vec::new(),
         failed_gates,
-        limits: Vec::new(),
-        prior: None,
-        provenance: Provenance::of(Vec::new(), None),
+        ..Calibration::by("joint", account.gravity, account.gravity_source)
     };
     Ok(match account.frame {
         Frame::Triangular => calibration,

@@ -111,10 +111,7 @@ fn fitted(
     if outcome.calibration.accelerometer.is_none() {
         return Err(Error::not_enough(Finding::of(Kind::AttitudeNotSeen)));
     }
-    let effects = request.effects.iter();
-    let model = effects.fold(magnetometer::model(), |model, effect| {
-        model.with(effect.clone())
-    });
+    let model = request.model(Sensor::Magnetometer);
     let inertial = Inertial::of(&outcome.calibration);
     let with_field: Vec<usize> = (0..recordings.len())
         .filter(|&k| recordings[k].magnetometer.is_some())

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use recording::intervals::Segmentation;
 use recording::watch::Stage;
 use recording::{Error, Recording};
-use sensor::{EffectRef, Model, Quantity};
+use sensor::{EffectRef, Quantity, Sensor};
 
 use super::cut::Cut;
 use super::outcome::Outcome;
@@ -108,13 +108,14 @@ fn accelerometer(
             request
                 .static_means
                 .iter()
-                .map(|m| checks::bare_mean(*m))
+                .copied()
+                .map(StaticMean::bare)
                 .collect(),
         );
     }
     checks::enough_rests(recordings, choices, &means)?;
     checks::not_in_one_plane(&means)?;
-    let model = accelerometer_model(request);
+    let model = request.model(Sensor::Accelerometer);
     let raw: Vec<Vector3<f64>> = means.iter().flatten().map(|m| m.raw).collect();
     let unit = accelerometer_unit(&raw, request.gravity);
     if let Some(unit) = unit.filter(|_| !model.effects().is_empty()) {
@@ -180,7 +181,7 @@ fn gyroscope(
         }
         return Ok(None);
     }
-    let model = gyroscope_model(request);
+    let model = request.model(Sensor::Gyroscope);
     let mut sources = Vec::new();
     for (k, (recording, segmentation)) in turning.iter().enumerate() {
         if recording.gyroscope.is_none() || recording.accelerometer.is_none() {
@@ -243,7 +244,11 @@ pub fn gyroscope_data(
         accelerometer,
         request,
     };
-    let all = gyro_data::collect_all(&[of], &gyroscope_model(request), &mut Findings::new());
+    let all = gyro_data::collect_all(
+        &[of],
+        &request.model(Sensor::Gyroscope),
+        &mut Findings::new(),
+    );
     all.into_iter().next().unwrap_or_default()
 }
 
@@ -262,20 +267,4 @@ fn known_means(
         static_means_by(&truth, &choice.segmentation)
     };
     recordings.iter().zip(choices).enumerate().map(of).collect()
-}
-
-/// The accelerometer's base model with its effects.
-fn accelerometer_model(request: &Request) -> Model {
-    let effects = request.effects.iter();
-    effects.fold(accelerometer::model(), |model, effect| {
-        model.with(effect.clone())
-    })
-}
-
-/// The gyroscope's base model with its effects.
-fn gyroscope_model(request: &Request) -> Model {
-    let effects = request.effects.iter();
-    effects.fold(gyroscope::model(), |model, effect| {
-        model.with(effect.clone())
-    })
 }

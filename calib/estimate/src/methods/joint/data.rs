@@ -219,6 +219,16 @@ impl Data {
         RowGroups::of_count(force.chain(rate).chain(turns).collect(), self.sources.len())
     }
 
+    /// The mean specific force of a rest near SI units, m/s²; `None` without an accelerometer.
+    pub(crate) fn mean_force(&self, rest: &Rest) -> Option<Vector3<f64>> {
+        let means = self.chunks[rest.chunks.clone()].iter();
+        let means = means.filter_map(|chunk| chunk.accelerometer);
+        let (sum, count) = means.fold((Vector3::zeros(), 0.0), |(sum, n), mean| {
+            (sum + mean.value * mean.count as f64, n + mean.count as f64)
+        });
+        (count > 0.0).then(|| sum / count)
+    }
+
     /// Stretches through which the heading can be followed.
     pub(crate) fn headings(&self) -> usize {
         self.rests.last().map_or(0, |rest| rest.heading + 1)

@@ -86,13 +86,7 @@ pub struct JointFit {
 impl JointFit {
     /// The rows that were fitted, to be evaluated anywhere.
     pub fn rows(&self) -> Rows<'_> {
-        Rows::new(
-            &self.data,
-            (&self.models[0], &self.models[1]),
-            self.gravity,
-            &self.charts,
-            (self.own_force_bias, &self.disturbance_columns),
-        )
+        self.rows_beside(&self.disturbance_columns)
     }
 
     /// Another whitening of the same rows: uncertainties are those of this Jacobian since.
@@ -103,12 +97,16 @@ impl JointFit {
 
     /// The same without the columns of what was disturbed.
     pub fn plain_rows(&self) -> Rows<'_> {
+        self.rows_beside(&[])
+    }
+
+    fn rows_beside<'a>(&'a self, disturbances: &'a [Column]) -> Rows<'a> {
         Rows::new(
             &self.data,
             (&self.models[0], &self.models[1]),
             self.gravity,
             &self.charts,
-            (self.own_force_bias, &[]),
+            (self.own_force_bias, disturbances),
         )
     }
 

@@ -187,15 +187,9 @@ pub fn charts(data: &Data, model: &Model, start: &Start) -> Result<Vec<Chart>, E
     data.rests
         .iter()
         .map(|rest| {
-            let means = data.chunks[rest.chunks.clone()].iter();
-            let (sum, count) = means
-                .filter_map(|c| c.accelerometer)
-                .fold((Vector3::zeros(), 0.0), |(sum, n), m| {
-                    (sum + m.value * m.count as f64, n + m.count as f64)
-                });
             let p = &start.accelerometer[rest.recording];
-            let force = model.correct(&(sum / count), &rest.known, p);
-            Chart::around(&force)
+            let mean = data.mean_force(rest);
+            mean.and_then(|mean| Chart::around(&model.correct(&mean, &rest.known, p)))
                 .filter(|c| c.reference.iter().all(|v| v.is_finite()))
                 .ok_or_else(|| {
                     Error::not_enough(

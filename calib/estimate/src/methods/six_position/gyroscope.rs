@@ -2,7 +2,7 @@
 
 use findings::{Finding, Kind};
 use nalgebra::{Matrix3x6, Vector3};
-use sensor::Sensor;
+use sensor::{Base, Sensor};
 
 use super::placement::Face;
 use crate::calibration::Triad;
@@ -91,23 +91,16 @@ impl GyroscopePart {
     /// The bias as a calibration; the scale is left at one, because a scale of noise would spoil
     /// every turn.
     pub(super) fn triad(&self) -> Triad {
-        let identity = nalgebra::Matrix3::<f64>::identity();
+        let base = Base {
+            bias: self.bias,
+            ..Base::identity()
+        };
         Triad {
-            model: Sensor::Gyroscope.equation().into(),
-            t: std::array::from_fn(|i| std::array::from_fn(|j| identity[(i, j)])),
-            bias: self.bias.into(),
-            t_std: [[None; 3]; 3],
             bias_std: [0, 1, 2].map(|k| Some(self.bias_std[k])),
-            bias_time: None,
-            residual_rms: 0.0,
-            reduced_chi2: None,
             static_intervals: Some(Face::ALL.len()),
-            dynamic_intervals: None,
             rank: 3,
-            condition: 1.0,
             unobservable: vec![Finding::of(Kind::NotSeenByEarthRate).what()],
-            units: None,
-            recordings: Vec::new(),
+            ..Triad::of(Sensor::Gyroscope, &base)
         }
     }
 }

@@ -19,7 +19,7 @@ use recording::{Error, Recording};
 use sensor::{Base, Sensor, base_names, inverse};
 
 use crate::calibrate::{Said, implausible, implausible_base};
-use crate::calibration::{Calibration, Provenance, SCHEMA, Triad};
+use crate::calibration::{Calibration, Triad};
 use crate::gravity::{Gravity, GravitySource};
 
 /// Placements tilted by more than this cost more than a consumer sensor's own errors, rad (0.1°).
@@ -238,46 +238,21 @@ impl SixPosition {
             })
             .collect();
         let triad = Triad {
-            model: Sensor::Accelerometer.equation().into(),
-            t: std::array::from_fn(|i| std::array::from_fn(|j| base.t[(i, j)])),
-            bias: base.bias.into(),
             t_std: [[Some(t_std); 3]; 3],
             bias_std: [Some(bias_std); 3],
-            bias_time: None,
             residual_rms: self.residual_rms,
-            reduced_chi2: None,
             static_intervals: Some(6),
-            dynamic_intervals: None,
             rank: 12,
-            condition: 1.0,
-            unobservable: Vec::new(),
-            units: None,
-            recordings: Vec::new(),
+            ..Triad::of(Sensor::Accelerometer, &base)
         };
         let mut calibration = Calibration {
-            schema: SCHEMA.into(),
-            created_by: concat!("stillpoint ", env!("CARGO_PKG_VERSION")).into(),
-            gravity: self.gravity,
-            gravity_source: GravitySource::Given,
-            method: "six-position".into(),
             accelerometer: Some(triad),
             gyroscope: self.gyroscope.as_ref().map(GyroscopePart::triad),
-            magnetometer: None,
-            magnetic_field: None,
-            scalars: Vec::new(),
-            not_calibrated: Vec::new(),
-            effects: Vec::new(),
             parameters: base_names(Sensor::Accelerometer).to_vec(),
             covariance,
-            misfit: Vec::new(),
-            left_out: Vec::new(),
             warnings: self.warnings.clone(),
             failed_gates: self.failed_gates(),
-            limits: Vec::new(),
-            prior: None,
-            clocks: Vec::new(),
-            history: Vec::new(),
-            provenance: Provenance::of(Vec::new(), None),
+            ..Calibration::by("six-position", self.gravity, GravitySource::Given)
         };
         calibration.state_units();
         calibration.seal();

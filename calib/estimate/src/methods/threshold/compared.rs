@@ -5,8 +5,9 @@ use recording::averages::root_mean_square;
 use recording::intervals::Span;
 
 use super::another::OfAnother;
-use super::trial::{NormFit, bare_mean};
+use super::trial::NormFit;
 use super::{Attempt, MANY_MORE};
+use crate::residuals::StaticMean;
 
 /// An accelerometer misses so many times what one of its own does in a part that is of another.
 const MISSED: f64 = 10.0;
@@ -32,7 +33,7 @@ impl Attempt<'_> {
         let part = parts.max_by_key(Vec::len)?;
         let forces = part.iter().filter_map(|span| self.survey.mean_force(*span));
         let forces: Vec<Vector3<f64>> = forces.collect();
-        let means: Vec<_> = forces.iter().copied().map(bare_mean).collect();
+        let means: Vec<_> = forces.iter().copied().map(StaticMean::bare).collect();
         let fit = NormFit::of(&means, self.survey.noise_of_means(&part), gravity)?;
         let missed = forces.iter().map(|f| base.correct(f).norm() - gravity);
         let missed = root_mean_square(&missed.collect::<Vec<_>>());

@@ -24,7 +24,7 @@ use recording::{Error, Recording};
 use sensor::Base;
 
 use self::plateau::{most_placements, plateau};
-use self::trial::{NormFit, bare_mean};
+use self::trial::NormFit;
 use crate::residuals::StaticMean;
 
 /// The multipliers tried.
@@ -65,6 +65,16 @@ pub struct Choice {
 }
 
 impl Choice {
+    /// Builds the choice of a segmentation that was given.
+    pub fn given(segmentation: Segmentation) -> Self {
+        Self {
+            segmentation,
+            trials: Vec::new(),
+            shortened: None,
+            of_another: None,
+        }
+    }
+
     /// Returns the findings on how the recording was cut, for the user.
     pub fn remarks(&self) -> Vec<Finding> {
         let shortened = self
@@ -135,12 +145,8 @@ pub fn cut(
     if choose {
         return choose_multiplier(recording, detector, gravity);
     }
-    Ok(Choice {
-        segmentation: recording::intervals::segment(recording, detector)?,
-        trials: Vec::new(),
-        shortened: None,
-        of_another: None,
-    })
+    let segmentation = recording::intervals::segment(recording, detector)?;
+    Ok(Choice::given(segmentation))
 }
 
 /// Result of one detector at all multipliers.
@@ -267,7 +273,7 @@ fn trials_at(
 /// A fit to given intervals, whatever the multiplier.
 fn trial(survey: &Survey<'_>, found: &[Span], gravity: f64) -> (Trial, Option<Base<f64>>) {
     let forces: Vec<Vector3<f64>> = found.iter().filter_map(|&s| survey.mean_force(s)).collect();
-    let means: Vec<StaticMean> = forces.iter().copied().map(bare_mean).collect();
+    let means: Vec<StaticMean> = forces.iter().copied().map(StaticMean::bare).collect();
     let placements = placements(&forces);
     // What is in pieces tells no more than the whole.
     let by_pieces = (means.len() as f64 / placements.max(1) as f64).sqrt();

@@ -8,7 +8,6 @@ use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use crate::methods::first_guess::{RawUnit, accelerometer_unit};
 use crate::residuals::{GravityNorm, StaticMean};
-use crate::truth::unneeded;
 
 /// Multipliers are compared by how well a corrected reading is known after the fit, with the upper end
 /// of what the residual may be: a small residual from two spare placements does not beat one from
@@ -125,15 +124,6 @@ impl NormFit {
     }
 }
 
-/// A mean of which nothing else is known: the base model asks for no more.
-pub(super) fn bare_mean(raw: Vector3<f64>) -> StaticMean {
-    StaticMean {
-        raw,
-        rest: unneeded(),
-        white: 0.0,
-    }
-}
-
 /// Returns true if these parameters are possible for a sensor.
 fn of_a_sensor(base: &Base<f64>, gravity: f64) -> bool {
     (0..9).all(|k| {
@@ -157,7 +147,9 @@ fn in_raw_unit(near: &Base<f64>, unit: &RawUnit) -> Base<f64> {
 
 /// `√ mean(j C jᵀ)` over faces, edges and corners, `j` the derivative of the norm there.
 fn leverage(report: &Report, model: &Model, gravity: f64) -> f64 {
-    let everywhere: Vec<StaticMean> = orientations().map(|u| bare_mean(u * gravity)).collect();
+    let everywhere: Vec<StaticMean> = orientations()
+        .map(|u| StaticMean::bare(u * gravity))
+        .collect();
     let problem = GravityNorm {
         model,
         means: &everywhere,
@@ -216,7 +208,7 @@ mod tests {
     fn placements_in_one_plane_are_no_calibration() {
         let placed = |k: usize| {
             let (sin, cos) = (0.5 * k as f64).sin_cos();
-            bare_mean(9.8 * Vector3::new(cos, sin, 1e-4 * (k % 3) as f64))
+            StaticMean::bare(9.8 * Vector3::new(cos, sin, 1e-4 * (k % 3) as f64))
         };
         let means: Vec<_> = (0..14).map(placed).collect();
         let fit = NormFit::of(&means, 1e-3, 9.8);
@@ -225,7 +217,7 @@ mod tests {
 
     #[test]
     fn noise_bounds_a_residual_that_is_small_by_chance() {
-        let all: Vec<_> = orientations().map(|u| bare_mean(9.8 * u)).collect();
+        let all: Vec<_> = orientations().map(|u| StaticMean::bare(9.8 * u)).collect();
         let fit = NormFit::of(&all, 2e-3, 9.8).unwrap();
         assert!(fit.sound && fit.residual == 2e-3);
     }

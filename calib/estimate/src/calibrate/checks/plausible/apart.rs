@@ -31,7 +31,43 @@ pub(in crate::calibrate) struct RateFit<'a> {
     pub recordings: &'a [&'a Recording],
 }
 
-impl RateFit<'_> {
+impl<'a> ForceFit<'a> {
+    /// Builds it from a fit near gravity, m/s².
+    pub fn of(
+        fitted: &Fitted,
+        unit: RawUnit,
+        gravity: f64,
+        recordings: &'a [&'a Recording],
+    ) -> Self {
+        Self {
+            base: Base::from_parameters(fitted.parameters.values()),
+            std: diagonal_std(fitted, Sensor::Accelerometer),
+            unit,
+            gravity,
+            recordings,
+        }
+    }
+}
+
+impl<'a> RateFit<'a> {
+    /// Builds it from a fit in such a unit that misses gravity by `missed`, rad, beside an accelerometer in its own unit.
+    pub fn of(
+        fitted: &Fitted,
+        unit: &RawUnit,
+        missed: f64,
+        force_unit: &RawUnit,
+        recordings: &'a [&'a Recording],
+    ) -> Self {
+        Self {
+            base: Base::from_parameters(fitted.parameters.values()),
+            std: diagonal_std(fitted, Sensor::Gyroscope),
+            scale: unit.scale,
+            missed,
+            force_is_si: force_unit.is_si(),
+            recordings,
+        }
+    }
+
     /// `T` of readings near SI units.
     pub(super) fn near_si(&self) -> Matrix3<f64> {
         self.base.t / self.scale
@@ -39,7 +75,7 @@ impl RateFit<'_> {
 }
 
 /// Standard errors of the diagonal of `T`.
-pub(in crate::calibrate) fn diagonal_std(fitted: &Fitted, sensor: Sensor) -> [Option<f64>; 3] {
+fn diagonal_std(fitted: &Fitted, sensor: Sensor) -> [Option<f64>; 3] {
     let names = base_names(sensor);
     [0, 1, 2].map(|k| fitted.standard_error(&names[k]))
 }

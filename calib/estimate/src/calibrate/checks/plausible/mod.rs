@@ -19,7 +19,7 @@ mod readings;
 mod scales;
 mod turned;
 
-pub(in crate::calibrate) use apart::{ForceFit, RateFit, diagonal_std};
+pub(in crate::calibrate) use apart::{ForceFit, RateFit};
 pub(in crate::calibrate) use field::turned_field;
 pub use readings::{implausible, implausible_base};
 pub(in crate::calibrate) use turned::none_is_turned;

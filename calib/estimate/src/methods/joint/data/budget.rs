@@ -98,12 +98,7 @@ mod tests {
             to: 2.0 * k as f64 + 1.0,
         };
         let spans: Vec<Span> = (0..rests).map(span).collect();
-        Choice {
-            segmentation: Segmentation::from_spans(&recording, &spans, 10.0),
-            trials: Vec::new(),
-            shortened: None,
-            of_another: None,
-        }
+        Choice::given(Segmentation::from_spans(&recording, &spans, 10.0))
     }
 
     #[test]

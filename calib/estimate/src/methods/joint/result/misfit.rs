@@ -1,7 +1,6 @@
 //! Misfit of the data from the model, before any error is enlarged.
 
 use faer::Mat;
-use nalgebra::Vector3;
 use recording::averages::root_mean_square;
 use sensor::Sensor;
 
@@ -114,12 +113,8 @@ impl JointFit {
     /// Root mean square of the same of the readings before calibration, with the same weights, m/s².
     pub fn norm_rms_before(&self) -> f64 {
         self.weighted_norms(|rest| {
-            let chunks = &self.data.chunks[self.data.rests[rest].chunks.clone()];
-            let means = chunks.iter().filter_map(|chunk| chunk.accelerometer);
-            let (sum, count) = means.fold((Vector3::zeros(), 0), |(sum, count), mean| {
-                (sum + mean.value * mean.count as f64, count + mean.count)
-            });
-            (count > 0).then(|| (sum / count as f64).norm() - self.gravity)
+            let mean = self.data.mean_force(&self.data.rests[rest])?;
+            Some(mean.norm() - self.gravity)
         })
     }
 

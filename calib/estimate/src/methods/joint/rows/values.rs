@@ -119,13 +119,7 @@ impl Rows<'_> {
     fn force(&self, x: &[f64], k: usize) -> Option<Vector3<f64>> {
         let rest = &self.data.rests[k];
         let p = self.local(x, Sensor::Accelerometer, k);
-        let means = self.data.chunks[rest.chunks.clone()].iter();
-        let (sum, count) = means
-            .filter_map(|c| c.accelerometer)
-            .fold((Vector3::zeros(), 0.0), |(sum, n), m| {
-                (sum + m.value * m.count as f64, n + m.count as f64)
-            });
-        let force = self.accelerometer.correct(&(sum / count), &rest.known, &p);
-        (count > 0.0).then_some(force)
+        let mean = self.data.mean_force(rest)?;
+        Some(self.accelerometer.correct(&mean, &rest.known, &p))
     }
 }
