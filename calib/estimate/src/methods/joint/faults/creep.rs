@@ -77,13 +77,13 @@ impl Creep {
         // Rows are model less measurement: what the measurement gains, they lose.
         for (axis, column) in columns.iter_mut().enumerate() {
             let slope = u.cross(&axis_vector(axis));
-            for (row, _, mean) in site.means(Sensor::Accelerometer, k) {
-                let since = 0.5 * (mean.span.from + mean.span.to) - middle;
+            for own in site.means(Sensor::Accelerometer, k) {
+                let since = 0.5 * (own.mean.span.from + own.mean.span.to) - middle;
                 let change = slope * (rows.gravity * since);
-                (0..3).for_each(|i| column.set(row + i, -change[i]));
+                (0..3).for_each(|i| column.set(own.row + i, -change[i]));
             }
-            for (row, ..) in site.means(Sensor::Gyroscope, k) {
-                column.set(row + axis, -1.0);
+            for own in site.means(Sensor::Gyroscope, k) {
+                column.set(own.row + axis, -1.0);
             }
             // The device is at u − half·u̇ when the turn before ends, and at u + half·u̇ when the next begins; the model carries u.
             site.set_carried(column, k, false, slope * -half);
@@ -91,7 +91,7 @@ impl Creep {
         }
         let means = site.means(Sensor::Accelerometer, k);
         let noise = rows.data.sources[rest.recording].accelerometer;
-        let measured = means.filter_map(|(.., mean)| Some((mean, noise?)));
+        let measured = means.filter_map(|own| Some((own.mean, noise?)));
         let slopes = measured.flat_map(|(mean, noise)| {
             let variance = noise.variance_in_sum() + noise.restless(&mean);
             slopes(&mean, &variance, &u, rows.gravity)
@@ -113,10 +113,10 @@ fn drift(site: &Site<'_>, k: usize) -> Vec<Column> {
     }
     let middle = 0.5 * (rest.span.from + rest.span.to);
     let mut columns = vec![Column::default(); 3];
-    for (row, _, mean) in site.means(Sensor::Accelerometer, k) {
-        let since = 0.5 * (mean.span.from + mean.span.to) - middle;
+    for own in site.means(Sensor::Accelerometer, k) {
+        let since = 0.5 * (own.mean.span.from + own.mean.span.to) - middle;
         for (axis, column) in columns.iter_mut().enumerate() {
-            column.set(row + axis, since);
+            column.set(own.row + axis, since);
         }
     }
     columns

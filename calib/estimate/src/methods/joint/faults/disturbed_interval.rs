@@ -43,8 +43,8 @@ impl Fault for DisturbedInterval {
         if site.rows.spare_placements() <= LEAST_SPARE {
             return Vec::new();
         }
-        let means = site.rows.means(Sensor::Accelerometer).enumerate();
-        means.map(|(k, (place, _))| pushed(place, 3 * k)).collect()
+        let means = site.rows.means(Sensor::Accelerometer);
+        means.map(|own| pushed(own.place, own.row)).collect()
     }
 
     fn opens_force(&self) -> bool {
@@ -66,8 +66,7 @@ fn pushed(chunk: usize, row: usize) -> Suspect {
 /// A chunk that was seen to shake: any force, and a creep of its static interval.
 pub(crate) fn shaken(site: &Site<'_>, (chunk, shake): (usize, &Shake)) -> Option<Suspect> {
     let mut means = site.rows.means(Sensor::Accelerometer);
-    let place = means.position(|(place, _)| place == chunk)?;
-    let mut suspect = pushed(chunk, 3 * place);
+    let mut suspect = pushed(chunk, means.find(|own| own.place == chunk)?.row);
     let creep = Creep::in_interval(site, site.rows.data.chunks[chunk].rest);
     suspect.columns.extend(creep.columns);
     suspect.seen = Seen::Shaken {

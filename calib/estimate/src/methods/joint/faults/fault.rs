@@ -8,8 +8,8 @@ use recording::intervals::Span;
 use sensor::Sensor;
 
 use crate::methods::joint::blocks::column::Column;
-use crate::methods::joint::data::{Data, Mean};
-use crate::methods::joint::rows::Rows;
+use crate::methods::joint::data::Data;
+use crate::methods::joint::rows::{MeanRows, Rows};
 
 /// A fault of the registry.
 pub type FaultRef = &'static dyn Fault;
@@ -162,19 +162,11 @@ impl Site<'_> {
         }
     }
 
-    /// The first row, the chunk and the mean of every chunk of static interval `k` with samples of a sensor.
-    pub(super) fn means(
-        &self,
-        sensor: Sensor,
-        k: usize,
-    ) -> impl Iterator<Item = (usize, usize, Mean)> {
-        let first = self.rows.first_row(sensor);
+    /// The means of a sensor over the chunks of static interval `k`.
+    pub(super) fn means(&self, sensor: Sensor, k: usize) -> impl Iterator<Item = MeanRows<'_>> {
         let chunks = self.rows.data.rests[k].chunks.clone();
-        let all = self.rows.means(sensor).enumerate();
-        all.filter(move |(_, (chunk, _))| chunks.contains(chunk))
-            .filter_map(move |(place, (chunk, of))| {
-                Some((first + 3 * place, chunk, of.mean(sensor)?))
-            })
+        let all = self.rows.means(sensor);
+        all.filter(move |mean| chunks.contains(&mean.place))
     }
 }
 

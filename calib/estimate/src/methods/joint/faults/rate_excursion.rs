@@ -38,9 +38,9 @@ impl Fault for RateExcursion {
     fn suspects(&self, site: &Site<'_>) -> Vec<Suspect> {
         let one = |k: usize| {
             let mut columns = vec![Column::default(); 3];
-            for (row, ..) in site.means(Sensor::Gyroscope, k) {
+            for own in site.means(Sensor::Gyroscope, k) {
                 for (axis, column) in columns.iter_mut().enumerate() {
-                    column.set(row + axis, -1.0);
+                    column.set(own.row + axis, -1.0);
                 }
             }
             Suspect::new(&Self, k, columns)

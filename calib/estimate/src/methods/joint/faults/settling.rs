@@ -78,12 +78,12 @@ fn fading(site: &Site<'_>, k: usize, tau: f64) -> Vec<Column> {
     let mut columns = vec![Column::default(); 3];
     for (axis, column) in columns.iter_mut().enumerate() {
         let moved = u.cross(&axis_vector(axis));
-        for (row, _, of) in site.means(Sensor::Accelerometer, k) {
-            let shift = moved * -rows.gravity * mean(&of.span);
-            (0..3).for_each(|i| column.set(row + i, shift[i]));
+        for own in site.means(Sensor::Accelerometer, k) {
+            let shift = moved * -rows.gravity * mean(&own.mean.span);
+            (0..3).for_each(|i| column.set(own.row + i, shift[i]));
         }
-        for (row, _, of) in site.means(Sensor::Gyroscope, k) {
-            column.set(row + axis, -change(&of.span));
+        for own in site.means(Sensor::Gyroscope, k) {
+            column.set(own.row + axis, -change(&own.mean.span));
         }
         site.set_carried(column, k, false, moved);
     }

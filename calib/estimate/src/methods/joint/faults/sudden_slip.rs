@@ -64,9 +64,9 @@ fn columns(site: &Site<'_>, k: usize, chunk: usize) -> Vec<Column> {
     let mut columns = vec![Column::default(); 3];
     for (axis, column) in columns.iter_mut().enumerate() {
         let moved = u.cross(&axis_vector(axis));
-        for (row, own, _) in site.means(Sensor::Accelerometer, k) {
-            if own >= chunk {
-                (0..3).for_each(|i| column.set(row + i, -rows.gravity * moved[i]));
+        for own in site.means(Sensor::Accelerometer, k) {
+            if own.place >= chunk {
+                (0..3).for_each(|i| column.set(own.row + i, -rows.gravity * moved[i]));
             }
         }
         site.set_carried(column, k, true, moved);

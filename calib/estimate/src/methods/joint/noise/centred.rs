@@ -107,11 +107,9 @@ fn total(rows: &[usize], exposures: &[Exposure]) -> Mat<f64> {
 /// Returns the duration, s, and the axis of the mean behind every row of a sensor; zeros for all other rows.
 fn lengths(rows: &Rows<'_>, sensor: Sensor) -> Vec<(f64, usize)> {
     let mut lengths = vec![(0.0, 0); rows.count()];
-    let first = rows.first_row(sensor);
-    for (k, (_, chunk)) in rows.means(sensor).enumerate() {
+    for own in rows.means(sensor) {
         for axis in 0..3 {
-            let length = chunk.mean(sensor).map_or(0.0, |m| m.span.length());
-            lengths[first + 3 * k + axis] = (length, axis);
+            lengths[own.row + axis] = (own.mean.span.length(), axis);
         }
     }
     lengths

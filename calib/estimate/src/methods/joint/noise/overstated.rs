@@ -66,10 +66,10 @@ impl Run<'_> {
         let left = Left::of(&jacobian, &residuals);
         let mut sums = vec![[(0.0, 0.0); 2]; self.data.sources.len()];
         for (place, sensor) in SENSORS.into_iter().enumerate() {
-            let first = rows.first_row(sensor);
-            for (k, (_, chunk)) in rows.means(sensor).enumerate() {
-                let (square, spare) = &mut sums[self.data.rests[chunk.rest].recording][place];
-                for row in first + 3 * k..first + 3 * k + 3 {
+            for own in rows.means(sensor) {
+                let recording = self.data.rests[own.chunk.rest].recording;
+                let (square, spare) = &mut sums[recording][place];
+                for row in own.row..own.row + 3 {
                     *square += left.square(row);
                     *spare += left.spare(row);
                 }

@@ -7,8 +7,8 @@ use super::exposure::{Exposure, white};
 use crate::methods::joint::blocks::groups::RowGroups;
 use crate::methods::joint::clock::outer;
 use crate::methods::joint::data::TurnSamples;
-use crate::methods::joint::rows::Rows;
 use crate::methods::joint::rows::turn::MARGIN;
+use crate::methods::joint::rows::{MeanRows, Rows};
 
 /// The noise of all rows: white, and how they feel a walk of the biases.
 #[derive(Clone, Debug)]
@@ -45,10 +45,10 @@ impl Rows<'_> {
             .into_iter()
             .enumerate()
         {
-            for (_, chunk) in self.means(sensor) {
+            for MeanRows { chunk, mean, .. } in self.means(sensor) {
                 let recording = self.data.rests[chunk.rest].recording;
                 let source = &self.data.sources[recording];
-                let (Some(mean), Some(own)) = (chunk.mean(sensor), source.noise(sensor)) else {
+                let Some(own) = source.noise(sensor) else {
                     continue;
                 };
                 // What rounding makes of a mean is the same in all chunks of a rest, which count as one together.

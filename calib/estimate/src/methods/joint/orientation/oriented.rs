@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use sensor::{Base, Sensor};
 
 use crate::methods::joint::blocks::columns::Columns;
-use crate::methods::joint::data::{Chunk, Mean};
+use crate::methods::joint::data::Mean;
 use crate::methods::joint::faults::Suspect;
 use crate::methods::joint::orientation::interval::Oriented;
 use crate::methods::joint::orientation::{Pattern, Shown, StaticNumbers};
@@ -109,16 +109,11 @@ impl At<'_> {
     /// The rows of a sensor's chunks in a rest: first row, mean, variance of the mean.
     fn chunks(&self, sensor: Sensor, rest: usize) -> Vec<(usize, Mean, Vector3<f64>)> {
         let source = &self.rows.data.sources[self.rows.data.rests[rest].recording];
-        let (first, own) = (self.rows.first_row(sensor), source.noise(sensor));
-        let mean = |chunk: &Chunk| chunk.mean(sensor);
-        self.rows
-            .means(sensor)
-            .enumerate()
-            .filter(|(_, (_, chunk))| chunk.rest == rest)
-            .filter_map(|(k, (_, chunk))| {
-                let mean = mean(chunk)?;
-                Some((first + 3 * k, mean, own?.variance_of(&mean)))
-            })
+        let noise = source.noise(sensor);
+        let means = self.rows.means(sensor);
+        means
+            .filter(|own| own.chunk.rest == rest)
+            .filter_map(|own| Some((own.row, own.mean, noise?.variance_of(&own.mean))))
             .collect()
     }
 

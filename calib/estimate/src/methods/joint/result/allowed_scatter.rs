@@ -6,14 +6,13 @@ use super::analysis::{Analysis, identity, turn_rows, walk};
 use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::blocks::covariance::Covariance;
-use crate::methods::joint::data::Chunk;
 use crate::methods::joint::faults::Suspect;
 use crate::methods::joint::noise::chain::Chain;
 use crate::methods::joint::noise::exposure::Exposure;
 use crate::methods::joint::noise::likelihood::Restricted;
 use crate::methods::joint::noise::weights::{Component, ComponentKind, Form, NoiseLevel, White};
 use crate::methods::joint::result::left::Left;
-use crate::methods::joint::rows::Rows;
+use crate::methods::joint::rows::{MeanRows, Rows};
 use crate::methods::small_sample::{LEAST_SPARE, by_chance};
 
 /// A fit whose quieter three quarters are off by this much, as χ² per degree of freedom, does not
@@ -208,16 +207,14 @@ impl Analysis {
 /// Computes the exposures of the accelerometer's rows to a walk of its bias that begins at zero in every static
 /// interval; whitened by the white noise.
 fn exposures_within_rests(rows: &Rows<'_>, white: &White) -> Vec<Exposure> {
-    let exposure = |(k, (_, chunk)): (usize, (usize, &Chunk))| {
-        let span = chunk.accelerometer?.span;
-        let begin = rows.data.rests[chunk.rest].span.from;
-        let rows = 3 * k..3 * k + 3;
-        let (path, sign) = (chunk.rest, -1.0);
-        let of_mean = Exposure::of_mean(rows, path, (span.from, span.to), begin, sign);
-        Some(white.exposure(&of_mean))
+    let exposure = |own: MeanRows<'_>| {
+        let (span, path) = (own.mean.span, own.chunk.rest);
+        let begin = rows.data.rests[path].span.from;
+        let rows = own.row..own.row + 3;
+        let of_mean = Exposure::of_mean(rows, path, (span.from, span.to), begin, -1.0);
+        white.exposure(&of_mean)
     };
-    let means = rows.means(Sensor::Accelerometer).enumerate();
-    means.filter_map(exposure).collect()
+    rows.means(Sensor::Accelerometer).map(exposure).collect()
 }
 
 /// Builds the unit columns of a shift on each axis in a static interval's rows of the accelerometer.
@@ -232,22 +229,16 @@ fn by_axis(rows: &[usize]) -> [Column; 3] {
 
 /// The rows of every rest, by sensor, and of every turn.
 fn groups(rows: &Rows<'_>) -> [(ComponentKind, Vec<Vec<usize>>); 3] {
-    let of_rests = |sensor: Sensor, first: usize| {
+    let of_rests = |sensor: Sensor| {
         let mut groups = vec![Vec::new(); rows.data.rests.len()];
-        for (k, (_, chunk)) in rows.means(sensor).enumerate() {
-            groups[chunk.rest].extend(first + 3 * k..first + 3 * k + 3);
+        for own in rows.means(sensor) {
+            groups[own.chunk.rest].extend(own.row..own.row + 3);
         }
         groups
     };
     [
-        (
-            ComponentKind::ForceScatter,
-            of_rests(Sensor::Accelerometer, 0),
-        ),
-        (
-            ComponentKind::RateScatter,
-            of_rests(Sensor::Gyroscope, rows.first_rate_row()),
-        ),
+        (ComponentKind::ForceScatter, of_rests(Sensor::Accelerometer)),
+        (ComponentKind::RateScatter, of_rests(Sensor::Gyroscope)),
         (ComponentKind::TurnScatter, turn_rows(rows)),
     ]
 }

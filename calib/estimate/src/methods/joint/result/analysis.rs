@@ -77,7 +77,7 @@ impl Analysis {
     /// the shift counts in full in the interval and by half in the turn on either side.
     pub(super) fn rate_shifts(&self, rows: &Rows<'_>) -> Columns {
         let means = rows.means(Sensor::Gyroscope);
-        let of_means = means.map(|(_, chunk)| vec![(chunk.rest, 1.0)]);
+        let of_means = means.map(|own| vec![(own.chunk.rest, 1.0)]);
         let turns = rows.data.turns.iter();
         let of_turns = turns.map(|turn| vec![(turn.from, 0.5), (turn.from + 1, 0.5)]);
         let mut of_group = vec![Vec::new(); rows.groups().iter().len()];

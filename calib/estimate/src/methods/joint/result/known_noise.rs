@@ -22,10 +22,10 @@ impl Analysis {
         let (kind, columns) = match sensor {
             Sensor::Accelerometer => {
                 let mut columns = Mat::zeros(rows.count(), count);
-                for (k, (_, chunk)) in rows.means(sensor).enumerate() {
+                for own in rows.means(sensor) {
                     for i in 0..3 {
                         for c in 0..count {
-                            columns[(3 * k + i, c)] = errors[chunk.rest][(i, c)];
+                            columns[(own.row + i, c)] = errors[own.chunk.rest][(i, c)];
                         }
                     }
                 }

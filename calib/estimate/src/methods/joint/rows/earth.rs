@@ -34,18 +34,18 @@ impl Rows<'_> {
         }
         let count = recordings + 2 * self.data.headings();
         let mut columns = Columns::zeros(self.groups(), count, of_group);
-        let mut row = self.first_rate_row();
-        for (_, chunk) in self.means(Sensor::Gyroscope) {
-            let base = Base::from_parameters(&self.local(x, Sensor::Gyroscope, chunk.rest));
+        for mean in self.means(Sensor::Gyroscope) {
+            let rest = mean.chunk.rest;
+            let base = Base::from_parameters(&self.local(x, Sensor::Gyroscope, rest));
             let through = inverse(&base.t).unwrap_or_else(Matrix3::identity);
-            let seen = through * into_body(attitudes.at_rest(chunk.rest));
+            let seen = through * into_body(attitudes.at_rest(rest));
             for i in 0..3 {
-                for (k, place) in places(chunk.rest).into_iter().enumerate() {
-                    columns.set(row + i, place, seen[(i, k)]);
+                for (k, place) in places(rest).into_iter().enumerate() {
+                    columns.set(mean.row + i, place, seen[(i, k)]);
                 }
             }
-            row += 3;
         }
+        let mut row = self.first_turn_row();
         for (number, turn) in self.data.turns.iter().enumerate() {
             let p = self.local(x, Sensor::Gyroscope, turn.from);
             let carried = self.carried(turn, &self.rates(turn, &p));

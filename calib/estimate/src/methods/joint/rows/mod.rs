@@ -58,6 +58,19 @@ pub struct Linear {
     pub jacobian: Columns,
 }
 
+/// The mean of a sensor over a chunk, three rows.
+#[derive(Clone, Copy, Debug)]
+pub struct MeanRows<'a> {
+    /// The first of its rows.
+    pub row: usize,
+    /// Place of the chunk among all.
+    pub place: usize,
+    /// The chunk.
+    pub chunk: &'a Chunk,
+    /// The mean.
+    pub mean: Mean,
+}
+
 impl<'a> Rows<'a> {
     /// Builds the rows of these data and models.
     pub fn new(
@@ -169,26 +182,30 @@ impl<'a> Rows<'a> {
         3 * self.means(Sensor::Accelerometer).count()
     }
 
-    /// The chunks with samples of a sensor, in the order of their rows, three rows each.
-    pub fn means(&self, sensor: Sensor) -> impl Iterator<Item = (usize, &'a Chunk)> {
-        self.data
-            .chunks
-            .iter()
+    /// The means of a sensor in the order of their rows.
+    pub fn means(&self, sensor: Sensor) -> impl Iterator<Item = MeanRows<'a>> {
+        let first = self.first_row(sensor);
+        let chunks = self.data.chunks.iter().enumerate();
+        let means = chunks.filter_map(move |(place, chunk)| {
+            let mean = chunk.mean(sensor)?;
+            Some((place, chunk, mean))
+        });
+        means
             .enumerate()
-            .filter(move |(_, chunk)| chunk.mean(sensor).is_some())
+            .map(move |(k, (place, chunk, mean))| MeanRows {
+                row: first + 3 * k,
+                place,
+                chunk,
+                mean,
+            })
     }
 
-    /// The model of a sensor, and its mean over a chunk with samples of it.
-    pub(crate) fn model_and_mean(
-        &self,
-        sensor: Sensor,
-        chunk: &Chunk,
-    ) -> (&'a Model, Option<Mean>) {
-        let model = match sensor {
+    /// The model of a sensor.
+    pub(crate) fn model(&self, sensor: Sensor) -> &'a Model {
+        match sensor {
             Sensor::Accelerometer => self.accelerometer,
             Sensor::Gyroscope | Sensor::Magnetometer => self.gyroscope,
-        };
-        (model, chunk.mean(sensor))
+        }
     }
 
     /// The columns of a model's parameters at a rest, and in the turn after it.
@@ -231,16 +248,15 @@ impl<'a> Rows<'a> {
     /// The residuals of the rows of a part, whose Jacobian is filled.
     pub(crate) fn linearize_part(&self, x: &[f64], part: &mut Part) -> Vec<f64> {
         let mut residuals = Vec::with_capacity(part.rows.len());
-        let mut row = 0;
         for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
-            for (_, chunk) in self.means(sensor) {
-                if part.rows.get(residuals.len()) == Some(&row) {
-                    let own = self.mean_rows(x, sensor, chunk, (residuals.len(), part));
+            for mean in self.means(sensor) {
+                if part.rows.get(residuals.len()) == Some(&mean.row) {
+                    let own = self.mean_rows(x, sensor, &mean, (residuals.len(), part));
                     residuals.extend(own.iter());
                 }
-                row += 3;
             }
         }
+        let mut row = self.first_turn_row();
         for turn in &self.data.turns {
             if part.rows.get(residuals.len()) == Some(&row) {
                 let own = self.turn_rows(x, turn, (residuals.len(), part));
@@ -266,15 +282,14 @@ impl<'a> Rows<'a> {
     /// The residuals of some rows, whole recordings in ascending order.
     pub(crate) fn residuals_of(&self, x: &[f64], rows: &[usize]) -> Vec<f64> {
         let mut residuals = Vec::with_capacity(rows.len());
-        let mut row = 0;
         for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
-            for (_, chunk) in self.means(sensor) {
-                if rows.get(residuals.len()) == Some(&row) {
-                    residuals.extend(self.mean_residual(x, sensor, chunk).iter());
+            for mean in self.means(sensor) {
+                if rows.get(residuals.len()) == Some(&mean.row) {
+                    residuals.extend(self.mean_residual(x, sensor, &mean).iter());
                 }
-                row += 3;
             }
         }
+        let mut row = self.first_turn_row();
         for turn in &self.data.turns {
             if rows.get(residuals.len()) == Some(&row) {
                 residuals.extend(self.turn_residual(x, turn).iter());
@@ -298,13 +313,10 @@ impl<'a> Rows<'a> {
         &self,
         x: &[f64],
         sensor: Sensor,
-        chunk: &Chunk,
+        MeanRows { chunk, mean, .. }: &MeanRows<'_>,
         (row, part): (usize, &mut Part),
     ) -> Vector3<f64> {
-        let (model, mean) = self.model_and_mean(sensor, chunk);
-        let Some(mean) = mean else {
-            return Vector3::repeat(f64::NAN);
-        };
+        let model = self.model(sensor);
         let columns = self.columns_at(sensor, chunk.rest);
         let p: Vec<f64> = columns.iter().map(|&c| x[c]).collect();
         let base = Base::from_parameters(&p);
@@ -312,7 +324,7 @@ impl<'a> Rows<'a> {
         let at = self.layout.direction(chunk.rest);
         let u = self.direction(x, chunk.rest);
         let by_direction = self.charts[chunk.rest].slope(&x[at..at + 2]) * self.gravity;
-        let truth = self.at_rest(chunk, &mean, u);
+        let truth = self.at_rest(chunk, mean, u);
         let mut by_parameters = Vec::with_capacity(p.len() - BASE_PARAMETERS);
         let effects =
             ModelSlopes::new(model, &p, Sensor::Accelerometer).at(&truth, &mut by_parameters);

@@ -28,19 +28,17 @@ impl Rows<'_> {
         let count = 3 * self.data.sources.len();
         let mut columns = Columns::zeros(self.groups(), count, of_group.collect());
         let mut levels = vec![Vector3::zeros(); self.data.sources.len()];
-        let mut row = self.first_rate_row();
-        for (_, chunk) in self.means(Sensor::Gyroscope) {
-            let recording = self.data.rests[chunk.rest].recording;
-            let own = self.data.sources[recording].gyroscope.zip(chunk.gyroscope);
-            if let Some((noise, mean)) = own {
-                levels[recording] = mean.value;
+        for own in self.means(Sensor::Gyroscope) {
+            let recording = self.data.rests[own.chunk.rest].recording;
+            if let Some(noise) = self.data.sources[recording].gyroscope {
+                levels[recording] = own.mean.value;
                 for axis in 0..3 {
                     let size = -noise.rounding[axis].sqrt();
-                    columns.set(row + axis, 3 * recording + axis, size);
+                    columns.set(own.row + axis, 3 * recording + axis, size);
                 }
             }
-            row += 3;
         }
+        let mut row = self.first_turn_row();
         for turn in &self.data.turns {
             let Some(noise) = &self.data.sources[turn.recording].gyroscope else {
                 continue;

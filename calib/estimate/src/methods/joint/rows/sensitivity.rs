@@ -4,7 +4,7 @@ use nalgebra::{Matrix2x3, Matrix3};
 use sensor::{Base, Kinematics, Sensor, inverse};
 
 use crate::methods::joint::fit::JointFit;
-use crate::methods::joint::rows::Rows;
+use crate::methods::joint::rows::{MeanRows, Rows};
 use crate::truth::unneeded;
 
 /// A mean of a chunk: three rows.
@@ -56,7 +56,12 @@ impl Rows<'_> {
     /// Of an effect with the derivative `s = ∂e/∂p` by its parameter, `∂r/∂p` is `by_error · s(truth)`
     /// in the rows of a mean and `Σ_k by_error_k · s(truth_k)` in those of a turn.
     pub fn sensitivities(&self, x: &[f64]) -> Sensitivities {
-        let means = self.of_means(x, &[Sensor::Accelerometer, Sensor::Gyroscope]);
+        let sensors = [Sensor::Accelerometer, Sensor::Gyroscope].into_iter();
+        let means = sensors.flat_map(|sensor| {
+            let means = self.means(sensor);
+            means.map(move |mean| self.of_mean(x, sensor, &mean))
+        });
+        let means = means.collect();
         let first = self.first_turn_row();
         let turns = (0..self.data.turns.len())
             .map(|turn| self.of_turn(x, turn, first + 2 * turn))
@@ -64,34 +69,16 @@ impl Rows<'_> {
         Sensitivities { means, turns }
     }
 
-    fn of_means(&self, x: &[f64], sensors: &[Sensor]) -> Vec<MeanSensitivity> {
-        let mut means = Vec::new();
-        for &sensor in sensors {
-            for (chunk, _) in self.means(sensor) {
-                means.extend(self.of_mean(x, sensor, chunk, 3 * means.len()));
-            }
-        }
-        means
-    }
-
-    fn of_mean(
-        &self,
-        x: &[f64],
-        sensor: Sensor,
-        chunk: usize,
-        row: usize,
-    ) -> Option<MeanSensitivity> {
-        let own = &self.data.chunks[chunk];
-        let mean = own.mean(sensor)?;
-        let base = Base::from_parameters(&self.local(x, sensor, own.rest));
-        let u = self.direction(x, own.rest);
-        Some(MeanSensitivity {
+    fn of_mean(&self, x: &[f64], sensor: Sensor, of: &MeanRows<'_>) -> MeanSensitivity {
+        let base = Base::from_parameters(&self.local(x, sensor, of.chunk.rest));
+        let u = self.direction(x, of.chunk.rest);
+        MeanSensitivity {
             sensor,
-            chunk,
-            row,
-            truth: self.at_rest(own, &mean, u),
+            chunk: of.place,
+            row: of.row,
+            truth: self.at_rest(of.chunk, &of.mean, u),
             by_error: inverse(&base.t).unwrap_or_else(|| Matrix3::repeat(f64::NAN)),
-        })
+        }
     }
 
     fn of_turn(&self, x: &[f64], turn: usize, row: usize) -> TurnSensitivity {

@@ -6,7 +6,7 @@ use sensor::{Base, Sensor};
 
 use super::turn::rotation;
 use crate::methods::joint::data::{Chunk, Mean, TurnSamples};
-use crate::methods::joint::rows::Rows;
+use crate::methods::joint::rows::{MeanRows, Rows};
 
 /// Instants of a chunk that a slope is taken from.
 const INSTANTS: u32 = 8;
@@ -24,21 +24,23 @@ impl Rows<'_> {
         self.charts[turn.from + 1].across.transpose() * miss
     }
 
-    pub(super) fn mean_residual(&self, x: &[f64], sensor: Sensor, chunk: &Chunk) -> Vector3<f64> {
-        let unknown = Vector3::repeat(f64::NAN);
-        let (model, mean) = self.model_and_mean(sensor, chunk);
-        let Some(mean) = mean else { return unknown };
+    pub(super) fn mean_residual(
+        &self,
+        x: &[f64],
+        sensor: Sensor,
+        MeanRows { chunk, mean, .. }: &MeanRows<'_>,
+    ) -> Vector3<f64> {
         let p = self.local(x, sensor, chunk.rest);
         let u = self.direction(x, chunk.rest);
-        let truth = self.at_rest(chunk, &mean, u);
-        let reading = model.distort(&truth, &p);
-        reading.map_or(unknown, |reading| reading - mean.value)
+        let truth = self.at_rest(chunk, mean, u);
+        let reading = self.model(sensor).distort(&truth, &p);
+        reading.map_or(Vector3::repeat(f64::NAN), |reading| reading - mean.value)
     }
 
     /// Returns the slope of a sensor's predicted reading within a chunk, per second, by a straight line through
     /// instants of it; zero without effects.
     pub fn slope_within(&self, x: &[f64], sensor: Sensor, chunk: &Chunk) -> Vector3<f64> {
-        let (model, mean) = self.model_and_mean(sensor, chunk);
+        let (model, mean) = (self.model(sensor), chunk.mean(sensor));
         let Some(mean) = mean.filter(|_| !model.effects().is_empty()) else {
             return Vector3::zeros();
         };
@@ -88,7 +90,7 @@ impl Rows<'_> {
     pub fn rest_of_row(&self) -> Vec<usize> {
         let mut rests = Vec::with_capacity(self.count());
         for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
-            rests.extend(self.means(sensor).flat_map(|(_, chunk)| [chunk.rest; 3]));
+            rests.extend(self.means(sensor).flat_map(|mean| [mean.chunk.rest; 3]));
         }
         rests.extend(self.data.turns.iter().flat_map(|turn| [turn.from; 2]));
         rests

@@ -38,15 +38,11 @@ impl Rows<'_> {
     }
 
     fn fading(&self, flicker: &Flicker, x: &[f64], sensor: Sensor, white: &White) -> Vec<Fading> {
-        let first = self.first_row(sensor);
         let mut all = Vec::new();
-        for (k, (_, chunk)) in self.means(sensor).enumerate() {
-            let Some(mean) = chunk.mean(sensor) else {
-                continue;
-            };
-            let (row, recording) = (first + 3 * k, self.data.rests[chunk.rest].recording);
-            let span = (mean.span.from, mean.span.to);
-            all.push(flicker.of_mean(row..row + 3, recording, span, -1.0));
+        for own in self.means(sensor) {
+            let recording = self.data.rests[own.chunk.rest].recording;
+            let span = (own.mean.span.from, own.mean.span.to);
+            all.push(flicker.of_mean(own.row..own.row + 3, recording, span, -1.0));
         }
         if sensor == Sensor::Gyroscope {
             for (k, turn) in self.data.turns.iter().enumerate() {
