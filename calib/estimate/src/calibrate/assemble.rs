@@ -5,6 +5,7 @@ use recording::intervals::Segmentation;
 use recording::{Error, Recording};
 use sensor::{BASE_PARAMETERS, Base, Model, PLACES, Sensor, base_names};
 
+use super::cut::Cut;
 use super::left_out::left_out_by_norms;
 use super::request::{Frame, Request};
 use super::rest_bias::rest_bias;
@@ -15,51 +16,31 @@ use crate::calibration::{
     WITHOUT_WALKS, effect_named,
 };
 use crate::methods::joint::Channel;
-use crate::methods::{AccelerometerFit, Choice, Fitted, GyroscopeFit};
-
-/// Results of the stages of a calibration.
-pub(super) struct Parts<'a> {
-    pub recordings: &'a [&'a Recording],
-    pub turning: &'a [(&'a Recording, &'a Segmentation)],
-    pub choices: &'a [Choice],
-    pub accelerometer: Option<&'a AccelerometerFit>,
-    pub gyroscope: Option<&'a GyroscopeFit>,
-    pub request: &'a Request,
-    pub warnings: Findings,
-}
+use crate::methods::{AccelerometerFit, Fitted, GyroscopeFit};
 
 /// Writes the fits down, checks the quality gates, turns the result into the frame asked for.
-pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
-    let Parts {
-        recordings,
-        turning,
-        choices,
-        accelerometer,
-        gyroscope,
-        request,
-        mut warnings,
-    } = parts;
+pub(super) fn calibration(
+    cut: &Cut<'_>,
+    turning: &[(&Recording, &Segmentation)],
+    (accelerometer, gyroscope): (Option<&AccelerometerFit>, Option<&GyroscopeFit>),
+    request: &Request,
+    mut warnings: Findings,
+) -> Result<Calibration, Error> {
     let mut table = Table::default();
     let mut failed_gates = Findings::new();
-    let norms = accelerometer.and_then(|fit| StaticNorms::of(fit, recordings, choices));
+    let norms = accelerometer.and_then(|fit| StaticNorms::of(fit, cut));
     let accelerometer_triad = accelerometer.map(|fit| {
         table.add(&fit.fitted);
-        for (recording, choice) in recordings.iter().zip(choices) {
-            failed_gates.extend(checks::restless(
-                recording,
-                &choice.segmentation,
-                fit.unit.scale,
-                request.gravity,
-            ));
+        let (scale, gravity) = (fit.unit.scale, request.gravity);
+        for (recording, segmentation) in cut.each() {
+            failed_gates.extend(checks::restless(recording, segmentation, scale, gravity));
+            warnings.extend(checks::long_turns(recording, segmentation));
         }
-        failed_gates.extend(checks::disagreeing_rests(fit, recordings, choices));
-        for (recording, choice) in recordings.iter().zip(choices) {
-            warnings.extend(checks::long_turns(recording, &choice.segmentation));
-        }
-        let force = checks::ForceFit::of(&fit.fitted, fit.unit, request.gravity, recordings);
+        failed_gates.extend(checks::disagreeing_rests(fit, cut.each()));
+        let force = checks::ForceFit::of(&fit.fitted, fit.unit, gravity, &cut.recordings);
         let said = force.said();
         said.add_to(&mut failed_gates, &mut warnings);
-        accelerometer_triad(fit, recordings, norms.as_ref(), request)
+        accelerometer_triad(fit, &cut.recordings, norms.as_ref(), request)
     });
     let gyroscope_triad = match (gyroscope, accelerometer) {
         (Some(fit), Some(force)) => {

@@ -28,7 +28,7 @@ pub(super) fn left_out_by_norms(fit: &AccelerometerFit, norms: &StaticNorms) -> 
     let Some(parameters) = slopes_of_norms(fit, norms) else {
         return Vec::new();
     };
-    let residuals = norms.each().map(|norm| norm.residual / norm.sigma);
+    let residuals = norms.all.iter().map(|norm| norm.residual / norm.sigma);
     let residuals: Vec<f64> = residuals.collect();
     let residuals = Mat::from_fn(residuals.len(), 1, |i, _| residuals[i]);
     let of = |effect: EffectRef| {
@@ -99,8 +99,8 @@ fn slopes_of_norms(fit: &AccelerometerFit, norms: &StaticNorms) -> Option<Mat<f6
     let free: Vec<usize> = (fit.fitted.free.iter())
         .map(|name| parameters.index(name))
         .collect::<Option<_>>()?;
-    let means: Vec<StaticMean> = (norms.each())
-        .map(|norm| StaticMean::bare(*norm.mean))
+    let means: Vec<StaticMean> = (norms.all.iter())
+        .map(|norm| StaticMean::bare(norm.mean))
         .collect();
     let problem = GravityNorm {
         model: &accelerometer::model(),
@@ -108,7 +108,7 @@ fn slopes_of_norms(fit: &AccelerometerFit, norms: &StaticNorms) -> Option<Mat<f6
         gravity: 0.0,
     };
     let mut slopes = problem.linearize(parameters.values(), &free, &mut Vec::new());
-    for (row, norm) in norms.each().enumerate() {
+    for (row, norm) in norms.all.iter().enumerate() {
         slopes
             .row_mut(row)
             .iter_mut()
@@ -120,11 +120,11 @@ fn slopes_of_norms(fit: &AccelerometerFit, norms: &StaticNorms) -> Option<Mat<f6
 /// Computes the change of the norms by unit coefficients of an effect, over their standard deviations (`n × q`).
 fn columns_of_norms(norms: &StaticNorms, effect: &EffectRef) -> Mat<f64> {
     let count = effect.params().len();
-    let mut columns = Mat::zeros(norms.each().count(), count);
+    let mut columns = Mat::zeros(norms.all.len(), count);
     let (nothing, wanted) = (vec![0.0; count], (0..count).collect::<Vec<_>>());
     let mut errors = Vec::with_capacity(count);
-    for (row, norm) in norms.each().enumerate() {
-        let truth = supposed(*norm.force, Vector3::zeros());
+    for (row, norm) in norms.all.iter().enumerate() {
+        let truth = supposed(norm.force, Vector3::zeros());
         errors.clear();
         effect_slopes(effect, &truth, &nothing, &wanted, &mut errors);
         let u = norm.force.normalize();

@@ -5,7 +5,7 @@ use recording::Recording;
 use recording::intervals::Segmentation;
 use sensor::Sensor;
 
-use crate::methods::{AccelerometerFit, Choice};
+use crate::methods::AccelerometerFit;
 
 /// Spread of a rest above which the device was not still, as a fraction of gravity.
 const STILL: f64 = 0.05;
@@ -14,16 +14,13 @@ const STILL: f64 = 0.05;
 const LONG_TURN: f64 = 15.0;
 
 /// Rests that disagree with all the others, by name.
-pub(in crate::calibrate) fn disagreeing_rests(
+pub(in crate::calibrate) fn disagreeing_rests<'a>(
     fit: &AccelerometerFit,
-    recordings: &[&Recording],
-    choices: &[Choice],
+    cut: impl Iterator<Item = (&'a Recording, &'a Segmentation)>,
 ) -> Vec<Finding> {
-    let rests: Vec<_> = recordings
-        .iter()
-        .zip(choices)
-        .flat_map(|(recording, choice)| {
-            let rests = choice.segmentation.statics.iter().enumerate();
+    let rests: Vec<_> = cut
+        .flat_map(|(recording, segmentation)| {
+            let rests = segmentation.statics.iter().enumerate();
             rests.map(move |(k, rest)| (recording, k, rest))
         })
         .filter(|(_, _, rest)| rest.accelerometer.is_some())

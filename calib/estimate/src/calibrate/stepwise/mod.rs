@@ -17,7 +17,7 @@ use super::{assemble, checks};
 use crate::calibration::{Calibration, RecordingClock};
 use crate::methods::joint::ClockMode;
 use crate::methods::{
-    AccelerometerFit, AccelerometerRequest, Choice, GyroscopeData, GyroscopeFit, GyroscopeRequest,
+    AccelerometerFit, AccelerometerRequest, GyroscopeData, GyroscopeFit, GyroscopeRequest,
     accelerometer_unit, fit_accelerometer, fit_gyroscope, static_means, static_means_by,
 };
 use crate::residuals::StaticMean;
@@ -40,11 +40,7 @@ pub(super) fn stepwise(
     let is_separate = !separate.recordings.is_empty();
     let turning = if is_separate { separate } else { recordings };
     let turning: Vec<(&Recording, &Segmentation)> = turning.each().collect();
-    let Cut {
-        recordings,
-        choices,
-    } = recordings;
-    let accelerometer = accelerometer(recordings, choices, request, &mut warnings)?;
+    let accelerometer = accelerometer(recordings, request, &mut warnings)?;
     if is_separate {
         checks::refuse_unknowable(turning.iter().copied(), &request.effects)?;
     }
@@ -62,22 +58,15 @@ pub(super) fn stepwise(
     let clocks = clocks
         .map(|(recording, _)| RecordingClock::given(&recording.name, even))
         .collect();
-    let mut calibration = assemble::calibration(assemble::Parts {
-        recordings,
-        turning: &turning,
-        choices,
-        accelerometer: accelerometer.as_ref(),
-        gyroscope: gyroscope.as_ref(),
-        request,
-        warnings,
-    })?;
+    let fits = (accelerometer.as_ref(), gyroscope.as_ref());
+    let mut calibration = assemble::calibration(recordings, &turning, fits, request, warnings)?;
     calibration.carry_gravity(request.gravity_source);
     Ok(Outcome {
         calibration: Calibration {
             clocks,
             ..calibration
         },
-        choices: choices.clone(),
+        choices: recordings.choices.clone(),
         accelerometer,
         gyroscope,
         joint: None,
@@ -86,11 +75,11 @@ pub(super) fn stepwise(
 
 /// The accelerometer's fit; `None` where no recording has one.
 fn accelerometer(
-    recordings: &[&Recording],
-    choices: &[Choice],
+    cut: &Cut<'_>,
     request: &Request,
     warnings: &mut Findings,
 ) -> Result<Option<AccelerometerFit>, Error> {
+    let recordings = &cut.recordings;
     if request.static_means.is_empty() && recordings.iter().all(|r| r.accelerometer.is_none()) {
         warnings.push(Finding::of(Kind::NoAccelerometer));
         return Ok(None);
@@ -98,9 +87,9 @@ fn accelerometer(
     let mut names = Vec::new();
     let mut means = Vec::new();
     if request.static_means.is_empty() {
-        for (recording, choice) in recordings.iter().zip(choices) {
+        for (recording, segmentation) in cut.each() {
             names.push(recording.name.clone());
-            means.push(static_means(recording, &choice.segmentation));
+            means.push(static_means(recording, segmentation));
         }
     } else {
         names.push("static means".into());
@@ -113,7 +102,7 @@ fn accelerometer(
                 .collect(),
         );
     }
-    checks::enough_rests(recordings, choices, &means)?;
+    checks::enough_rests(recordings, &cut.choices, &means)?;
     checks::not_in_one_plane(&means)?;
     let model = request.model(Sensor::Accelerometer);
     let raw: Vec<Vector3<f64>> = means.iter().flatten().map(|m| m.raw).collect();
@@ -123,7 +112,7 @@ fn accelerometer(
             checks::force_is_all_they_need(model.effects())?;
         } else {
             let first = Sensing::first(model.clone(), unit);
-            means = known_means(recordings, choices, |_| first.clone());
+            means = known_means(cut, |_| first.clone());
         }
         checks::the_norm_tells_them(&model, &means, &unit, request.gravity)?;
     }
@@ -140,11 +129,13 @@ fn accelerometer(
     }
     watch.step(Stage::Fitting)?;
     let mut fit = fit_accelerometer(&request)?;
-    if choices.len() == request.recordings.len() && request.model.effects().iter().any(looks_back) {
+    if recordings.len() == request.recordings.len()
+        && request.model.effects().iter().any(looks_back)
+    {
         let shared = request.model.parameter_count();
         for _ in 0..HISTORIES {
             let by = |k: usize| Sensing::new(request.model.clone(), fit.fitted.local(shared, k));
-            let again = known_means(recordings, choices, by);
+            let again = known_means(cut, by);
             let same = again
                 .iter()
                 .flatten()
@@ -253,18 +244,14 @@ pub fn gyroscope_data(
 }
 
 /// The static means with what effects look at, by an accelerometer for each recording.
-fn known_means(
-    recordings: &[&Recording],
-    choices: &[Choice],
-    by: impl Fn(usize) -> Sensing,
-) -> Vec<Vec<StaticMean>> {
-    let of = |(k, (recording, choice)): (usize, (&&Recording, &Choice))| {
+fn known_means(cut: &Cut<'_>, by: impl Fn(usize) -> Sensing) -> Vec<Vec<StaticMean>> {
+    let of = |(k, (recording, segmentation)): (usize, (&Recording, &Segmentation))| {
         let models = Models {
             accelerometer: Some(by(k)),
             ..Models::default()
         };
-        let truth = Truth::as_far_as_known(recording, Some(&choice.segmentation), models);
-        static_means_by(&truth, &choice.segmentation)
+        let truth = Truth::as_far_as_known(recording, Some(segmentation), models);
+        static_means_by(&truth, segmentation)
     };
-    recordings.iter().zip(choices).enumerate().map(of).collect()
+    cut.each().enumerate().map(of).collect()
 }
