@@ -3,10 +3,10 @@
 
 use nalgebra::{Matrix3, Vector3};
 use recording::averages::median;
+use recording::intervals::{Moments, Span, StaticInterval};
 
 use super::change::{Change, Place};
 use super::hypothesis::{CHANGES, Hypothesis, OWN, What};
-use super::rest::Rest;
 use super::weigh::{Explanation, solved_in_place};
 use crate::methods::{RawUnit, accelerometer_unit};
 
@@ -47,11 +47,12 @@ pub(super) struct Force {
 }
 
 /// Fits the base and looks for a change; `None` of too few intervals.
-pub(super) fn force(rests: &[Rest], gravity: f64) -> Option<Force> {
-    let with: Vec<&Rest> = rests.iter().filter(|r| r.force.is_some()).collect();
-    let stride = with.len().div_ceil(MOST).max(1);
-    let used: Vec<&Rest> = with.iter().step_by(stride).copied().collect();
-    let raw: Vec<Vector3<f64>> = used.iter().filter_map(|r| Some(r.force?.mean)).collect();
+pub(super) fn force(rests: &[StaticInterval], gravity: f64) -> Option<Force> {
+    let means = rests.iter().enumerate();
+    let means = means.filter_map(|(place, rest)| Some((place, rest.span, rest.accelerometer?)));
+    let stride = means.clone().count().div_ceil(MOST).max(1);
+    let used: Vec<(usize, Span, Moments)> = means.step_by(stride).collect();
+    let raw: Vec<Vector3<f64>> = used.iter().map(|(.., force)| force.mean).collect();
     if raw.len() < BASE + 3 {
         return None;
     }
@@ -63,7 +64,7 @@ pub(super) fn force(rests: &[Rest], gravity: f64) -> Option<Force> {
         mixed: false,
     };
     let base = Fit::of(&raw, gravity, nothing)?;
-    let white = median(used.iter().filter_map(|r| Some(r.force?.white_of_mean())))?;
+    let white = median(used.iter().map(|(.., force)| force.white_of_mean()))?;
     let floor = raw.len() as f64 * (unit.scale * white).powi(2).max(f64::MIN_POSITIVE);
     let found = if base.left > NOISE * floor {
         best(&raw, gravity, &base, floor)
@@ -77,21 +78,24 @@ pub(super) fn force(rests: &[Rest], gravity: f64) -> Option<Force> {
         Some(Change {
             kind,
             place: Place {
-                after: (after.place, after.span.to),
-                before: (before.place, before.span.from),
+                after: (after.0, after.1.to),
+                before: (before.0, before.1.from),
             },
         })
     });
     let fit = found.unwrap_or(base);
-    let from = used.get(fit.hypothesis.at).map_or(usize::MAX, |r| r.place);
-    let direction = |rest: &Rest| {
-        let passed = passed(rest.place, rests.len());
-        let force = fit.corrected(&unit.to_si(&rest.force?.mean), passed, rest.place >= from);
+    let from = used
+        .get(fit.hypothesis.at)
+        .map_or(usize::MAX, |(place, ..)| *place);
+    let direction = |(place, rest): (usize, &StaticInterval)| {
+        let passed = passed(place, rests.len());
+        let force = unit.to_si(&rest.accelerometer?.mean);
+        let force = fit.corrected(&force, passed, place >= from);
         Some(force.normalize()).filter(|u| u.norm().is_finite())
     };
     Some(Force {
         change,
-        directions: rests.iter().map(direction).collect(),
+        directions: rests.iter().enumerate().map(direction).collect(),
     })
 }
 

@@ -1,6 +1,6 @@
 //! A sign or two columns that change part of the way: by which of them the turns meet gravity before and after.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Matrix3;
 use recording::averages::median;
 use sensor::Sensor;
 
@@ -105,11 +105,7 @@ pub(super) fn unit(turns: &[Turning<'_>], fitted: f64) -> f64 {
     let degree = 1f64.to_radians();
     let missed = |unit: f64| {
         let t = Matrix3::from_diagonal_element(unit);
-        let each = turns.iter().map(|turn| {
-            let end: Vector3<f64> = turn.rates.rotation(&t) * turn.after;
-            end.angle(&turn.before)
-        });
-        median(each).unwrap_or(0.0)
+        median(turns.iter().map(|turn| turn.missed(&t))).unwrap_or(0.0)
     };
     let known = [fitted, 1.0, degree]
         .into_iter()

@@ -13,7 +13,6 @@ mod force;
 mod hypothesis;
 mod mirrored;
 mod rate;
-mod rest;
 mod turn;
 mod turn_sums;
 mod turned;
@@ -28,7 +27,6 @@ use findings::Finding;
 use nalgebra::{Matrix3, Vector3};
 use recording::Recording;
 use recording::intervals::Segmentation;
-use rest::Rest;
 use turn::Rates;
 use turn_sums::Turning;
 
@@ -74,20 +72,10 @@ fn changes(
     gravity: f64,
     gyroscope: Option<(Matrix3<f64>, f64)>,
 ) -> Vec<Change> {
-    let rests: Vec<Rest> = segmentation
-        .statics
-        .iter()
-        .enumerate()
-        .map(|(place, rest)| Rest {
-            place,
-            span: rest.span,
-            force: rest.accelerometer,
-            rate: rest.gyroscope,
-        })
-        .collect();
+    let rests = &segmentation.statics;
     let mut found = Vec::new();
-    let Some(force) = force::force(&rests, gravity) else {
-        return rate::steps(&rests);
+    let Some(force) = force::force(rests, gravity) else {
+        return rate::steps(rests);
     };
     found.extend(force.change);
     let turns = turnings(recording, segmentation, &force.directions);
@@ -100,7 +88,9 @@ fn changes(
         };
         // Directions by a base that was fitted to both parts may be worse than those as read.
         let as_read = || {
-            let directions = rests.iter().map(|r| Some(r.force?.mean.normalize()));
+            let directions = rests
+                .iter()
+                .map(|r| Some(r.accelerometer?.mean.normalize()));
             let turns = turnings(recording, segmentation, &directions.collect::<Vec<_>>());
             mirrored::change(&turns, &start)
         };
@@ -114,7 +104,7 @@ fn changes(
     }
     // A bias that steps because its column does is no other finding.
     if !is_reflected(&found) {
-        found.extend(rate::steps(&rests));
+        found.extend(rate::steps(rests));
     }
     // Nor is a turn or a static interval that something changes in.
     let changed: Vec<Place> = found
@@ -133,11 +123,6 @@ fn is_reflected(found: &[Change]) -> bool {
     found
         .iter()
         .any(|c| matches!(c.kind, Kind::Flipped(..) | Kind::Swapped(..)))
-}
-
-/// The axes in every order with every sign.
-fn signed_axes() -> impl Iterator<Item = Matrix3<f64>> {
-    super::checks::signed_axes().into_iter()
 }
 
 /// The sound turns between static intervals whose directions are known, or as many of them as the budget allows, evenly

@@ -1,10 +1,10 @@
 //! A bias of the gyroscope that steps and stays.
 
 use recording::averages::median;
+use recording::intervals::{Moments, Span, StaticInterval};
 use sensor::Sensor;
 
 use super::change::{Change, Kind, Place};
-use super::rest::Rest;
 
 /// Fewest static intervals, and on either side of a step.
 const FEWEST: usize = 8;
@@ -17,26 +17,25 @@ const STANDS_OUT: f64 = 5.0;
 const STAYS: f64 = 0.6;
 
 /// The largest step of the static means of each axis, where it stands out and stays.
-pub(super) fn steps(rests: &[Rest]) -> Vec<Change> {
-    let with: Vec<&Rest> = rests.iter().filter(|r| r.rate.is_some()).collect();
+pub(super) fn steps(rests: &[StaticInterval]) -> Vec<Change> {
+    let with = rests.iter().enumerate();
+    let with = with.filter_map(|(place, rest)| Some((place, rest.span, rest.gyroscope?)));
+    let with: Vec<(usize, Span, Moments)> = with.collect();
     if with.len() < FEWEST {
         return Vec::new();
     }
     (0..3).filter_map(|axis| of_axis(&with, axis)).collect()
 }
 
-fn of_axis(rests: &[&Rest], axis: usize) -> Option<Change> {
-    let mean: Vec<f64> = rests
-        .iter()
-        .filter_map(|r| Some(r.rate?.mean[axis]))
-        .collect();
+fn of_axis(rests: &[(usize, Span, Moments)], axis: usize) -> Option<Change> {
+    let mean: Vec<f64> = rests.iter().map(|(.., rate)| rate.mean[axis]).collect();
     let differences: Vec<f64> = mean.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let inner = SIDE - 1..differences.len() + 1 - SIDE;
     let at = inner.max_by(|&a, &b| differences[a].abs().total_cmp(&differences[b].abs()))?;
     let step = differences[at];
     let others = differences.iter().enumerate().filter(|(k, _)| *k != at);
     let usual = 1.4826 * median(others.map(|(_, d)| d.abs()))?;
-    let white = median(rests.iter().filter_map(|r| Some(r.rate?.white_of_mean())))?;
+    let white = median(rests.iter().map(|(.., rate)| rate.white_of_mean()))?;
     let level = |side: &[f64]| median(side.iter().copied());
     let noise = usual.hypot(2f64.sqrt() * white);
     let levels = level(&mean[at + 1..])? - level(&mean[..=at])?;
@@ -44,8 +43,8 @@ fn of_axis(rests: &[&Rest], axis: usize) -> Option<Change> {
     (step.abs() > STANDS_OUT * noise && noise > 0.0 && stays).then(|| Change {
         kind: Kind::Bias(Sensor::Gyroscope, axis, step),
         place: Place {
-            after: (rests[at].place, rests[at].span.to),
-            before: (rests[at + 1].place, rests[at + 1].span.from),
+            after: (rests[at].0, rests[at].1.to),
+            before: (rests[at + 1].0, rests[at + 1].1.from),
         },
     })
 }

@@ -17,6 +17,12 @@ impl Carried {
     pub fn angle(&self) -> f64 {
         2.0 * (0.5 * self.miss.norm()).min(1.0).asin()
     }
+
+    /// The derivative of the miss along a change of the matrix, rad.
+    pub fn along(&self, change: &Matrix3<f64>) -> Vector3<f64> {
+        let element = |(i, slope): (usize, &Vector3<f64>)| slope * change[(i / 3, i % 3)];
+        self.slopes.iter().enumerate().map(element).sum()
+    }
 }
 
 /// Rates of a turn by raw readings less their bias, with their stamps.

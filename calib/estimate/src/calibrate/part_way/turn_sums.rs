@@ -22,6 +22,14 @@ pub(super) struct Turning<'a> {
     pub place: Place,
 }
 
+impl Turning<'_> {
+    /// The angle by which gravity is missed with a matrix, rad.
+    pub fn missed(&self, t: &Matrix3<f64>) -> f64 {
+        let end: Vector3<f64> = self.rates.rotation(t) * self.after;
+        end.angle(&self.before)
+    }
+}
+
 pub(super) fn all_carried(turns: &[Turning<'_>], t: &Matrix3<f64>) -> Vec<Carried> {
     let carry = |turn: &Turning<'_>| turn.rates.carry(t, &turn.before, &turn.after);
     turns.iter().map(carry).collect()

@@ -100,16 +100,12 @@ fn sums(
         }
         let moved = t * rotation.matrix();
         let own = turn.rates.carry(&moved, &turn.before, &turn.after);
-        let slope = |by: &Matrix3<f64>| -> Vector3<f64> {
-            let element = |i: usize| own.slopes[i] * by[(i / 3, i % 3)];
-            (0..BASE).map(element).sum()
-        };
-        let extra: Vec<Vector3<f64>> = generators.iter().map(|m| slope(&(moved * m))).collect();
+        let extra: Vec<Vector3<f64>> = generators.iter().map(|m| own.along(&(moved * m))).collect();
         // d(T R)/dT_ij: row j of R in row i.
         let of_t = |e: usize| {
             let mut by = Matrix3::zeros();
             by.set_row(e / 3, &rotation.matrix().row(e % 3));
-            slope(&by)
+            own.along(&by)
         };
         let through = Carried {
             miss: own.miss,

@@ -27,15 +27,9 @@ pub(super) fn changes(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Vec<Change
     if turns.len() < FEWEST {
         return Vec::new();
     }
-    let mut t = *start;
-    let mut carried = all_carried(turns, &t);
-    for _ in 0..PASSES {
-        let Some(step) = robust_step(&carried) else {
-            return Vec::new();
-        };
-        t += step;
-        carried = all_carried(turns, &t);
-    }
+    let Some((t, carried)) = robust_fit(turns, *start, PASSES) else {
+        return Vec::new();
+    };
     let n = turns.len();
     let whole = sums_of(&carried, &t, n, false, &[]);
     let Some(base) = whole.solution().map(|solution| whole.left(&solution)) else {
@@ -111,9 +105,24 @@ fn named(turns: &[Turning<'_>], carried: &[Carried], t: &Matrix3<f64>, limit: f6
     named
 }
 
+/// The matrix with which most turns meet gravity, by some passes from a first one, and gravity carried with it.
+pub(super) fn robust_fit(
+    turns: &[Turning<'_>],
+    start: Matrix3<f64>,
+    passes: usize,
+) -> Option<(Matrix3<f64>, Vec<Carried>)> {
+    let mut t = start;
+    let mut carried = all_carried(turns, &t);
+    for _ in 0..passes {
+        t += robust_step(&carried)?;
+        carried = all_carried(turns, &t);
+    }
+    Some((t, carried))
+}
+
 /// The step of the matrix that most turns agree on: weights `1 / (1 + (q / 3 s)²)`, `s` the median of the misses
 /// (Cauchy's, Holland & Welsch 1977).
-pub(super) fn robust_step(carried: &[Carried]) -> Option<Matrix3<f64>> {
+fn robust_step(carried: &[Carried]) -> Option<Matrix3<f64>> {
     let mut step = DVector::zeros(BASE);
     for _ in 0..WEIGHINGS {
         let missed: Vec<f64> = carried.iter().map(|c| left(c, &step).norm()).collect();
@@ -200,12 +209,8 @@ fn sums_of(
         if mixed && k == at {
             continue;
         }
-        let slope = |by: &Matrix3<f64>| -> Vector3<f64> {
-            let element = |i: usize| one.slopes[i] * by[(i / 3, i % 3)];
-            (0..BASE).map(element).sum()
-        };
         let extra: Vec<Vector3<f64>> = if k >= at {
-            moved.iter().map(slope).collect()
+            moved.iter().map(|by| one.along(by)).collect()
         } else {
             vec![Vector3::zeros(); moved.len()]
         };

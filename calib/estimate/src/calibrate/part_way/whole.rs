@@ -5,8 +5,9 @@ use recording::Recording;
 use recording::averages::{median, root_mean_square};
 use recording::intervals::Segmentation;
 
-use super::turn_sums::{Turning, all_carried};
-use super::turns::robust_step;
+use super::turn_sums::Turning;
+use super::turns::robust_fit;
+use crate::calibrate::checks::signed_axes;
 
 /// Fewest turns.
 const FEWEST: usize = 6;
@@ -44,12 +45,8 @@ pub(in crate::calibrate) fn gyroscope_by_turns(
     if turns.len() < FEWEST {
         return None;
     }
-    let mut t = first(&turns, start)?;
-    let mut carried = all_carried(&turns, &t);
-    for _ in 0..PASSES {
-        t += robust_step(&carried)?;
-        carried = all_carried(&turns, &t);
-    }
+    let start = first(&turns, start)?;
+    let (t, carried) = robust_fit(&turns, start, PASSES)?;
     let angles: Vec<f64> = carried.iter().map(super::turn::Carried::angle).collect();
     let missed = root_mean_square(&angles);
     t.iter().all(|v| v.is_finite()).then(|| ByTurns {
@@ -62,10 +59,7 @@ pub(in crate::calibrate) fn gyroscope_by_turns(
 /// The best of the usual scales, and of the axes where none meets gravity.
 fn first(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Option<Matrix3<f64>> {
     let miss = |t: &Matrix3<f64>| {
-        let each = turns.iter().map(|turn| {
-            let end: Vector3<f64> = turn.rates.rotation(t) * turn.after;
-            end.angle(&turn.before)
-        });
+        let each = turns.iter().map(|turn| turn.missed(t));
         median(each).unwrap_or(f64::INFINITY)
     };
     let best = |all: Vec<Matrix3<f64>>| {
@@ -76,7 +70,7 @@ fn first(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Option<Matrix3<f64>> {
     if least < MEETS {
         return Some(named);
     }
-    let any = super::signed_axes().map(|axes| axes * start);
+    let any = signed_axes().into_iter().map(|axes| axes * start);
     let (turned, axes) = best(any.collect())?;
     Some(if turned < least { axes } else { named })
 }
