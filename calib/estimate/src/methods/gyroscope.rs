@@ -14,7 +14,7 @@ use super::gyro_guess::{GyroGuess, gyroscope_guess, perfect_chords};
 use super::small_sample::widening;
 use crate::kernel::TurnProblem;
 use crate::residuals::{
-    Integrator, OwnBias, PropagatedGravity, Recordings, Stacked, StaticMean, StaticRate, TurnData,
+    Integrator, OwnBias, PropagatedGravity, Stacked, StaticMean, StaticRate, TurnData,
 };
 
 /// Rounds in which the two kinds of rows are weighted by what the fit before left of them.
@@ -196,12 +196,12 @@ fn with_effects(
     let mut problem = turns_and_rests(request, &near_si);
     let mut result = None;
     for _ in 0..WEIGHT_ROUNDS {
-        for part in &mut problem.0.parts {
+        for part in &mut problem.parts {
             part.first.weigh(sigma_turn);
             part.second.sigma = sigma_rest;
         }
         let model = mounted(request.model.parameters(), guess);
-        let start = problem.0.parameters(&model, &names);
+        let start = problem.parameters(&model, &names);
         let mask = start.free_where(|_| true);
         let report = solve(&problem, &start, &mask, &Options::default())?;
         let (turns, rests) = split_rows(&near_si, &report.residuals);
@@ -308,7 +308,7 @@ fn carried(
 fn turns_and_rests<'a>(
     request: &'a GyroscopeRequest,
     near_si: &'a [(Vec<TurnData>, Vec<StaticMean>)],
-) -> Recordings<Stacked<TurnProblem<'a>, StaticRate<'a>>> {
+) -> OwnBias<Stacked<TurnProblem<'a>, StaticRate<'a>>> {
     let part = |(turns, means): &'a (Vec<TurnData>, Vec<StaticMean>)| Stacked {
         first: TurnProblem::new(PropagatedGravity {
             model: &request.model,
@@ -322,11 +322,11 @@ fn turns_and_rests<'a>(
             sigma: 1.0,
         },
     };
-    Recordings(OwnBias {
+    OwnBias {
         parts: near_si.iter().map(part).collect(),
         shared: request.model.parameter_count(),
         own_bias: true,
-    })
+    }
 }
 
 /// The rows of the turns and those of the rests, of all recordings.

@@ -4,15 +4,15 @@ mod gravity_norm;
 mod integrator;
 mod own_bias;
 mod propagated_gravity;
+mod stacked;
 mod static_rate;
-mod together;
 
 pub use gravity_norm::GravityNorm;
 pub use integrator::{Integrator, attitude_of};
 pub use own_bias::OwnBias;
 pub use propagated_gravity::{PropagatedGravity, TurnData};
+pub use stacked::Stacked;
 pub use static_rate::StaticRate;
-pub use together::{Recordings, Stacked};
 
 use nalgebra::Vector3;
 use sensor::Kinematics;
