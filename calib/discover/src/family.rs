@@ -50,7 +50,7 @@ impl Claim {
     pub fn name(&self) -> &str {
         match self {
             Self::Effect(effect) => effect.name(),
-            Self::Disturbed(fault) => fault.name(),
+            Self::Disturbed(fault) => fault.name,
             Self::Shape(shape, _) => shape.kind().name(),
         }
     }
@@ -75,7 +75,7 @@ impl Claim {
     pub fn sensor(&self) -> Sensor {
         match self {
             Self::Effect(effect) => effect.sensor(),
-            Self::Disturbed(fault) => fault.sensor(),
+            Self::Disturbed(fault) => fault.sensor,
             Self::Shape(_, sensor) => *sensor,
         }
     }
@@ -286,7 +286,7 @@ fn disturbance_families(state: &State) -> Vec<Family> {
         }
         let all: Vec<&Column> = suspects.iter().flat_map(|s| &s.columns).collect();
         let mut columns = state.sparse(&all);
-        let typical = fault.typical();
+        let typical = fault.typical;
         columns.scale(typical);
         Family {
             claim: Claim::Disturbed(fault),

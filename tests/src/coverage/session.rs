@@ -266,7 +266,7 @@ fn named(fit: &JointFit, session: &Session) -> Vec<String> {
         .flagged
         .iter()
         .map(|a| {
-            let kind = match a.fault.kind() {
+            let kind = match a.fault.kind {
                 Kind::Creep | Kind::Settling | Kind::MountSlip => "slip",
                 Kind::RateExcursion => "excursion",
                 Kind::TurnMissed => "turn",

@@ -183,13 +183,13 @@ pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<In
     // A rate that is off in an interval is off up to the turns beside it, which see it as a creep.
     let is_excursion = |of: &Flagged| {
         let all = state.fit.flagged.iter();
-        let mut excursions = all.filter(|a| a.fault.kind() == Kind::RateExcursion);
+        let mut excursions = all.filter(|a| a.fault.kind == Kind::RateExcursion);
         excursions.any(|a| (a.recording, a.interval) == (of.recording, of.interval))
     };
     found
         // An interval within which a bias stepped is no fault of the recording.
         .filter(|(flagged, _)| flagged.reason == Reason::Disturbed)
-        .filter(|(flagged, _)| flagged.fault.kind() != Kind::Creep || !is_excursion(flagged))
+        .filter(|(flagged, _)| flagged.fault.kind != Kind::Creep || !is_excursion(flagged))
         .map(|(flagged, (known, size))| {
             let or = either.iter().find(|either| either.known == known);
             let recording = &state.fit.data.sources[flagged.recording].name;
@@ -200,11 +200,11 @@ pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<In
                     && fault.t1 > flagged.span.from
             });
             let fault = flagged.fault;
-            let (size, unit) = (fault.size(size, flagged.span), fault.unit());
-            let is_of_a_turn = fault.scope() == Scope::Turn;
+            let (size, unit) = (fault.size(size, flagged.span), fault.unit);
+            let is_of_a_turn = fault.scope == Scope::Turn;
             let (name, kind) = match is_of_a_turn && lost {
                 true => ("lost_samples", Kind::TurnWithoutSamples),
-                false => (fault.name(), fault.kind()),
+                false => (fault.name, fault.kind),
             };
             let found = Finding::of(kind)
                 .in_recording(recording)

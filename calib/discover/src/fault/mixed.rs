@@ -3,7 +3,7 @@
 //! A step is held between two static intervals. Where it happened within one, the mean of that interval is a mixture of before
 //! and after: it looks disturbed, and pulls the estimate of the step towards itself.
 
-use estimate::methods::joint::{DisturbedInterval, Known, RateExcursion, Reason, Suspect};
+use estimate::methods::joint::{DISTURBED_INTERVAL, Known, RATE_EXCURSION, Reason, Suspect};
 use recording::Error;
 use sensor::Sensor;
 
@@ -92,7 +92,7 @@ fn beside_steps(state: &State) -> Vec<Known> {
 fn left_out(state: &State, sensor: Sensor, chunk: usize) -> Option<Known> {
     if sensor == Sensor::Accelerometer {
         return Some(Known {
-            fault: &DisturbedInterval,
+            fault: &DISTURBED_INTERVAL,
             place: chunk,
             reason: Reason::BiasStepped,
         });
@@ -100,7 +100,7 @@ fn left_out(state: &State, sensor: Sensor, chunk: usize) -> Option<Known> {
     let rest = state.fit.data.chunks[chunk].rest;
     let is_whole = state.fit.data.rests[rest].chunks.len() == 1;
     is_whole.then_some(Known {
-        fault: &RateExcursion,
+        fault: &RATE_EXCURSION,
         place: rest,
         reason: Reason::BiasStepped,
     })

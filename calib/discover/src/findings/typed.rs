@@ -66,6 +66,6 @@ fn affecting(found: Finding, channel: Channel, rms: Option<f64>) -> Finding {
 
 /// Returns true if the fit itself, or a look at the readings, reports a finding of this kind.
 fn is_of_the_fit(kind: Kind) -> bool {
-    let is_of_a_place = FAULTS.iter().any(|fault| fault.kind() == kind);
+    let is_of_a_place = FAULTS.iter().any(|fault| fault.kind == kind);
     is_of_a_place || matches!(kind, Kind::Quantised | Kind::DeadZone | Kind::Rezeroed)
 }

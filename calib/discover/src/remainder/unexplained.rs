@@ -75,7 +75,7 @@ pub fn unexplained(search: &mut Search, alpha: f64) -> (Option<Unexplained>, Opt
     let of_rests = !in_rests.is_empty()
         && in_rests
             .iter()
-            .all(|known| known.fault.is_over_with_interval());
+            .all(|known| known.fault.is_over_with_interval);
     if named_effect || of_rests {
         let described = Described::of(&search.base);
         let shaped = described.trials(&search.base, search.evidence + APART);

@@ -33,7 +33,7 @@ impl Finder<'_> {
         }
         for (known, _) in certain {
             let k = held.iter().position(|h| h.is(known));
-            let of_a_rest = known.fault.is_over_with_interval();
+            let of_a_rest = known.fault.is_over_with_interval;
             let (Some(k), true, false) = (k, of_a_rest, self.is_spent(1)) else {
                 continue;
             };
@@ -77,11 +77,11 @@ fn across(base: &State, held: &[Held], k: usize) -> Option<Vec<Held>> {
     let data = &base.fit.data;
     let place = held[k].hypothesis.place?;
     let rest = match held[k].claim {
-        Claim::Disturbed(fault) => fault.scope().static_interval(data, place)?,
+        Claim::Disturbed(fault) => fault.scope.static_interval(data, place)?,
         _ => place,
     };
     let other_side = |h: &Held| {
-        if !matches!(h.claim, Claim::Disturbed(fault) if fault.scope() == Scope::Turn) {
+        if !matches!(h.claim, Claim::Disturbed(fault) if fault.scope == Scope::Turn) {
             return None;
         }
         let from = data.turns.get(h.hypothesis.place?)?.from;

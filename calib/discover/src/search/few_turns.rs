@@ -26,7 +26,7 @@ impl Turns {
         let is_knocked = state.fit.data.misses_something_between_samples();
         is_knocked.then(|| {
             let suspects = state.suspects().iter();
-            let turns = suspects.filter(|s| s.fault.scope() == Scope::Turn);
+            let turns = suspects.filter(|s| s.fault.scope == Scope::Turn);
             Self(turns.map(|turn| state.explained_by(turn)).collect())
         })
     }

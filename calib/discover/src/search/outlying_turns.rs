@@ -26,7 +26,7 @@ pub(super) fn outlying_turns(state: &State) -> Vec<Held> {
     let suspects: Vec<&Suspect> = state
         .suspects()
         .iter()
-        .filter(|s| s.fault.scope() == Scope::Turn)
+        .filter(|s| s.fault.scope == Scope::Turn)
         .collect();
     let turns = Turns::of(state, &suspects);
     let most = (SHARE * suspects.len() as f64) as usize;

@@ -21,7 +21,7 @@ const ABOVE_TURNS: f64 = 5.0;
 pub fn placements_apart(fit: &JointFit) -> Option<Finding> {
     let missed = fit.gravity * median(fit.chords.iter().copied()).unwrap_or(0.0);
     let apart = |a: &&Flagged| {
-        let is_pushed = a.fault.opens_force() && a.reason == Reason::Disturbed;
+        let is_pushed = a.fault.opens_force && a.reason == Reason::Disturbed;
         is_pushed && !a.shook && a.size > APART.max(ABOVE_TURNS * missed)
     };
     let all: Vec<String> = fit
@@ -91,12 +91,12 @@ pub fn disturbances(fit: &JointFit, warnings: &mut Findings) {
     for flagged in &fit.flagged {
         let kind = match flagged.reason {
             Reason::BiasStepped => Kind::BiasStepped,
-            Reason::Disturbed => flagged.fault.kind(),
+            Reason::Disturbed => flagged.fault.kind,
         };
         let found = Finding::of(kind)
             .in_recording(name(flagged.recording))
             .between(flagged.span.from, flagged.span.to);
-        let found = match flagged.fault.scope() {
+        let found = match flagged.fault.scope {
             Scope::Turn => found.at_turn(flagged.interval),
             Scope::StaticInterval | Scope::Chunk => found.at_interval(flagged.interval),
         };

@@ -5,7 +5,7 @@ use solver::Termination;
 
 use super::approach::{Weighted, approach};
 use super::data::budget::Steps;
-use super::faults::{DisturbedInterval, Flagged, Reason, Seen, Suspect};
+use super::faults::{DISTURBED_INTERVAL, Flagged, Reason, Seen, Suspect};
 use super::fit::JointFit;
 use super::graph::{Ended, solve_rows};
 use super::minimum::{Point, Run};
@@ -130,7 +130,7 @@ impl Run<'_> {
             .broken
             .iter()
             .map(|&(recording, interval, span)| Flagged {
-                fault: &DisturbedInterval,
+                fault: &DISTURBED_INTERVAL,
                 reason: Reason::Disturbed,
                 recording,
                 interval,
@@ -156,7 +156,7 @@ impl Run<'_> {
 
     fn one_in_words(&self, suspect: &Suspect, fitted: &[f64]) -> Flagged {
         let fault = suspect.fault;
-        let (recording, interval, span) = fault.scope().when(&self.data, suspect.place);
+        let (recording, interval, span) = fault.scope.when(&self.data, suspect.place);
         let norm = fitted.iter().take(3).map(|v| v * v).sum::<f64>().sqrt();
         Flagged {
             fault,
@@ -166,7 +166,7 @@ impl Run<'_> {
             span,
             size: fault.size(norm, span),
             shook: suspect.seen != Seen::Nothing,
-            seen: fault.seen(norm, span, self.request.gravity, suspect.seen),
+            seen: (fault.seen)(norm, span, self.request.gravity, suspect.seen),
         }
     }
 }

@@ -217,7 +217,7 @@ impl Run<'_> {
             levels = self.measured(analysis, &all(&found), &levels);
         }
         let count = found.len();
-        let is_push = |k: &usize| candidates[*k].fault.opens_force();
+        let is_push = |k: &usize| candidates[*k].fault.opens_force;
         let without_shaking = |k: &usize| !given.contains(k) && is_push(k);
         if found.iter().any(without_shaking) {
             let limit = STANDS_OUT * at.misfit_of_norm(&all(&found));
@@ -332,7 +332,7 @@ mod tests {
         spec.effects.insert("accel_hysteresis".into(), sizes);
         spec.faults.extend_from_slice(faults);
         let fit = fit(&Simulation::new(&spec).unwrap());
-        let pushed = |a: &&crate::methods::joint::Flagged| a.fault.opens_force();
+        let pushed = |a: &&crate::methods::joint::Flagged| a.fault.opens_force;
         let pushed = fit.flagged.iter().filter(pushed);
         pushed.map(|a| a.interval).collect()
     }
@@ -369,7 +369,7 @@ mod tests {
                 rotations: &rows.rotations(x),
             };
             let all = suspects_beside_biases(&site);
-            all.iter().any(|s| s.fault.opens_force())
+            all.iter().any(|s| s.fault.opens_force)
         };
         // Nine parameters: without a placement of ten the nine others meet any misfit.
         assert!(!suspected(10) && suspected(14));

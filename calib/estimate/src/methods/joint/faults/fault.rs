@@ -1,7 +1,5 @@
 //! A fault, where it may be, and what it adds to the rows of a fit there.
 
-use std::fmt;
-
 use findings::Kind;
 use nalgebra::{Matrix3, Vector3};
 use recording::intervals::Span;
@@ -12,64 +10,54 @@ use crate::methods::joint::data::Data;
 use crate::methods::joint::rows::{MeanRows, Rows};
 
 /// A fault of the registry.
-pub type FaultRef = &'static dyn Fault;
+pub type FaultRef = &'static Fault;
 
 /// A fault: parameters `d` of its own that one place of a recording has, which change the rows by `∂r/∂d · d`.
-pub trait Fault: fmt::Debug + Send + Sync {
+#[derive(Debug)]
+pub struct Fault {
     /// Kind of the finding that reports it; no two faults have the same.
-    fn kind(&self) -> Kind;
-
+    pub kind: Kind,
     /// Name in `findings.json`; faults of one cause share it.
-    fn name(&self) -> &'static str;
-
+    pub name: &'static str,
     /// Places where it may be.
-    fn scope(&self) -> Scope;
-
+    pub scope: Scope,
     /// Sensor whose wandering bias can be taken for it.
-    fn sensor(&self) -> Sensor;
-
+    pub sensor: Sensor,
     /// Unit of its size.
-    fn unit(&self) -> &'static str;
-
+    pub unit: &'static str,
     /// Typical size of a parameter, in its own unit: one that moves the rows by much less than their noise is not seen.
-    fn typical(&self) -> f64;
-
+    pub typical: f64,
+    /// True if its parameters are rates: its size is what they come to over its span.
+    pub is_rate: bool,
+    /// True if a wandering bias imitates it: then only a search that weighs biases against it looks for it.
+    pub is_imitated_by_bias: bool,
+    /// True if it leaves the specific force of its place open.
+    pub opens_force: bool,
+    /// True if it is over with its static interval: what comes after is as without it.
+    pub is_over_with_interval: bool,
     /// Lists every place where it may be, with what it adds to the rows there.
-    fn suspects(&self, site: &Site<'_>) -> Vec<Suspect>;
+    pub suspects: fn(&Site<'_>) -> Vec<Suspect>,
+    /// Evidence beside its test where its parameters have this length over a span, from gravity and what the readings show already.
+    pub seen: fn(f64, Span, f64, Seen) -> Seen,
+}
 
-    /// Returns true if a wandering bias imitates it: then only a search that weighs biases against it looks for it.
-    fn is_imitated_by_bias(&self) -> bool {
-        false
-    }
-
-    /// Returns true if it leaves the specific force of its place open.
-    fn opens_force(&self) -> bool {
-        false
-    }
-
-    /// Returns true if it is over with its static interval: what comes after is as without it.
-    fn is_over_with_interval(&self) -> bool {
-        self.scope() != Scope::Turn
-    }
-
+impl Fault {
     /// Size where its parameters have the length `norm` over a span.
-    fn size(&self, norm: f64, _span: Span) -> f64 {
-        norm
-    }
-
-    /// Evidence beside its test where its parameters have the length `norm`, `seen` being what the readings show already.
-    fn seen(&self, _norm: f64, _span: Span, _gravity: f64, seen: Seen) -> Seen {
-        seen
+    pub fn size(&self, norm: f64, span: Span) -> f64 {
+        match self.is_rate {
+            true => norm * span.length(),
+            false => norm,
+        }
     }
 }
 
-impl PartialEq for dyn Fault {
+impl PartialEq for Fault {
     fn eq(&self, other: &Self) -> bool {
-        self.kind() == other.kind()
+        self.kind == other.kind
     }
 }
 
-impl Eq for dyn Fault {}
+impl Eq for Fault {}
 
 /// Kind of place of a fault.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -168,11 +156,6 @@ impl Site<'_> {
         let all = self.rows.means(sensor);
         all.filter(move |mean| chunks.contains(&mean.place))
     }
-}
-
-/// Unit vector of an axis.
-pub(super) fn axis_vector(axis: usize) -> Vector3<f64> {
-    Vector3::ith(axis, 1.0)
 }
 
 /// One column for each of `count` rows from `row` on.

@@ -11,33 +11,30 @@ mod rate_excursion;
 mod settling;
 mod sudden_slip;
 
-pub use creep::Creep;
-pub use disturbed_interval::DisturbedInterval;
+pub use disturbed_interval::DISTURBED_INTERVAL;
 pub(crate) use disturbed_interval::shaken;
 pub use fault::{Fault, FaultRef, Flagged, Reason, Scope, Seen, Site, Suspect};
-pub use outlying_turn::OutlyingTurn;
-pub use rate_excursion::RateExcursion;
-pub use sudden_slip::SuddenSlip;
+pub use rate_excursion::RATE_EXCURSION;
 
 /// All faults, in the order of their parameters.
 pub static FAULTS: &[FaultRef] = &[
-    &Creep,
-    &DisturbedInterval,
-    &OutlyingTurn,
-    &RateExcursion,
-    &settling::Settling,
-    &SuddenSlip,
+    &creep::CREEP,
+    &DISTURBED_INTERVAL,
+    &outlying_turn::OUTLYING_TURN,
+    &RATE_EXCURSION,
+    &settling::SETTLING,
+    &sudden_slip::SUDDEN_SLIP,
 ];
 
 /// Every place of all faults.
 pub fn suspects(site: &Site<'_>) -> Vec<Suspect> {
-    FAULTS.iter().flat_map(|f| f.suspects(site)).collect()
+    FAULTS.iter().flat_map(|f| (f.suspects)(site)).collect()
 }
 
 /// Every place of the faults that a wandering bias does not imitate.
 pub fn suspects_beside_biases(site: &Site<'_>) -> Vec<Suspect> {
-    let own = FAULTS.iter().filter(|f| !f.is_imitated_by_bias());
-    own.flat_map(|f| f.suspects(site)).collect()
+    let own = FAULTS.iter().filter(|f| !f.is_imitated_by_bias);
+    own.flat_map(|f| (f.suspects)(site)).collect()
 }
 
 #[cfg(test)]
@@ -48,7 +45,7 @@ mod tests {
     fn no_two_faults_are_reported_by_the_same_kind() {
         for (k, one) in FAULTS.iter().enumerate() {
             assert!(FAULTS[..k].iter().all(|other| other != one), "{one:?}");
-            assert!(one.typical() > 0.0 && !one.name().is_empty());
+            assert!(one.typical > 0.0 && !one.name.is_empty());
         }
     }
 }

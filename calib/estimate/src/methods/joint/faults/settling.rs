@@ -1,10 +1,11 @@
 //! A device that still settles after it was laid down.
 
 use findings::Kind;
+use nalgebra::Vector3;
 use recording::intervals::Span;
 use sensor::Sensor;
 
-use super::fault::{Fault, Scope, Seen, Site, Suspect, axis_vector};
+use super::fault::{Fault, Scope, Seen, Site, Suspect};
 use crate::methods::joint::blocks::column::Column;
 
 /// Time constants whose sum describes a surface that gives way within seconds, s.
@@ -15,49 +16,31 @@ const FEWEST_CHUNKS: usize = 2;
 
 /// A device that settles after it was laid down, as on a cushion: at the begin of a long static interval its attitude is off by `δ`
 /// (rad, body frame), and that fades, `u(t) = u + u × Σ δ_τ e^(−t/τ)`. Both sensors see it, and the turn before ends there.
-#[derive(Clone, Copy, Debug)]
-pub struct Settling;
+pub static SETTLING: Fault = Fault {
+    kind: Kind::Settling,
+    name: "mount_slip",
+    scope: Scope::StaticInterval,
+    sensor: Sensor::Accelerometer,
+    unit: "rad",
+    typical: 1e-3,
+    is_rate: false,
+    is_imitated_by_bias: false,
+    opens_force: false,
+    is_over_with_interval: true,
+    suspects,
+    seen: |norm, _, _, _| Seen::Slipped(norm),
+};
 
-impl Fault for Settling {
-    fn kind(&self) -> Kind {
-        Kind::Settling
-    }
-
-    fn name(&self) -> &'static str {
-        "mount_slip"
-    }
-
-    fn scope(&self) -> Scope {
-        Scope::StaticInterval
-    }
-
-    fn sensor(&self) -> Sensor {
-        Sensor::Accelerometer
-    }
-
-    fn unit(&self) -> &'static str {
-        "rad"
-    }
-
-    fn typical(&self) -> f64 {
-        1e-3
-    }
-
-    fn suspects(&self, site: &Site<'_>) -> Vec<Suspect> {
-        let data = site.rows.data;
-        let may = |k: &usize| {
-            let rest = &data.rests[*k];
-            rest.chunks.len() >= FEWEST_CHUNKS && !data.sources[rest.recording].moves_at_rest()
-        };
-        let rests = (0..data.rests.len()).filter(may);
-        rests
-            .map(|k| Suspect::new(&Self, k, columns(site, k)))
-            .collect()
-    }
-
-    fn seen(&self, norm: f64, _span: Span, _gravity: f64, _seen: Seen) -> Seen {
-        Seen::Slipped(norm)
-    }
+fn suspects(site: &Site<'_>) -> Vec<Suspect> {
+    let data = site.rows.data;
+    let may = |k: &usize| {
+        let rest = &data.rests[*k];
+        rest.chunks.len() >= FEWEST_CHUNKS && !data.sources[rest.recording].moves_at_rest()
+    };
+    let rests = (0..data.rests.len()).filter(may);
+    rests
+        .map(|k| Suspect::new(&SETTLING, k, columns(site, k)))
+        .collect()
 }
 
 /// The columns of three axes for every time constant.
@@ -77,7 +60,7 @@ fn fading(site: &Site<'_>, k: usize, tau: f64) -> Vec<Column> {
     let change = |span: &Span| (left(span.to) - left(span.from)) / span.length();
     let mut columns = vec![Column::default(); 3];
     for (axis, column) in columns.iter_mut().enumerate() {
-        let moved = u.cross(&axis_vector(axis));
+        let moved = u.cross(&Vector3::ith(axis, 1.0));
         for own in site.means(Sensor::Accelerometer, k) {
             let shift = moved * -rows.gravity * mean(&own.mean.span);
             (0..3).for_each(|i| column.set(own.row + i, shift[i]));
@@ -107,7 +90,7 @@ mod tests {
         // 0.2° about an axis across the first reading, that fade with 5 s; its rate is what fades.
         let force = recording.accelerometer.as_mut().unwrap();
         let first = force.values[force.between(span.from, span.from + 1.0)][0];
-        let across = first.cross(&axis_vector(0)).normalize();
+        let across = first.cross(&Vector3::x()).normalize();
         let left = |t: f64| 3.5e-3 * (-(t - span.from) / 5.0).exp();
         for (t, value) in force.t.iter().zip(&mut force.values) {
             if *t < span.to {
@@ -125,7 +108,7 @@ mod tests {
         let flagged: Vec<_> = fit
             .flagged
             .iter()
-            .map(|a| (a.fault.kind(), a.interval))
+            .map(|a| (a.fault.kind, a.interval))
             .collect();
         assert_eq!(flagged, [(Kind::Settling, 0)]);
     }

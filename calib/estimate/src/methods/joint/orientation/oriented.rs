@@ -144,7 +144,7 @@ impl At<'_> {
 
     fn is_disturbed(&self, rest: usize, disturbed: &[&Suspect]) -> bool {
         let data = self.rows.data;
-        let interval = |s: &&Suspect| s.fault.scope().static_interval(data, s.place);
+        let interval = |s: &&Suspect| s.fault.scope.static_interval(data, s.place);
         disturbed.iter().any(|s| interval(s) == Some(rest))
     }
 

@@ -122,7 +122,7 @@ impl JointFit {
         let disturbed = |place: usize| {
             self.flagged.iter().any(|flagged| {
                 let rest = &self.data.rests[place];
-                flagged.fault.opens_force()
+                flagged.fault.opens_force
                     && (flagged.recording, flagged.interval) == (rest.recording, rest.interval)
             })
         };
@@ -157,7 +157,7 @@ impl JointFit {
             let mut faults = self.flagged.iter();
             faults.any(|own| {
                 let place = (own.recording, own.interval) == (turn.recording, turn.turn);
-                own.fault.scope() == Scope::Turn && place
+                own.fault.scope == Scope::Turn && place
             })
         };
         let turns = &self.data.turns;
