@@ -8,7 +8,7 @@ use estimate::calibrate::{Prepared, corrected_before, of_the_detector, own_effec
 use estimate::gravity::GravitySource;
 use estimate::methods::earth::on_the_earth;
 use estimate::methods::joint::{
-    BiasNoise, ClockMode, DecidedClock, IN_A_SEARCH, JointFit, JointRequest,
+    BiasNoise, ClockMode, IN_A_SEARCH, JointFit, JointRequest, SourceClock,
 };
 use estimate::methods::{Choice, cut, cut_several};
 use recording::intervals::Detector;
@@ -121,7 +121,7 @@ pub struct Session<'a> {
     /// What is asked of them, with the flicker and the latitude that the search has found since.
     pub request: Request,
     /// The clocks, once the base models have shown them: models that are compared have noise of the same kind.
-    pub clocks: Option<Vec<DecidedClock>>,
+    pub clocks: Option<Vec<SourceClock>>,
     /// A fit that others begin at: that of the base models, once it is there.
     pub base: Option<Arc<JointFit>>,
     /// Findings about the recordings: what reading them said, what was done to make them ready, and the static intervals in use

@@ -19,7 +19,7 @@ pub use belonging::{Belonging, EstimatedType, belonging};
 use std::path::Path;
 
 use findings::{Finding, Kind};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 use recording::Error;
 use recording::shown::{shown, shown_path};
 use serde::{Deserialize, Serialize};
@@ -129,11 +129,6 @@ impl Prior {
         let numbers = self.mean.iter().chain(self.covariance.iter().flatten());
         let is_usable = fits && numbers.clone().all(|v| v.is_finite());
         (!is_usable).then(|| Finding::of(Kind::PriorUnusable).count("count", n))
-    }
-
-    /// `μ`.
-    pub fn mean_vector(&self) -> DVector<f64> {
-        DVector::from_column_slice(&self.mean)
     }
 
     /// Covariance of a further device: `Σ` and the error of `μ`.

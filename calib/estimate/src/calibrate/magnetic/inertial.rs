@@ -62,7 +62,7 @@ impl Inertial {
         let mut all = vec![Vector3::zeros(); self.errors()];
         for (k, row) in self.rows(sensor, recording) {
             let slope = match PLACES.get(k) {
-                Some(&(i, j)) => unit(i) * unbiased[j],
+                Some(&(i, j)) => Vector3::ith(i, 1.0) * unbiased[j],
                 None => -t.column(k - PLACES.len()),
             };
             for (sum, weight) in all.iter_mut().zip(self.root.row(row).iter()) {
@@ -98,8 +98,4 @@ impl Inertial {
         };
         names.filter_map(row).collect()
     }
-}
-
-fn unit(axis: usize) -> Vector3<f64> {
-    Vector3::from_fn(|i, _| if i == axis { 1.0 } else { 0.0 })
 }

@@ -73,28 +73,12 @@ pub struct SourceClock {
     pub instants: bool,
     /// Share of the jumps between samples that is missing in the angles.
     pub sampling: Share,
-}
-
-/// Clock of one recording as a fit decided it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DecidedClock {
-    clock: SourceClock,
-    base: usize,
-    timing: f64,
-    floor: f64,
-}
-
-impl DecidedClock {
-    /// Returns true if part of the rotation between samples is missing.
-    pub(crate) fn is_undersampled(&self) -> bool {
-        self.clock.sampling.value > 0.0
-    }
-
-    /// The same clock with what a fit since made of its share.
-    pub(crate) fn with_fitted(mut self, since: &SourceClock) -> Self {
-        self.clock.fitted = since.fitted;
-        self
-    }
+    /// The even clock among those of a turn that the turns go by.
+    pub base: usize,
+    /// Variance of the times of the samples about the clock, s².
+    pub timing: f64,
+    /// Scatter of the turns that is allowed for while the clock is fitted, rad.
+    pub floor: f64,
 }
 
 /// One clock for a turn: an even one and what the stamps add.

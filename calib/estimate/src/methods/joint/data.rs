@@ -91,8 +91,6 @@ pub struct TurnSamples {
     pub known: Vec<Kinematics<f64>>,
     /// The clocks behind stamps that scatter; empty where there is nothing to choose.
     pub clocks: Vec<TurnClock>,
-    /// The one of them that `t` and `lengths` go by.
-    pub base: usize,
     /// Interpolation errors of the inner samples from their neighbours, less the part that noise explains, rad/s; empty
     /// where they are negligible.
     pub shocks: Vec<Vector3<f64>>,
@@ -127,10 +125,6 @@ pub struct Source {
     pub reference: f64,
     /// The clock of the gyroscope in turns.
     pub clock: SourceClock,
-    /// Variance of the times of its samples about that clock, s².
-    pub timing: f64,
-    /// Scatter of the turns that is allowed for while the clock is fitted, rad.
-    pub floor: f64,
     /// Shares of the variance that means over rests have of what batches of readings say, accelerometer and gyroscope.
     pub noise_shares: [f64; 2],
 }

@@ -42,7 +42,7 @@ pub use blocks::covariance::Covariance;
 pub use blocks::groups::RowGroups;
 pub use clock::sampling::Share;
 pub use clock::undersampled::Undersampled;
-pub use clock::{ClockMode, ClockState, DecidedClock, SourceClock, TurnClock};
+pub use clock::{ClockMode, ClockState, SourceClock, TurnClock};
 pub use data::budget::IN_A_SEARCH;
 pub(crate) use data::budget::STATIC_INTERVALS;
 pub use data::{Chunk, Data, LostTurn, Mean, Rest, Source, TurnSamples};

@@ -5,7 +5,7 @@ use recording::intervals::Segmentation;
 use recording::watch::Watch;
 use sensor::Model;
 
-use super::clock::{ClockMode, DecidedClock};
+use super::clock::{ClockMode, SourceClock};
 use super::faults::{FaultRef, Reason};
 use super::fit::JointFit;
 use crate::methods::joint::noise::bias::BiasNoise;
@@ -45,7 +45,7 @@ pub struct JointRequest<'a> {
     pub clock: ClockMode,
     /// The clocks of the recordings where a fit before has decided them, and with them whether something is missing between
     /// samples: how much that is, is then fitted. Without, the data decide.
-    pub clocks: Option<Vec<DecidedClock>>,
+    pub clocks: Option<Vec<SourceClock>>,
     /// True if this is one of many models that are compared: its minimum is then found to a thousandth of a standard
     /// error, and not to what double precision allows.
     pub compared: bool,

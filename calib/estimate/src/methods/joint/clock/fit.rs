@@ -9,7 +9,7 @@ use recording::Error;
 
 use super::left::Left;
 use super::sampling::{Share, likeliest};
-use crate::methods::joint::clock::{ClockMode, ClockState, DecidedClock};
+use crate::methods::joint::clock::{ClockMode, ClockState, SourceClock};
 use crate::methods::joint::data::{Data, Source};
 use crate::methods::joint::minimum::{Point, Run};
 
@@ -100,7 +100,7 @@ pub(crate) fn settle_clock(
     run.data
         .sources
         .iter_mut()
-        .for_each(|source| source.floor = 0.0);
+        .for_each(|source| source.clock.floor = 0.0);
     Ok(point)
 }
 
@@ -108,7 +108,7 @@ pub(crate) fn settle_clock(
 fn begin_with_a_share(data: &mut Data) {
     for k in 0..data.sources.len() {
         if data.jumps(k) {
-            data.sources[k].floor = 0.0;
+            data.sources[k].clock.floor = 0.0;
             data.sources[k].clock.sampling = Share {
                 value: USUAL,
                 ..Share::default()
@@ -141,7 +141,7 @@ struct ClockFit<'a, 'b> {
     open: Vec<usize>,
     point: Option<Point>,
     /// The clocks that are decided.
-    decided: Option<Vec<DecidedClock>>,
+    decided: Option<Vec<SourceClock>>,
 }
 
 impl ClockFit<'_, '_> {
@@ -149,7 +149,7 @@ impl ClockFit<'_, '_> {
     /// recordings are.
     fn choose(&mut self, slow: &[usize]) -> Result<Left, Error> {
         let mut left = self.rounds()?;
-        let scatters = |source: &Source| source.floor > 0.0;
+        let scatters = |source: &Source| source.clock.floor > 0.0;
         if self.run.data.sources.iter().any(scatters) {
             left = self.anew_with_a_share(left)?;
         }
@@ -193,7 +193,10 @@ impl ClockFit<'_, '_> {
             let next = self.fit()?;
             if next.likelihood < left.likelihood - LESS_LIKELY {
                 let clocks = before.into_iter().zip(&self.run.data.sources);
-                let clocks = clocks.map(|(before, since)| before.with_fitted(&since.clock));
+                let clocks = clocks.map(|(before, since)| SourceClock {
+                    fitted: since.clock.fitted,
+                    ..before
+                });
                 self.run.data.go_by(&clocks.collect::<Vec<_>>());
                 self.point = point;
                 say_how_sure(&mut self.run.data, &left);
@@ -226,7 +229,8 @@ impl ClockFit<'_, '_> {
     /// scatter beyond all noise.
     /// The fits that this one is compared with do the same: a comparison needs the same noise in all of them.
     fn with_the_whole_scatter(&mut self, left: Left) -> Result<Left, Error> {
-        let shares = |source: &Source| source.floor > 0.0 && source.clock.sampling.value > 0.0;
+        let shares =
+            |source: &Source| source.clock.floor > 0.0 && source.clock.sampling.value > 0.0;
         if !self.run.data.sources.iter().any(shares) {
             return Ok(left);
         }
@@ -236,14 +240,14 @@ impl ClockFit<'_, '_> {
             .sources
             .iter_mut()
             .filter(|source| shares(source))
-            .for_each(|source| source.floor = 0.0);
+            .for_each(|source| source.clock.floor = 0.0);
         self.rounds()
     }
 
     /// Returns the earlier decision on whether a recording misses something between samples; `None` without one.
     fn decided(&self, recording: usize) -> Option<bool> {
         let decided = self.decided.as_ref()?.get(recording);
-        decided.map(DecidedClock::is_undersampled)
+        decided.map(|clock| clock.sampling.value > 0.0)
     }
 
     /// The minimum with the shares as they are.
@@ -269,7 +273,7 @@ impl ClockFit<'_, '_> {
             let before = data.sources[k].levels();
             let (share, floor) = likeliest(&left.of(data, k), before, decided);
             data.sources[k].clock.sampling = share;
-            data.sources[k].floor = floor;
+            data.sources[k].clock.floor = floor;
             let differs = |a: f64, b: f64, by: f64| (a - b).abs() > by * a.max(b);
             moved |= differs(share.value, before.share, STEADY)
                 || differs(floor, before.floor, STEADY_FLOOR);
@@ -291,8 +295,7 @@ impl ClockFit<'_, '_> {
             let inside = share.clamp(0.0, 1.0);
             let change = (inside - clock.share).abs();
             if change > SETTLED && change > SETTLED_ERRORS * errors[place] {
-                let base = data.base(k);
-                data.set_clock(k, base, inside);
+                data.set_clock(k, clock.base, inside);
                 moved = true;
             }
         }
@@ -326,8 +329,7 @@ impl ClockFit<'_, '_> {
             } else {
                 (ClockState::Fitted, share.clamp(0.0, 1.0))
             };
-            let base = data.base(k);
-            data.set_clock(k, base, chosen);
+            data.set_clock(k, clock.base, chosen);
             data.sources[k].clock.state = state;
             if state == ClockState::Snapped {
                 data.set_timing(k, missed_by_snapping((share, error), chosen));
@@ -359,7 +361,7 @@ mod tests {
     use simulate::{Grade, Sampling, Spec};
 
     use super::*;
-    use crate::methods::joint::{JointRequest, SourceClock, fit_joint};
+    use crate::methods::joint::{JointRequest, fit_joint};
 
     fn clock_of(spec: &Spec) -> SourceClock {
         let recording = spec.run().unwrap().recording;
@@ -424,7 +426,7 @@ mod tests {
         let rounding = 1e-6 / 12.0;
         assert_eq!(source.clock.state, ClockState::Snapped);
         assert!(
-            source.timing > 0.2 * rounding && source.timing < 2.0 * rounding,
+            source.clock.timing > 0.2 * rounding && source.clock.timing < 2.0 * rounding,
             "{source:?}"
         );
     }

@@ -159,7 +159,7 @@ impl Source {
     pub(super) fn levels(&self) -> Levels {
         Levels {
             share: self.clock.sampling.value,
-            floor: self.floor,
+            floor: self.clock.floor,
         }
     }
 }

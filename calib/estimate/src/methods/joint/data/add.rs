@@ -118,8 +118,6 @@ impl Data {
             has_thermometer: cut.recording.temperature.is_some(),
             reference: middle_edge(&spans),
             clock,
-            timing: 0.0,
-            floor: 0.0,
             noise_shares: [1.0; 2],
         });
     }
@@ -271,7 +269,6 @@ impl Data {
                 readings: means_over_windows(&rate.t[range.clone()], own),
                 known: Vec::new(),
                 clocks: behind.iter().map(of).collect(),
-                base: 0,
                 shocks: noise.map_or(Vec::new(), |noise| shocks(own, &noise.white)),
             });
         }

@@ -96,9 +96,9 @@ impl Rows<'_> {
         let by_share: Matrix2<f64> = shocks.map(|(e, gain)| outer(&(gain * e))).sum();
         let covariance = white(&gains, &own.variance_in_sum())
             + by_share * source.clock.sampling.value.powi(2)
-            + Matrix2::identity() * source.floor.powi(2)
-            + if source.timing > 0.0 {
-                by_timing(turn, &gains) * source.timing
+            + Matrix2::identity() * source.clock.floor.powi(2)
+            + if source.clock.timing > 0.0 {
+                by_timing(turn, &gains) * source.clock.timing
             } else {
                 Matrix2::zeros()
             };

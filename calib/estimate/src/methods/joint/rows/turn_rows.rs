@@ -90,7 +90,8 @@ impl Rows<'_> {
     /// `∂r/∂λ` of the two rows of a turn by the share of the scatter that its clock has: a window's angle grows by
     /// `ω_k` times what the scatter adds to its length.
     pub(crate) fn by_clock(&self, x: &[f64], turn: &TurnSamples) -> Vector2<f64> {
-        let Some(clock) = turn.clocks.get(turn.base) else {
+        let base = self.data.sources[turn.recording].clock.base;
+        let Some(clock) = turn.clocks.get(base) else {
             return Vector2::zeros();
         };
         let p = self.local(x, Sensor::Gyroscope, turn.from);
