@@ -82,7 +82,7 @@ fn items(last: &State, families: &[Family]) -> Vec<Item> {
                     None
                 }
                 Claim::Disturbed(fault) => {
-                    let known = hypothesis.place.and_then(|place| last.known(*fault, place));
+                    let known = hypothesis.place.and_then(|place| last.known(fault, place));
                     if known.is_none() {
                         continue;
                     }

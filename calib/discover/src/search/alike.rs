@@ -26,7 +26,7 @@ impl Finder<'_> {
         for name in names {
             if let (Claim::Disturbed(kind), Some(place)) = (&name.claim, name.hypothesis.place) {
                 all.extend(Either::of(
-                    Known::disturbed(*kind, place),
+                    Known::disturbed(kind, place),
                     names_of(&name.ties),
                 ));
             }

@@ -322,7 +322,7 @@ impl Finder<'_> {
                     extension.disturbed.extend(
                         h.hypothesis
                             .place
-                            .map(|place| Known::disturbed(*fault, place)),
+                            .map(|place| Known::disturbed(fault, place)),
                     );
                 }
                 Claim::Shape(..) => {}
