@@ -33,7 +33,7 @@ fn normal(seed: u64, count: usize) -> Vec<f64> {
         .collect()
 }
 
-/// The only variance of residuals without parameters, by a component that is passed from row to row.
+/// The only variance of residuals with an unknown mean, by a component that is passed from row to row.
 fn only_variance(residuals: &[f64], chain: impl Fn(&Stations) -> Chain) -> f64 {
     let groups = RowGroups::whole(residuals.len());
     let component = Component {
@@ -41,15 +41,17 @@ fn only_variance(residuals: &[f64], chain: impl Fn(&Stations) -> Chain) -> f64 {
         covariance: Covariance::none(residuals.len()),
         form: Form::Passed(chain(&Stations::single(&groups))),
     };
-    let restricted = Restricted::new(residuals, &Columns::none(&groups), &[&component]);
+    let mean = Columns::cut(&Mat::full(residuals.len(), 1, 1.0), &groups);
+    let restricted = Restricted::new(residuals, &mean, &[&component]);
     restricted.variances(&[false], &[0.0])[0]
 }
 
 #[test]
 fn the_variance_of_independent_residuals_has_its_closed_form() {
-    // One component C = I with 1 + θ = Σ z²/q at the maximum.
+    // One component C = I with 1 + θ = Σ (z − z̄)²/(q − 1) at the maximum.
     let z: Vec<f64> = normal(5, 300).iter().map(|v| 2.0 * v).collect();
-    let closed = z.iter().map(|v| v * v).sum::<f64>() / 300.0 - 1.0;
+    let mean = z.iter().sum::<f64>() / 300.0;
+    let closed = z.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / 299.0 - 1.0;
     let identity = Covariance::of_blocks(
         300,
         (0..300).map(|k| (vec![k], Mat::identity(1, 1))).collect(),
