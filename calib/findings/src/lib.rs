@@ -39,4 +39,4 @@ pub use level::Level;
 pub use list::Findings;
 pub use remedy::{OptionName, Remedy, Setting};
 pub use verdict::{Grade, Step, Verdict, gravest_first};
-pub use words::{Entry, Front, entries, entry, human, manual_table, names, significant, turns};
+pub use words::{Front, human, manual_table, names, significant, turns};

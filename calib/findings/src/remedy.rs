@@ -78,6 +78,13 @@ pub enum OptionName {
     Window,
 }
 
+impl std::fmt::Display for OptionName {
+    /// The name in snake case, as documents have it.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.serialize(f)
+    }
+}
+
 /// An option with the value to give it, where one is known.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct Setting {

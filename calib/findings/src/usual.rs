@@ -15,7 +15,7 @@ impl Finding {
             numbers: Vec::new(),
             details: Vec::new(),
             consequence: Vec::new(),
-            remedies: (usual.remedies)(),
+            remedies: usual.remedies,
             because: Vec::new(),
         }
     }

@@ -3,7 +3,7 @@
 use crate::finding::Finding;
 use crate::remedy::{OptionName, Remedy};
 
-use super::remedies::{names, turning_back};
+use super::remedies::{flag, turning_back};
 use super::shell::quoted;
 
 /// The command line of a remedy; none where no command does it.
@@ -24,7 +24,7 @@ pub fn of(remedy: &Remedy, finding: &Finding, recordings: &[&str]) -> Option<Str
                 let value = quoted(first.value.as_deref()?);
                 return Some(format!("stillpoint allan {names} --rest {value}"));
             }
-            let [_, flag, ..] = self::names(first.option);
+            let flag = flag(first.option);
             let usual = match first.option {
                 OptionName::Gravity => "9.81",
                 OptionName::Latitude => "DEGREES",
@@ -35,7 +35,7 @@ pub fn of(remedy: &Remedy, finding: &Finding, recordings: &[&str]) -> Option<Str
             };
             let value = first.value.as_deref().unwrap_or(usual);
             match value {
-                "" => calibrate(flag),
+                "" => calibrate(&flag),
                 value => calibrate(&format!("{flag} {}", quoted(value))),
             }
         }

@@ -1,6 +1,5 @@
 //! The words of a kind, and who reads them.
 
-use crate::kind::Kind;
 use crate::level::Level;
 use crate::remedy::Remedy;
 
@@ -19,15 +18,13 @@ pub enum Front {
 }
 
 /// The words of a kind.
-#[derive(Clone, Copy, Debug)]
-pub struct Entry {
-    /// The kind.
-    pub kind: Kind,
+#[derive(Clone, Debug)]
+pub(crate) struct Entry {
     /// Usual level.
     pub level: Level,
     /// Usual error of a corrected orientation, °, where no consequence is known ([`crate::Finding::severity`]).
     pub severity: f64,
-    /// The reason in a few words, as a verdict says it.
+    /// The reason in a few words, as a verdict says it; an error ends a run, so no verdict gives a reason for it.
     pub reason: &'static str,
     /// Template of the message, in sentences.
     ///
@@ -37,39 +34,57 @@ pub struct Entry {
     /// Template of the advice, an imperative, where no [`Remedy`] gives it. The form is that of `text`.
     pub advice: &'static str,
     /// Usual ways out.
-    pub remedies: fn() -> Vec<Remedy>,
+    pub remedies: Vec<Remedy>,
 }
 
-impl Entry {
-    /// The words of a doubt: it ends a run only where it is beyond doubt.
-    pub(super) const fn doubt(
-        kind: Kind,
-        text: &'static str,
-        advice: &'static str,
-        remedies: fn() -> Vec<Remedy>,
-    ) -> Self {
-        Self {
-            level: Level::Care,
-            severity: 0.1,
-            ..Self::error(kind, text, advice, remedies)
-        }
+/// An entry of a level without words yet.
+fn silent(level: Level, severity: f64) -> Entry {
+    Entry {
+        level,
+        severity,
+        reason: "",
+        text: "",
+        advice: "",
+        remedies: Vec::new(),
     }
+}
 
-    /// The words of an error: it ends a run, so no verdict gives a reason for it.
-    pub(super) const fn error(
-        kind: Kind,
-        text: &'static str,
-        advice: &'static str,
-        remedies: fn() -> Vec<Remedy>,
-    ) -> Self {
-        Self {
-            kind,
-            level: Level::Error,
-            severity: 90.0,
-            reason: "",
-            text,
-            advice,
-            remedies,
-        }
+/// An entry that requires no action, without words yet.
+pub(super) fn remark(severity: f64) -> Entry {
+    silent(Level::Remark, severity)
+}
+
+/// An entry that asks for care, without words yet.
+pub(super) fn care(severity: f64) -> Entry {
+    silent(Level::Care, severity)
+}
+
+/// An entry that forbids the use of a result, without words yet.
+pub(super) fn bad(severity: f64) -> Entry {
+    silent(Level::Bad, severity)
+}
+
+/// The words of an error.
+pub(super) fn error(text: &'static str, advice: &'static str) -> Entry {
+    error_with(text, advice, Vec::new())
+}
+
+/// The words of an error with ways out.
+pub(super) fn error_with(text: &'static str, advice: &'static str, remedies: Vec<Remedy>) -> Entry {
+    Entry {
+        text,
+        advice,
+        remedies,
+        ..silent(Level::Error, 90.0)
+    }
+}
+
+/// The words of a doubt: it ends a run only where it is beyond doubt.
+pub(super) fn doubt(text: &'static str, advice: &'static str, remedies: Vec<Remedy>) -> Entry {
+    Entry {
+        text,
+        advice,
+        remedies,
+        ..care(0.1)
     }
 }

@@ -6,185 +6,92 @@ use super::entry::Front;
 use super::shell::quoted;
 use super::turns;
 
-/// An option's name in plain English, on the command line, in Rust and in Python.
-pub(super) fn names(option: OptionName) -> [&'static str; 4] {
+/// An option in plain English.
+fn plain(option: OptionName) -> &'static str {
     use OptionName as O;
     match option {
-        O::AccelUnit => [
-            "the accelerometer's unit",
-            "--accel-unit",
-            "ReadOptions::accel_unit",
-            "accel_unit",
-        ],
-        O::Altitude => [
-            "the height above the sea",
-            "--altitude",
-            "Request::altitude",
-            "altitude",
-        ],
-        O::Columns => [
-            "the columns of the axes",
-            "--columns",
-            "ReadOptions::columns",
-            "columns",
-        ],
-        O::Effects => [
-            "the effects (sources of error) of the model",
-            "--effects",
-            "Request::effects",
-            "effects",
-        ],
-        O::Entry => [
-            "the file in the archive",
-            "--entry",
-            "ReadOptions::entry",
-            "entry",
-        ],
-        O::Field => [
-            "the strength of the magnetic field",
-            "--field",
-            "Request::field",
-            "field",
-        ],
-        O::Flip => [
-            "the axes whose sign is changed",
-            "--flip",
-            "ReadOptions::flip",
-            "flip",
-        ],
-        O::ForceDevice => [
-            "that the device is the same",
-            "--force-device",
-            "Request::force_device",
-            "force_device",
-        ],
-        O::Format => ["the format", "--format", "ReadOptions::format", "format"],
-        O::Gravity => [
-            "the local gravity",
-            "--gravity",
-            "Request::gravity",
-            "gravity",
-        ],
-        O::GyroUnit => [
-            "the gyroscope's unit",
-            "--gyro-unit",
-            "ReadOptions::gyro_unit",
-            "gyro_unit",
-        ],
-        O::Instance => [
-            "the sensor to take",
-            "--instance",
-            "ReadOptions::device",
-            "instance",
-        ],
-        O::Latitude => [
-            "the latitude",
-            "--latitude",
-            "Request::latitude",
-            "latitude",
-        ],
-        O::LeaveOut => [
-            "the static intervals to leave out",
-            "--leave-out",
-            "Request::left_out",
-            "leave_out",
-        ],
-        O::LoggedWith => [
-            "the parameters that the vehicle had while it logged",
-            "--logged-with",
-            "Settings::logged_with",
-            "logged_with",
-        ],
-        O::MagUnit => [
-            "the magnetometer's unit",
-            "--mag-unit",
-            "ReadOptions::mag_unit",
-            "mag_unit",
-        ],
-        O::MaxBytes => [
-            "the largest size",
-            "--max-bytes",
-            "ReadOptions::max_bytes",
-            "max_bytes",
-        ],
-        O::MaxRows => [
-            "the largest number of rows",
-            "--max-rows",
-            "ReadOptions::max_rows",
-            "max_rows",
-        ],
-        O::Method => ["the method", "--method", "Request::method", "method"],
-        O::MinStatic => [
-            "the shortest static interval",
-            "--min-static",
-            "DetectorOptions::min_static",
-            "min_static",
-        ],
-        O::Motion => ["when the motion was", "--motion", "motion", "motion"],
-        O::Multiplier => [
-            "the threshold of the search for static intervals",
-            "--multiplier",
-            "DetectorOptions::multiplier",
-            "multiplier",
-        ],
-        O::Na => [
-            "how missing values are treated",
-            "--na",
-            "ReadOptions::na_drop",
-            "na",
-        ],
-        O::Noise => ["the sensor's noise", "--noise", "Request::walks", "noise"],
-        O::Part => [
-            "the recording to take",
-            "--part",
-            "ReadOptions::part",
-            "part",
-        ],
-        O::Rate => ["the sampling rate", "--rate", "ReadOptions::rate", "rate"],
-        O::Rest => ["the stretch to analyse", "--rest", "rest", "rest"],
-        O::Sensor => [
-            "the sensor to calibrate alone",
-            "--sensor",
-            "a recording with only one sensor",
-            "sensor",
-        ],
-        O::SkipBadRows => [
-            "that damaged rows are left out",
-            "--skip-bad-rows",
-            "ReadOptions::skip_bad_rows",
-            "skip_bad_rows",
-        ],
-        O::SortTime => [
-            "that rows are sorted by time",
-            "--sort-time",
-            "ReadOptions::sort_time",
-            "sort_time",
-        ],
-        O::TimeFormat => [
-            "the format of the time stamps",
-            "--time-format",
-            "ReadOptions::time_format",
-            "time_format",
-        ],
-        O::TimeUnit => [
-            "the unit of the time stamps",
-            "--time-unit",
-            "ReadOptions::time_unit",
-            "time_unit",
-        ],
-        O::Validation => [
-            "a second recording that confirms it",
-            "--validation",
-            "Request::validation",
-            "validation",
-        ],
-        O::Topic => ["the topic", "--topic", "ReadOptions::topics", "topic"],
-        O::Window => [
-            "the window of the search for static intervals",
-            "--window",
-            "DetectorOptions::window",
-            "window",
-        ],
+        O::AccelUnit => "the accelerometer's unit",
+        O::Altitude => "the height above the sea",
+        O::Columns => "the columns of the axes",
+        O::Effects => "the effects (sources of error) of the model",
+        O::Entry => "the file in the archive",
+        O::Field => "the strength of the magnetic field",
+        O::Flip => "the axes whose sign is changed",
+        O::ForceDevice => "that the device is the same",
+        O::Format => "the format",
+        O::Gravity => "the local gravity",
+        O::GyroUnit => "the gyroscope's unit",
+        O::Instance => "the sensor to take",
+        O::Latitude => "the latitude",
+        O::LeaveOut => "the static intervals to leave out",
+        O::LoggedWith => "the parameters that the vehicle had while it logged",
+        O::MagUnit => "the magnetometer's unit",
+        O::MaxBytes => "the largest size",
+        O::MaxRows => "the largest number of rows",
+        O::Method => "the method",
+        O::MinStatic => "the shortest static interval",
+        O::Motion => "when the motion was",
+        O::Multiplier => "the threshold of the search for static intervals",
+        O::Na => "how missing values are treated",
+        O::Noise => "the sensor's noise",
+        O::Part => "the recording to take",
+        O::Rate => "the sampling rate",
+        O::Rest => "the stretch to analyse",
+        O::Sensor => "the sensor to calibrate alone",
+        O::SkipBadRows => "that damaged rows are left out",
+        O::SortTime => "that rows are sorted by time",
+        O::TimeFormat => "the format of the time stamps",
+        O::TimeUnit => "the unit of the time stamps",
+        O::Validation => "a second recording that confirms it",
+        O::Topic => "the topic",
+        O::Window => "the window of the search for static intervals",
+    }
+}
+
+/// The flag of an option, which is Python's keyword with dashes.
+pub(super) fn flag(option: OptionName) -> String {
+    format!("--{}", option.to_string().replace('_', "-"))
+}
+
+/// What gives an option in Rust.
+fn field(option: OptionName) -> &'static str {
+    use OptionName as O;
+    match option {
+        O::AccelUnit => "ReadOptions::accel_unit",
+        O::Altitude => "Request::altitude",
+        O::Columns => "ReadOptions::columns",
+        O::Effects => "Request::effects",
+        O::Entry => "ReadOptions::entry",
+        O::Field => "Request::field",
+        O::Flip => "ReadOptions::flip",
+        O::ForceDevice => "Request::force_device",
+        O::Format => "ReadOptions::format",
+        O::Gravity => "Request::gravity",
+        O::GyroUnit => "ReadOptions::gyro_unit",
+        O::Instance => "ReadOptions::device",
+        O::Latitude => "Request::latitude",
+        O::LeaveOut => "Request::left_out",
+        O::LoggedWith => "Settings::logged_with",
+        O::MagUnit => "ReadOptions::mag_unit",
+        O::MaxBytes => "ReadOptions::max_bytes",
+        O::MaxRows => "ReadOptions::max_rows",
+        O::Method => "Request::method",
+        O::MinStatic => "DetectorOptions::min_static",
+        O::Motion => "motion",
+        O::Multiplier => "DetectorOptions::multiplier",
+        O::Na => "ReadOptions::na_drop",
+        O::Noise => "Request::walks",
+        O::Part => "ReadOptions::part",
+        O::Rate => "ReadOptions::rate",
+        O::Rest => "rest",
+        O::Sensor => "a recording with only one sensor",
+        O::SkipBadRows => "ReadOptions::skip_bad_rows",
+        O::SortTime => "ReadOptions::sort_time",
+        O::TimeFormat => "ReadOptions::time_format",
+        O::TimeUnit => "ReadOptions::time_unit",
+        O::Validation => "Request::validation",
+        O::Topic => "ReadOptions::topics",
+        O::Window => "DetectorOptions::window",
     }
 }
 
@@ -408,45 +315,43 @@ fn doing(setting: &Setting) -> Option<String> {
 
 /// `the sampling rate, as in --rate 100`.
 fn example(setting: &Setting, front: Front) -> String {
-    let [plain, ..] = names(setting.option);
+    let plain = plain(setting.option);
     format!("{plain}, as in {}", setting.text(front))
 }
 
 /// `run it again without --part`.
 fn omitted(option: OptionName, front: Front) -> String {
-    let [plain, flag, field, keyword] = names(option);
     match front {
-        Front::Plain => format!("do not give {plain}"),
-        Front::CommandLine => format!("run it again without {flag}"),
-        Front::Rust => format!("run it again without `{field}`"),
-        Front::Python => format!("run it again without `{keyword}`"),
+        Front::Plain => format!("do not give {}", plain(option)),
+        Front::CommandLine => format!("run it again without {}", flag(option)),
+        Front::Rust => format!("run it again without `{}`", field(option)),
+        Front::Python => format!("run it again without `{option}`"),
     }
 }
 
 impl Setting {
     /// The option with its value as a front writes it: `--rate 100`, `rate=100`; for nobody in particular the value.
     pub fn text(&self, front: Front) -> String {
-        let [plain, flag, field, keyword] = names(self.option);
+        let option = self.option;
         let value = self.value.as_deref();
         match (front, value) {
-            (Front::Plain, _) => value.unwrap_or(plain).to_owned(),
-            (Front::CommandLine, Some(v)) => format!("{flag} {}", quoted(v)),
-            (Front::CommandLine, None) => flag.to_owned(),
-            (Front::Rust, Some(v)) => format!("`{field}` {v}"),
-            (Front::Rust, None) => format!("`{field}`"),
-            (Front::Python, Some(v)) => format!("`{keyword}={v}`"),
-            (Front::Python, None) => format!("`{keyword}`"),
+            (Front::Plain, _) => value.unwrap_or(plain(option)).to_owned(),
+            (Front::CommandLine, Some(v)) => format!("{} {}", flag(option), quoted(v)),
+            (Front::CommandLine, None) => flag(option),
+            (Front::Rust, Some(v)) => format!("`{}` {v}", field(option)),
+            (Front::Rust, None) => format!("`{}`", field(option)),
+            (Front::Python, Some(v)) => format!("`{option}={v}`"),
+            (Front::Python, None) => format!("`{option}`"),
         }
     }
 }
 
 /// `the local gravity (--gravity 9.81)`.
 fn setting(setting: &Setting, front: Front) -> String {
-    let [plain, ..] = names(setting.option);
     let changes = |value: &String| value.contains(['*', '+']);
     match (setting.option, setting.value.as_ref().is_some_and(changes)) {
         (OptionName::Columns, true) => with_setting("the columns with this change", setting, front),
-        _ => with_setting(plain, setting, front),
+        _ => with_setting(plain(setting.option), setting, front),
     }
 }
 

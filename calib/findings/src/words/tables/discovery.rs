@@ -1,194 +1,141 @@
 //! Words of what a search for missing effects names, and of what it leaves.
 
 use crate::kind::Kind;
-use crate::level::Level;
 use crate::remedy::{OptionName, Remedy};
 
-use crate::words::entry::Entry;
+use crate::words::entry::{Entry, care};
 use crate::words::tables::reading::IF_EXACT;
 
 /// Advice that separates an error of the device from an error of that day.
 const ONCE_MORE: &str = "the calibration holds with the errors that it states; to see whether the device has this error, record it on another day and look whether it returns";
 
-pub(super) const ENTRIES: &[Entry] = &[
-    Entry {
-        kind: Kind::EffectNamed,
-        level: Level::Care,
-        severity: 0.1,
-        reason: "the usual sensor model lacks {names}",
-        text: "the sensors have errors beyond bias, scale factors and misalignments, most like {names}. The calibration of this search corrects them",
-        advice: "keep this calibration",
-        remedies: || vec![Remedy::such_as(OptionName::Validation, "second.csv")],
-    },
-    Entry {
-        kind: Kind::UndersampledMotion,
-        level: Level::Care,
-        severity: 0.3,
-        reason: "the rate of rotation jumps between samples",
-        text: "the rate of rotation jumps between samples, so that {share} ({low} to {high}) of each jump is missing in the angle. The turns miss gravity by {angle} (rms), most of it expected in turns {turns}",
-        advice: "use this calibration if its standard errors are small enough for you; if not, put the device down more gently",
-        remedies: || vec![Remedy::SampleFaster, Remedy::FilterFirst],
-    },
-    Entry {
-        kind: Kind::StampsApart,
-        level: Level::Care,
-        severity: 0.1,
-        reason: "the stamps are {way} in this recording, unlike in the others",
-        text: "the stamps of the accelerometer are {size} ± {error} {way} in this recording, unlike in the others. The calibration does not contain this offset, and its parameters do not depend on it",
-        advice: "use this calibration, but shift the stamps of this recording before you combine its two sensors in motion",
-        remedies: || vec![Remedy::OneClock],
-    },
-    Entry {
-        kind: Kind::SamplesMissing,
-        level: Level::Care,
-        severity: 0.02,
-        reason: "samples of the {which} are missing",
-        text: "samples of the {which} are missing for {length}[ from t = {t0} on]",
-        advice: "record again if the device was turning then",
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::TurnWithoutSamples,
-        level: Level::Care,
-        severity: 0.1,
-        reason: "samples are lost in {at}",
-        text: "[{at}: ]samples are lost in this turn, and it misses gravity by {size}: it does not lead to the direction of gravity that the accelerometer reads after it. The program does not use the turn",
-        advice: IF_EXACT,
-        remedies: || vec![Remedy::RecordAgain],
-    },
-    Entry {
-        kind: Kind::RangeReached,
-        level: Level::Care,
-        severity: 0.5,
-        reason: "the {sensor} reached the end of its range",
-        text: "{count:sample} of the {sensor} reached the end of its range",
-        advice: "turn more slowly, or record with a larger range",
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::FineOrientation,
-        level: Level::Care,
-        severity: 0.1,
-        reason: "the {sensor} has an unexplained error that changes with the orientation",
-        text: "the {sensor} has an error that changes with the orientation, in a finer pattern than any in the list of known errors",
-        advice: ONCE_MORE,
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::SlowChange,
-        level: Level::Care,
-        severity: 0.1,
-        reason: "the {sensor} has an unexplained error that changes slowly over time",
-        text: "the {sensor} has an error that changes slowly over time",
-        advice: ONCE_MORE,
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::PeriodicInTime,
-        level: Level::Care,
-        severity: 0.1,
-        reason: "the {sensor} has an unexplained error that is periodic in time",
-        text: "the {sensor} has an error that is periodic in time[, with a period of {period}]",
-        advice: ONCE_MORE,
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::RoomDirection,
-        level: Level::Care,
-        severity: 0.1,
-        reason: "the {sensor} feels a horizontal direction of the room",
-        text: "the {sensor} has an error that points the same way in the room (as towards one wall), however the device is turned",
-        advice: ONCE_MORE,
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::RoomOrEarth,
-        level: Level::Care,
-        severity: 0.1,
-        reason: "the {sensor} feels a horizontal direction of the room",
-        text: "the {sensor} has an error that points the same way in the room (as towards one wall), however the device is turned. Near the equator the rotation of the earth looks so",
-        advice: ONCE_MORE,
-        remedies: || vec![Remedy::set(OptionName::Latitude)],
-    },
-    Entry {
-        kind: Kind::RelaxationAfterTurn,
-        level: Level::Care,
-        severity: 0.1,
-        reason: "the {sensor} has an error after each turn that fades away",
-        text: "{sensor}: an error after each turn that fades away and depends on the direction of the turn",
-        advice: ONCE_MORE,
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::RateProducts,
-        level: Level::Care,
-        severity: 0.1,
-        reason: "the {sensor} has an error by products of two rates",
-        text: "the {sensor} has an error that goes with the product of the rates of two axes",
-        advice: ONCE_MORE,
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::BiasMoves,
-        level: Level::Care,
-        severity: 0.1,
-        reason: "the bias of the {sensor} moves in one recording",
-        text: "{sensor}: the bias {moves} in {where}",
-        advice: ONCE_MORE,
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::BiasTwoLevels,
-        level: Level::Care,
-        severity: 0.1,
-        reason: "the bias of the {sensor} jumps between two levels",
-        text: "{sensor}: the bias of axis {axis} jumps to and fro between two levels, {count} times",
-        advice: ONCE_MORE,
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::BiasScatters,
-        level: Level::Care,
-        severity: 0.1,
-        reason: "the bias of the {sensor} differs from interval to interval",
-        text: "{sensor}: the bias of axis {axis} differs from static interval to static interval. Perhaps it goes with the placement, or it jumps in between",
-        advice: ONCE_MORE,
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::BiasWanders,
-        level: Level::Care,
-        severity: 0.1,
-        reason: "the bias of the {sensor} wanders",
-        text: "{sensor}: the bias of axis {axis} wanders or jumps at random, within times of about {memory}",
-        advice: ONCE_MORE,
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::MoreScatter,
-        level: Level::Care,
-        severity: 0.1,
-        reason: "there is more scatter than the noise explains",
-        text: "the readings differ from the model by more than their noise explains",
-        advice: ONCE_MORE,
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::DriftAtRest,
-        level: Level::Care,
-        severity: 0.1,
-        reason: "readings of the {sensor} drift or sway at rest",
-        text: "readings of the {sensor} drift or sway within static intervals by more than the noise",
-        advice: ONCE_MORE,
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::SearchCutShort,
-        level: Level::Care,
-        severity: 0.05,
-        reason: "the search ended before it had tried everything",
-        text: "the search for missing sources of error ended after {fits:fit}, because more would take too long with {count:static interval}. There may be more to find",
-        advice: "cut the recording into parts with fewer static intervals, and search each",
-        remedies: Vec::new,
-    },
-];
+pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
+    Some(match kind {
+        Kind::EffectNamed => Entry {
+            reason: "the usual sensor model lacks {names}",
+            text: "the sensors have errors beyond bias, scale factors and misalignments, most like {names}. The calibration of this search corrects them",
+            advice: "keep this calibration",
+            remedies: vec![Remedy::such_as(OptionName::Validation, "second.csv")],
+            ..care(0.1)
+        },
+        Kind::UndersampledMotion => Entry {
+            reason: "the rate of rotation jumps between samples",
+            text: "the rate of rotation jumps between samples, so that {share} ({low} to {high}) of each jump is missing in the angle. The turns miss gravity by {angle} (rms), most of it expected in turns {turns}",
+            advice: "use this calibration if its standard errors are small enough for you; if not, put the device down more gently",
+            remedies: vec![Remedy::SampleFaster, Remedy::FilterFirst],
+            ..care(0.3)
+        },
+        Kind::StampsApart => Entry {
+            reason: "the stamps are {way} in this recording, unlike in the others",
+            text: "the stamps of the accelerometer are {size} ± {error} {way} in this recording, unlike in the others. The calibration does not contain this offset, and its parameters do not depend on it",
+            advice: "use this calibration, but shift the stamps of this recording before you combine its two sensors in motion",
+            remedies: vec![Remedy::OneClock],
+            ..care(0.1)
+        },
+        Kind::SamplesMissing => Entry {
+            reason: "samples of the {which} are missing",
+            text: "samples of the {which} are missing for {length}[ from t = {t0} on]",
+            advice: "record again if the device was turning then",
+            ..care(0.02)
+        },
+        Kind::TurnWithoutSamples => Entry {
+            reason: "samples are lost in {at}",
+            text: "[{at}: ]samples are lost in this turn, and it misses gravity by {size}: it does not lead to the direction of gravity that the accelerometer reads after it. The program does not use the turn",
+            advice: IF_EXACT,
+            remedies: vec![Remedy::RecordAgain],
+            ..care(0.1)
+        },
+        Kind::RangeReached => Entry {
+            reason: "the {sensor} reached the end of its range",
+            text: "{count:sample} of the {sensor} reached the end of its range",
+            advice: "turn more slowly, or record with a larger range",
+            ..care(0.5)
+        },
+        Kind::FineOrientation => Entry {
+            reason: "the {sensor} has an unexplained error that changes with the orientation",
+            text: "the {sensor} has an error that changes with the orientation, in a finer pattern than any in the list of known errors",
+            advice: ONCE_MORE,
+            ..care(0.1)
+        },
+        Kind::SlowChange => Entry {
+            reason: "the {sensor} has an unexplained error that changes slowly over time",
+            text: "the {sensor} has an error that changes slowly over time",
+            advice: ONCE_MORE,
+            ..care(0.1)
+        },
+        Kind::PeriodicInTime => Entry {
+            reason: "the {sensor} has an unexplained error that is periodic in time",
+            text: "the {sensor} has an error that is periodic in time[, with a period of {period}]",
+            advice: ONCE_MORE,
+            ..care(0.1)
+        },
+        Kind::RoomDirection => Entry {
+            reason: "the {sensor} feels a horizontal direction of the room",
+            text: "the {sensor} has an error that points the same way in the room (as towards one wall), however the device is turned",
+            advice: ONCE_MORE,
+            ..care(0.1)
+        },
+        Kind::RoomOrEarth => Entry {
+            reason: "the {sensor} feels a horizontal direction of the room",
+            text: "the {sensor} has an error that points the same way in the room (as towards one wall), however the device is turned. Near the equator the rotation of the earth looks so",
+            advice: ONCE_MORE,
+            remedies: vec![Remedy::set(OptionName::Latitude)],
+            ..care(0.1)
+        },
+        Kind::RelaxationAfterTurn => Entry {
+            reason: "the {sensor} has an error after each turn that fades away",
+            text: "{sensor}: an error after each turn that fades away and depends on the direction of the turn",
+            advice: ONCE_MORE,
+            ..care(0.1)
+        },
+        Kind::RateProducts => Entry {
+            reason: "the {sensor} has an error by products of two rates",
+            text: "the {sensor} has an error that goes with the product of the rates of two axes",
+            advice: ONCE_MORE,
+            ..care(0.1)
+        },
+        Kind::BiasMoves => Entry {
+            reason: "the bias of the {sensor} moves in one recording",
+            text: "{sensor}: the bias {moves} in {where}",
+            advice: ONCE_MORE,
+            ..care(0.1)
+        },
+        Kind::BiasTwoLevels => Entry {
+            reason: "the bias of the {sensor} jumps between two levels",
+            text: "{sensor}: the bias of axis {axis} jumps to and fro between two levels, {count} times",
+            advice: ONCE_MORE,
+            ..care(0.1)
+        },
+        Kind::BiasScatters => Entry {
+            reason: "the bias of the {sensor} differs from interval to interval",
+            text: "{sensor}: the bias of axis {axis} differs from static interval to static interval. Perhaps it goes with the placement, or it jumps in between",
+            advice: ONCE_MORE,
+            ..care(0.1)
+        },
+        Kind::BiasWanders => Entry {
+            reason: "the bias of the {sensor} wanders",
+            text: "{sensor}: the bias of axis {axis} wanders or jumps at random, within times of about {memory}",
+            advice: ONCE_MORE,
+            ..care(0.1)
+        },
+        Kind::MoreScatter => Entry {
+            reason: "there is more scatter than the noise explains",
+            text: "the readings differ from the model by more than their noise explains",
+            advice: ONCE_MORE,
+            ..care(0.1)
+        },
+        Kind::DriftAtRest => Entry {
+            reason: "readings of the {sensor} drift or sway at rest",
+            text: "readings of the {sensor} drift or sway within static intervals by more than the noise",
+            advice: ONCE_MORE,
+            ..care(0.1)
+        },
+        Kind::SearchCutShort => Entry {
+            reason: "the search ended before it had tried everything",
+            text: "the search for missing sources of error ended after {fits:fit}, because more would take too long with {count:static interval}. There may be more to find",
+            advice: "cut the recording into parts with fewer static intervals, and search each",
+            ..care(0.05)
+        },
+        _ => return None,
+    })
+}

@@ -1,103 +1,74 @@
 //! Words of what an Allan deviation was made from.
 
 use crate::kind::Kind;
-use crate::level::Level;
 use crate::remedy::{OptionName, Remedy};
 
-use crate::words::entry::Entry;
+use crate::words::entry::{Entry, care, remark};
 
-pub(super) const ENTRIES: &[Entry] = &[
-    Entry {
-        kind: Kind::NoiseUnknown,
-        level: Level::Care,
-        severity: 0.01,
-        reason: "the noise of {sensor} {axis} is not known",
-        text: "the program cannot tell the noise of {sensor} {axis}: the recording is too short, or the signal never \
+pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
+    Some(match kind {
+        Kind::NoiseUnknown => Entry {
+            reason: "the noise of {sensor} {axis} is not known",
+            text: "the program cannot tell the noise of {sensor} {axis}: the recording is too short, or the signal never \
                changes",
-        advice: "record at least 128 samples at rest; if there are that many, check the column, for its readings never change",
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::NoiseModelMisses,
-        level: Level::Remark,
-        severity: 0.001,
-        reason: "the five usual kinds of noise do not describe {sensor} {axis}",
-        text: "the noise of {sensor} {axis} differs[ by {share}] from the usual model of noise, perhaps by a filter, a vibration or a motion[. The stated terms are those of means over {shortest} and longer. They do not hold for single readings][. The stated uncertainties include a difference of {share}][. It differs over all times up to {longest}, so that no term is known: record ten times as long]",
-        advice: "",
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::NoiseSamplesMissing,
-        level: Level::Remark,
-        severity: 0.001,
-        reason: "single samples of the {sensor} are missing",
-        text: "the {sensor} lacks {bridged} of {samples} samples ({share}), singly or a few at a time. The program \
+            advice: "record at least 128 samples at rest; if there are that many, check the column, for its readings never change",
+            ..care(0.01)
+        },
+        Kind::NoiseModelMisses => Entry {
+            reason: "the five usual kinds of noise do not describe {sensor} {axis}",
+            text: "the noise of {sensor} {axis} differs[ by {share}] from the usual model of noise, perhaps by a filter, a vibration or a motion[. The stated terms are those of means over {shortest} and longer. They do not hold for single readings][. The stated uncertainties include a difference of {share}][. It differs over all times up to {longest}, so that no term is known: record ten times as long]",
+            ..remark(0.001)
+        },
+        Kind::NoiseSamplesMissing => Entry {
+            reason: "single samples of the {sensor} are missing",
+            text: "the {sensor} lacks {bridged} of {samples} samples ({share}), singly or a few at a time. The program \
                bridges them by straight lines[. The white noise (from sample to sample) may be stated up to {excess} \
                too large]",
-        advice: "",
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::NoiseGaps,
-        level: Level::Remark,
-        severity: 0.001,
-        reason: "the rest of the {sensor} is interrupted",
-        text: "the {sensor} has {count:gap} without samples. The program compares no readings across a gap",
-        advice: "",
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::MeanSteps,
-        level: Level::Care,
-        severity: 0.05,
-        reason: "the mean of {sensor} {axis} jumps during the rest",
-        text: "the mean of {sensor} {axis} jumps by {listed}[ and {more} more times]. The jumps act as a random walk (slow drift at random) of {walk}. The bias instability (slow wander at rest) includes them",
-        advice: "use these values if the sensor jumps in use too; if not, analyse only the longest stretch between two jumps",
-        remedies: || vec![Remedy::such_as(OptionName::Rest, "60,3600")],
-    },
-    Entry {
-        kind: Kind::MeanDrifts,
-        level: Level::Care,
-        severity: 0.05,
-        reason: "{sensor} {axis} drifts more smoothly than noise does",
-        text: "{sensor} {axis} drifts by {change} in {time}, more smoothly than noise does. The stated ramp (steady drift) and random walk include this drift[, which is most of the Allan deviation (scatter of means over a time) beyond {tau}]",
-        advice: "",
-        remedies: || vec![Remedy::WarmUp, Remedy::such_as(OptionName::Rest, "60,3600")],
-    },
-    Entry {
-        kind: Kind::BiasDrifts,
-        level: Level::Remark,
-        severity: 0.05,
-        reason: "the {sensor}'s bias moves within a rest",
-        text: "the {sensor}'s bias (its reading at rest) moves by {change} in a rest of {time}. The estimate is the mean over the rest, and its error covers what the bias does over a fifth of it",
-        advice: "",
-        remedies: || vec![Remedy::WarmUp],
-    },
-    Entry {
-        kind: Kind::ReadingsHeld,
-        level: Level::Care,
-        severity: 0.05,
-        reason: "readings of the {sensor} repeat for a while",
-        text: "the readings of the {sensor} repeat one value at t = {listed}: nothing was measured in that time. The noise is therefore stated too small",
-        advice: "do not use these values; analyse only the longest stretch between two of these times",
-        remedies: || vec![Remedy::such_as(OptionName::Rest, "60,3600")],
-    },
-    Entry {
-        kind: Kind::RowsFasterThanSensor,
-        level: Level::Remark,
-        severity: 0.001,
-        reason: "the {sensor} is slower than the rows",
-        text: "the {sensor} is slower than the file: {share} of the rows repeat the reading before. The Allan deviation (scatter of means over a time) over a few samples and the noise from rounding are wrong",
-        advice: "nothing has to be done unless you need these two values, for those over longer times hold",
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::SettlingUnknown,
-        level: Level::Remark,
-        severity: 0.001,
-        reason: "how long the first rest must be is not known",
-        text: "the recording is too short to tell how long the first rest of a calibration must be. The mean of the gyroscope does not settle in it",
-        advice: "nothing has to be done unless you need this time; if you do, record twice as long at rest, and again until the program finds it",
-        remedies: Vec::new,
-    },
-];
+            ..remark(0.001)
+        },
+        Kind::NoiseGaps => Entry {
+            reason: "the rest of the {sensor} is interrupted",
+            text: "the {sensor} has {count:gap} without samples. The program compares no readings across a gap",
+            ..remark(0.001)
+        },
+        Kind::MeanSteps => Entry {
+            reason: "the mean of {sensor} {axis} jumps during the rest",
+            text: "the mean of {sensor} {axis} jumps by {listed}[ and {more} more times]. The jumps act as a random walk (slow drift at random) of {walk}. The bias instability (slow wander at rest) includes them",
+            advice: "use these values if the sensor jumps in use too; if not, analyse only the longest stretch between two jumps",
+            remedies: vec![Remedy::such_as(OptionName::Rest, "60,3600")],
+            ..care(0.05)
+        },
+        Kind::MeanDrifts => Entry {
+            reason: "{sensor} {axis} drifts more smoothly than noise does",
+            text: "{sensor} {axis} drifts by {change} in {time}, more smoothly than noise does. The stated ramp (steady drift) and random walk include this drift[, which is most of the Allan deviation (scatter of means over a time) beyond {tau}]",
+            remedies: vec![Remedy::WarmUp, Remedy::such_as(OptionName::Rest, "60,3600")],
+            ..care(0.05)
+        },
+        Kind::BiasDrifts => Entry {
+            reason: "the {sensor}'s bias moves within a rest",
+            text: "the {sensor}'s bias (its reading at rest) moves by {change} in a rest of {time}. The estimate is the mean over the rest, and its error covers what the bias does over a fifth of it",
+            remedies: vec![Remedy::WarmUp],
+            ..remark(0.05)
+        },
+        Kind::ReadingsHeld => Entry {
+            reason: "readings of the {sensor} repeat for a while",
+            text: "the readings of the {sensor} repeat one value at t = {listed}: nothing was measured in that time. The noise is therefore stated too small",
+            advice: "do not use these values; analyse only the longest stretch between two of these times",
+            remedies: vec![Remedy::such_as(OptionName::Rest, "60,3600")],
+            ..care(0.05)
+        },
+        Kind::RowsFasterThanSensor => Entry {
+            reason: "the {sensor} is slower than the rows",
+            text: "the {sensor} is slower than the file: {share} of the rows repeat the reading before. The Allan deviation (scatter of means over a time) over a few samples and the noise from rounding are wrong",
+            advice: "nothing has to be done unless you need these two values, for those over longer times hold",
+            ..remark(0.001)
+        },
+        Kind::SettlingUnknown => Entry {
+            reason: "how long the first rest must be is not known",
+            text: "the recording is too short to tell how long the first rest of a calibration must be. The mean of the gyroscope does not settle in it",
+            advice: "nothing has to be done unless you need this time; if you do, record twice as long at rest, and again until the program finds it",
+            ..remark(0.001)
+        },
+        _ => return None,
+    })
+}

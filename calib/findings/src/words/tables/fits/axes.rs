@@ -1,118 +1,88 @@
 //! Words of units, ranges and axes that the fit shows.
 
 use crate::kind::Kind;
-use crate::level::Level;
 use crate::remedy::{OptionName, Remedy};
 
-use crate::words::entry::Entry;
+use crate::words::entry::{Entry, bad, care, remark};
 
-pub(in super::super) const ENTRIES: &[Entry] = &[
-    Entry {
-        kind: Kind::AxisUnit,
-        level: Level::Bad,
-        severity: 30.0,
-        reason: "{axis} of the {sensor} has another unit or range",
-        text: "{axis} of the {sensor} reads {times} what {others} read of the same {what}. This axis has another unit, or is set to another range",
-        advice: "",
-        remedies: || vec![Remedy::such_as(OptionName::Columns, "az=az*0.5")],
-    },
-    Entry {
-        kind: Kind::CountsDiffer,
-        level: Level::Care,
-        severity: 1.0,
-        reason: "the axes of the {sensor} differ in their range",
-        text: "the axes of the {sensor} read {x}, {y} and {z} raw whole numbers (counts) per m/s². These differ by {share}: the axes may have different ranges. The calibration converts each axis by its own number",
-        advice: "use this calibration for readings with the same ranges; if all axes should have one range, set it and record again",
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::ScaleOff,
-        level: Level::Care,
-        severity: 3.0,
-        reason: "the {sensor} reads gravity {share} {more} than it is, on all axes",
-        text: "the {sensor} reads gravity as {reads}, {share} {more} than {gravity}, on all axes alike[: {beyond} has another unit or range, or the local gravity is another][. The calibration corrects {carried}]",
-        advice: "correct what is wrong of unit, range and local gravity[; if nothing is wrong, use this calibration, for it corrects {carried}]",
-        remedies: || vec![Remedy::any_of([OptionName::AccelUnit, OptionName::Gravity])],
-    },
-    Entry {
-        kind: Kind::ZeroOff,
-        level: Level::Bad,
-        severity: 30.0,
-        reason: "{axis} reads {bias} where it should read zero",
-        text: "{axis} of the {sensor} reads {bias} where it should read zero, as no sensor does[: gravity was subtracted from {without}][: gravity was added to {with}][: a constant was added to {moved}]",
-        advice: "",
-        remedies: || vec![Remedy::such_as(OptionName::Columns, "az=az+9.80665")],
-    },
-    Entry {
-        kind: Kind::ReadingsInG,
-        level: Level::Care,
-        severity: 0.001,
-        reason: "the readings look like units of g",
-        text: "the readings of the accelerometer look like units of g (9.8 m/s²). The calibration converts them to m/s²",
-        advice: "use this calibration for readings in the same unit",
-        remedies: || vec![Remedy::set_to(OptionName::AccelUnit, "g")],
-    },
-    Entry {
-        kind: Kind::RawCounts,
-        level: Level::Remark,
-        severity: 0.0001,
-        reason: "the readings are raw counts",
-        text: "the readings of the {sensor} are raw counts, or in a unit that the program does not know: one is about {scale}[, and zero lies near {zero}]. The calibration converts them",
-        advice: "",
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::GravityMissed,
-        level: Level::Bad,
-        severity: 10.0,
-        reason: "the gyroscope misses gravity by {missed} after the fit",
-        text: "the gyroscope misses gravity by {missed} rms after the fit: its turns do not lead to the directions that the accelerometer reads. Perhaps axes are exchanged, a sign or the time stamps are wrong",
-        advice: "do not use this calibration; compare columns, signs and time stamps with the description of the app or the data sheet, correct what differs, and record again if nothing does",
-        remedies: || vec![Remedy::LookInto],
-    },
-    Entry {
-        kind: Kind::AxesNotShown,
-        level: Level::Bad,
-        severity: 10.0,
-        reason: "the turns do not show the gyroscope's axes",
-        text: "no sensor can have the matrix that the fit found for the gyroscope (its determinant is negative and no axis is flipped). The turns do not show the gyroscope's axes",
-        advice: "record again, and between the placements turn the device about each of its three axes by a quarter turn or more",
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::LeftHanded,
-        level: Level::Bad,
-        severity: 30.0,
-        reason: "the gyroscope's axes are left-handed (mirrored)",
-        text: "the gyroscope's axes are mirrored (left-handed) against the accelerometer's: {axes}. Probably an axis has the wrong sign, or two columns are exchanged",
-        advice: "",
-        remedies: || vec![Remedy::such_as(OptionName::Flip, "gz")],
-    },
-    Entry {
-        kind: Kind::AxesTurned,
-        level: Level::Care,
-        severity: 1.0,
-        reason: "the axes of the gyroscope and the accelerometer do not agree",
-        text: "the gyroscope's axes are turned against the accelerometer's[: {axes}][, by an angle that is no {angle}]. The calibration turns them back[. If both sensors are mounted alike, as in nearly every device, the {other} is mirrored (left-handed) instead: a sign of it is wrong or two of its columns are exchanged]",
-        advice: "[use this calibration if the data sheet draws the axes of the gyroscope and the {other} turned so; if it draws them alike, correct the {other}]",
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::GyroscopeScaleOff,
-        level: Level::Bad,
-        severity: 30.0,
-        reason: "the gyroscope's scale factor is {ratio} on all axes",
-        text: "the gyroscope's scale factor is {ratio} on all axes, too far from 1 for a sensor: its unit or its sampling rate is wrong",
-        advice: "compare the length of the recording with its true duration: if they differ, the rate is wrong, and if not, the unit or the range",
-        remedies: || vec![Remedy::any_of([OptionName::Rate, OptionName::GyroUnit])],
-    },
-    Entry {
-        kind: Kind::ReadingsInDegrees,
-        level: Level::Care,
-        severity: 0.001,
-        reason: "the gyroscope's unit looks like {unit}",
-        text: "the readings of the gyroscope look like {unit}[ that were read as {read}]. The calibration converts them to rad/s",
-        advice: "use this calibration for readings in the same unit",
-        remedies: || vec![Remedy::set_to(OptionName::GyroUnit, "deg/s")],
-    },
-];
+pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
+    Some(match kind {
+        Kind::AxisUnit => Entry {
+            reason: "{axis} of the {sensor} has another unit or range",
+            text: "{axis} of the {sensor} reads {times} what {others} read of the same {what}. This axis has another unit, or is set to another range",
+            remedies: vec![Remedy::such_as(OptionName::Columns, "az=az*0.5")],
+            ..bad(30.0)
+        },
+        Kind::CountsDiffer => Entry {
+            reason: "the axes of the {sensor} differ in their range",
+            text: "the axes of the {sensor} read {x}, {y} and {z} raw whole numbers (counts) per m/s². These differ by {share}: the axes may have different ranges. The calibration converts each axis by its own number",
+            advice: "use this calibration for readings with the same ranges; if all axes should have one range, set it and record again",
+            ..care(1.0)
+        },
+        Kind::ScaleOff => Entry {
+            reason: "the {sensor} reads gravity {share} {more} than it is, on all axes",
+            text: "the {sensor} reads gravity as {reads}, {share} {more} than {gravity}, on all axes alike[: {beyond} has another unit or range, or the local gravity is another][. The calibration corrects {carried}]",
+            advice: "correct what is wrong of unit, range and local gravity[; if nothing is wrong, use this calibration, for it corrects {carried}]",
+            remedies: vec![Remedy::any_of([OptionName::AccelUnit, OptionName::Gravity])],
+            ..care(3.0)
+        },
+        Kind::ZeroOff => Entry {
+            reason: "{axis} reads {bias} where it should read zero",
+            text: "{axis} of the {sensor} reads {bias} where it should read zero, as no sensor does[: gravity was subtracted from {without}][: gravity was added to {with}][: a constant was added to {moved}]",
+            remedies: vec![Remedy::such_as(OptionName::Columns, "az=az+9.80665")],
+            ..bad(30.0)
+        },
+        Kind::ReadingsInG => Entry {
+            reason: "the readings look like units of g",
+            text: "the readings of the accelerometer look like units of g (9.8 m/s²). The calibration converts them to m/s²",
+            advice: "use this calibration for readings in the same unit",
+            remedies: vec![Remedy::set_to(OptionName::AccelUnit, "g")],
+            ..care(0.001)
+        },
+        Kind::RawCounts => Entry {
+            reason: "the readings are raw counts",
+            text: "the readings of the {sensor} are raw counts, or in a unit that the program does not know: one is about {scale}[, and zero lies near {zero}]. The calibration converts them",
+            ..remark(0.0001)
+        },
+        Kind::GravityMissed => Entry {
+            reason: "the gyroscope misses gravity by {missed} after the fit",
+            text: "the gyroscope misses gravity by {missed} rms after the fit: its turns do not lead to the directions that the accelerometer reads. Perhaps axes are exchanged, a sign or the time stamps are wrong",
+            advice: "do not use this calibration; compare columns, signs and time stamps with the description of the app or the data sheet, correct what differs, and record again if nothing does",
+            remedies: vec![Remedy::LookInto],
+            ..bad(10.0)
+        },
+        Kind::AxesNotShown => Entry {
+            reason: "the turns do not show the gyroscope's axes",
+            text: "no sensor can have the matrix that the fit found for the gyroscope (its determinant is negative and no axis is flipped). The turns do not show the gyroscope's axes",
+            advice: "record again, and between the placements turn the device about each of its three axes by a quarter turn or more",
+            ..bad(10.0)
+        },
+        Kind::LeftHanded => Entry {
+            reason: "the gyroscope's axes are left-handed (mirrored)",
+            text: "the gyroscope's axes are mirrored (left-handed) against the accelerometer's: {axes}. Probably an axis has the wrong sign, or two columns are exchanged",
+            remedies: vec![Remedy::such_as(OptionName::Flip, "gz")],
+            ..bad(30.0)
+        },
+        Kind::AxesTurned => Entry {
+            reason: "the axes of the gyroscope and the accelerometer do not agree",
+            text: "the gyroscope's axes are turned against the accelerometer's[: {axes}][, by an angle that is no {angle}]. The calibration turns them back[. If both sensors are mounted alike, as in nearly every device, the {other} is mirrored (left-handed) instead: a sign of it is wrong or two of its columns are exchanged]",
+            advice: "[use this calibration if the data sheet draws the axes of the gyroscope and the {other} turned so; if it draws them alike, correct the {other}]",
+            ..care(1.0)
+        },
+        Kind::GyroscopeScaleOff => Entry {
+            reason: "the gyroscope's scale factor is {ratio} on all axes",
+            text: "the gyroscope's scale factor is {ratio} on all axes, too far from 1 for a sensor: its unit or its sampling rate is wrong",
+            advice: "compare the length of the recording with its true duration: if they differ, the rate is wrong, and if not, the unit or the range",
+            remedies: vec![Remedy::any_of([OptionName::Rate, OptionName::GyroUnit])],
+            ..bad(30.0)
+        },
+        Kind::ReadingsInDegrees => Entry {
+            reason: "the gyroscope's unit looks like {unit}",
+            text: "the readings of the gyroscope look like {unit}[ that were read as {read}]. The calibration converts them to rad/s",
+            advice: "use this calibration for readings in the same unit",
+            remedies: vec![Remedy::set_to(OptionName::GyroUnit, "deg/s")],
+            ..care(0.001)
+        },
+        _ => return None,
+    })
+}

@@ -1,235 +1,158 @@
 //! Words of devices, their recordings and what is known of them.
 
 use crate::kind::Kind;
-use crate::level::Level;
 use crate::remedy::{OptionName, Remedy};
 
-use crate::words::entry::Entry;
+use crate::words::entry::{Entry, bad, care, remark};
 
-pub(in super::super) const ENTRIES: &[Entry] = &[
-    Entry {
-        kind: Kind::LatitudeDoubtful,
-        level: Level::Care,
-        severity: 0.04,
-        reason: "the recording speaks against the latitude",
-        text: "the earth's rotation has a vertical part of {expected} at a latitude of {given}. The recording shows {shown} ± {error}, as at a latitude of {seen}, and speaks against the given latitude. {what} may be wrong[. The model was fitted at the latitude that the recording shows, because it explains as much as {instead}]",
-        advice: "check the sign and the value of the latitude; check that the accelerometer reads +g on an axis that points up, for with all its signs turned the latitude seems to have the other sign",
-        remedies: || {
-            vec![Remedy::Omit {
+pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
+    Some(match kind {
+        Kind::LatitudeDoubtful => Entry {
+            reason: "the recording speaks against the latitude",
+            text: "the earth's rotation has a vertical part of {expected} at a latitude of {given}. The recording shows {shown} ± {error}, as at a latitude of {seen}, and speaks against the given latitude. {what} may be wrong[. The model was fitted at the latitude that the recording shows, because it explains as much as {instead}]",
+            advice: "check the sign and the value of the latitude; check that the accelerometer reads +g on an axis that points up, for with all its signs turned the latitude seems to have the other sign",
+            remedies: vec![Remedy::Omit {
                 option: OptionName::Latitude,
-            }]
+            }],
+            ..care(0.04)
         },
-    },
-    Entry {
-        kind: Kind::BiasRemovedBefore,
-        level: Level::Care,
-        severity: 0.02,
-        reason: "the phone's or logger's software has subtracted the gyroscope's bias",
-        text: "the gyroscope reads zero at rest on all axes to within its noise: the phone's or logger's software has subtracted the bias (the reading at rest). This calibration holds only while that software subtracts the same",
-        advice: "",
-        remedies: || vec![Remedy::Uncalibrated],
-    },
-    Entry {
-        kind: Kind::SameData,
-        level: Level::Remark,
-        severity: 0.0001,
-        reason: "a recording is given twice",
-        text: "this recording has the same data as {other}. The two are counted once",
-        advice: "",
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::RecordingsDiffer,
-        level: Level::Care,
-        severity: 0.05,
-        reason: "the parameters differ from recording to recording",
-        text: "the recordings {first} and {second} give different values of {parameter}: {one} and {two}, {distance} standard errors apart[, at {celsius}]. Perhaps it changes with the temperature",
-        advice: "",
-        remedies: || vec![Remedy::Discover],
-    },
-    Entry {
-        kind: Kind::GyroscopeDiffers,
-        level: Level::Care,
-        severity: 0.05,
-        reason: "the gyroscope of one recording differs from the others",
-        text: "the gyroscope's {parameter} (scale factor or misalignment) differs by {change} ± {error} from that in the other recordings, perhaps by temperature or clock. The program has enlarged the standard errors to cover the difference",
-        advice: "calibrate this recording alone if its temperature or its clock was another",
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::NoGyroscope,
-        level: Level::Remark,
-        severity: 0.0001,
-        reason: "there is no gyroscope",
-        text: "the recording has no gyroscope: only the accelerometer is calibrated",
-        advice: "",
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::NoAccelerometer,
-        level: Level::Remark,
-        severity: 0.0001,
-        reason: "there is no accelerometer",
-        text: "the recording has no accelerometer: only the gyroscope's bias (its reading at rest) is found",
-        advice: "",
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::SensorMissing,
-        level: Level::Remark,
-        severity: 0.001,
-        reason: "a recording lacks a sensor",
-        text: "the recording lacks the accelerometer or the gyroscope. The program does not calibrate the gyroscope by this recording",
-        advice: "",
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::NotOfType,
-        level: Level::Care,
-        severity: 0.1,
-        reason: "the device does not look like one of the prior's type",
-        text: "the device does not look like its type (the typical values given as a prior): {parameter} lies {distance} standard deviations from the type's mean (by chance with probability {p}). The prior is not used",
-        advice: "use this calibration, which was made without the prior; if the device is of another type, give the prior of that type",
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::BiasesDiffer,
-        level: Level::Care,
-        severity: 0.05,
-        reason: "the biases of the calibration's recordings differ",
-        text: "the biases (readings at rest) of the calibration's recordings differ ({how}), and this recording is none of them. The program subtracts the biases of the last one, {last}",
-        advice: "",
-        remedies: || vec![Remedy::UpdateBias],
-    },
-    Entry {
-        kind: Kind::EffectFault,
-        level: Level::Care,
-        severity: 0.05,
-        reason: "the effect {effect} gives no number",
-        text: "the effect {effect} (a source of error that you defined) could not be computed. The search left it out from then on",
-        advice: "correct its formula",
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::LimitNotKept,
-        level: Level::Bad,
-        severity: 5.0,
-        reason: "{name} is {value}, and {allowed} is allowed",
-        text: "{name} is {value}. Its limit allows {allowed}",
-        advice: "do not use this calibration where this limit has to hold",
-        remedies: || vec![Remedy::RecordAgain],
-    },
-    Entry {
-        kind: Kind::NotCalibrated,
-        level: Level::Bad,
-        severity: 20.0,
-        reason: "the {sensor} is not calibrated",
-        text: "the {sensor} is not calibrated: {why}[. The program keeps its bias {kept}]",
-        advice: "",
-        remedies: || {
-            vec![
+        Kind::BiasRemovedBefore => Entry {
+            reason: "the phone's or logger's software has subtracted the gyroscope's bias",
+            text: "the gyroscope reads zero at rest on all axes to within its noise: the phone's or logger's software has subtracted the bias (the reading at rest). This calibration holds only while that software subtracts the same",
+            remedies: vec![Remedy::Uncalibrated],
+            ..care(0.02)
+        },
+        Kind::SameData => Entry {
+            reason: "a recording is given twice",
+            text: "this recording has the same data as {other}. The two are counted once",
+            ..remark(0.0001)
+        },
+        Kind::RecordingsDiffer => Entry {
+            reason: "the parameters differ from recording to recording",
+            text: "the recordings {first} and {second} give different values of {parameter}: {one} and {two}, {distance} standard errors apart[, at {celsius}]. Perhaps it changes with the temperature",
+            remedies: vec![Remedy::Discover],
+            ..care(0.05)
+        },
+        Kind::GyroscopeDiffers => Entry {
+            reason: "the gyroscope of one recording differs from the others",
+            text: "the gyroscope's {parameter} (scale factor or misalignment) differs by {change} ± {error} from that in the other recordings, perhaps by temperature or clock. The program has enlarged the standard errors to cover the difference",
+            advice: "calibrate this recording alone if its temperature or its clock was another",
+            ..care(0.05)
+        },
+        Kind::NoGyroscope => Entry {
+            reason: "there is no gyroscope",
+            text: "the recording has no gyroscope: only the accelerometer is calibrated",
+            ..remark(0.0001)
+        },
+        Kind::NoAccelerometer => Entry {
+            reason: "there is no accelerometer",
+            text: "the recording has no accelerometer: only the gyroscope's bias (its reading at rest) is found",
+            ..remark(0.0001)
+        },
+        Kind::SensorMissing => Entry {
+            reason: "a recording lacks a sensor",
+            text: "the recording lacks the accelerometer or the gyroscope. The program does not calibrate the gyroscope by this recording",
+            ..remark(0.001)
+        },
+        Kind::NotOfType => Entry {
+            reason: "the device does not look like one of the prior's type",
+            text: "the device does not look like its type (the typical values given as a prior): {parameter} lies {distance} standard deviations from the type's mean (by chance with probability {p}). The prior is not used",
+            advice: "use this calibration, which was made without the prior; if the device is of another type, give the prior of that type",
+            ..care(0.1)
+        },
+        Kind::BiasesDiffer => Entry {
+            reason: "the biases of the calibration's recordings differ",
+            text: "the biases (readings at rest) of the calibration's recordings differ ({how}), and this recording is none of them. The program subtracts the biases of the last one, {last}",
+            remedies: vec![Remedy::UpdateBias],
+            ..care(0.05)
+        },
+        Kind::EffectFault => Entry {
+            reason: "the effect {effect} gives no number",
+            text: "the effect {effect} (a source of error that you defined) could not be computed. The search left it out from then on",
+            advice: "correct its formula",
+            ..care(0.05)
+        },
+        Kind::LimitNotKept => Entry {
+            reason: "{name} is {value}, and {allowed} is allowed",
+            text: "{name} is {value}. Its limit allows {allowed}",
+            advice: "do not use this calibration where this limit has to hold",
+            remedies: vec![Remedy::RecordAgain],
+            ..bad(5.0)
+        },
+        Kind::NotCalibrated => Entry {
+            reason: "the {sensor} is not calibrated",
+            text: "the {sensor} is not calibrated: {why}[. The program keeps its bias {kept}]",
+            remedies: vec![
                 Remedy::RecordAgain,
                 Remedy::set_to(OptionName::Sensor, "accelerometer"),
-            ]
+            ],
+            ..bad(20.0)
         },
-    },
-    Entry {
-        kind: Kind::TimeConstantSupposed,
-        level: Level::Remark,
-        severity: 0.01,
-        reason: "a time constant was supposed",
-        text: "the {parameter} of the error {effect} is supposed to be {value}, because these recordings do not show it. The other parameters of that error depend on it, so the program gives no standard errors",
-        advice: "",
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::TemperatureChanged,
-        level: Level::Care,
-        severity: 0.5,
-        reason: "the temperature changed from {low} to {high}, which the model leaves out",
-        text: "the temperature changed from {low} to {high} while the device was at rest, and the model has no effect of the temperature. Scale factors and biases are means over that range, and the standard errors do not cover how they change within it",
-        advice: "",
-        remedies: || vec![Remedy::Discover],
-    },
-    Entry {
-        kind: Kind::TemperatureUnknown,
-        level: Level::Remark,
-        severity: 0.01,
-        reason: "some recordings have no temperature",
-        text: "the recordings without a temperature ({without}) keep the program from looking for effects of the temperature",
-        advice: "",
-        remedies: || vec![Remedy::Thermometer],
-    },
-    Entry {
-        kind: Kind::LeftAsRead,
-        level: Level::Remark,
-        severity: 0.1,
-        reason: "the {sensor} is not calibrated",
-        text: "the {sensor} is not calibrated[ ({why})]. The program leaves its readings as they are",
-        advice: "",
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::AxisOnlyNoise,
-        level: Level::Bad,
-        severity: 90.0,
-        reason: "the {axis} axis of the {sensor} reads nothing but noise",
-        text: "the {axis} axis of the {sensor} reads nothing but noise while other axes turn: it is dead, or its column is another, or the device was not turned about it",
-        advice: "check that column in the file and the sensor",
-        remedies: || vec![Remedy::RecordAgain],
-    },
-    Entry {
-        kind: Kind::BiasMoved,
-        level: Level::Care,
-        severity: 0.1,
-        reason: "the bias of the {sensor} moved by {change} during the recording, as with the temperature",
-        text: "the bias (the reading at rest) of the {sensor} moved by {change} from the first static interval to the last, more than it walks by. The calibration states its mean over that time",
-        advice: "let the device warm up before you record",
-        remedies: || vec![Remedy::Discover],
-    },
-    Entry {
-        kind: Kind::BiasWandered,
-        level: Level::Care,
-        severity: 0.1,
-        reason: "the readings of the {sensor} at rest wandered by {size}",
-        text: "the readings of the {sensor} at rest lay {size} (rms) off their mean, as where its bias walks or steps or the device was not quite still. The calibration states the mean bias, and its errors count that motion as noise",
-        advice: "let the device warm up, and lay it down in every placement",
-        remedies: || vec![Remedy::Discover],
-    },
-    Entry {
-        kind: Kind::OfAnotherAccelerometer,
-        level: Level::Care,
-        severity: 1.0,
-        reason: "a part of the recording is of another accelerometer",
-        text: "{intervals:static interval} at {at} fit another accelerometer than the {used} that the program uses: with that one their gravity is off by {missed} (rms), with one of their own by {own}. Perhaps the file holds two devices, or a range or filter of the sensor was switched",
-        advice: "",
-        remedies: || vec![Remedy::Split],
-    },
-    Entry {
-        kind: Kind::ValidationDisagrees,
-        level: Level::Care,
-        severity: 1.0,
-        reason: "the calibration does not hold for the validation recording",
-        text: "the calibration misses this recording by {missed} times what the noise and the errors of the calibration explain, whatever its biases are ({channel}; {own} times in the recordings of the fit). Perhaps it is of another device, or the device has changed: temperature, a shock, another range",
-        advice: "do not use the calibration for this recording",
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::ScalarLeftAsRead,
-        level: Level::Remark,
-        severity: 0.1,
-        reason: "the {name} is not calibrated",
-        text: "the calibration or this program does not know the {name}. Its readings stay as they are",
-        advice: "",
-        remedies: Vec::new,
-    },
-    Entry {
-        kind: Kind::BiasAlone,
-        level: Level::Remark,
-        severity: 0.1,
-        reason: "only the bias of the {sensor} is known",
-        text: "only the bias (the reading at rest) of the {sensor} is known. Its scale factors and misalignments are taken as those of a perfect sensor",
-        advice: "",
-        remedies: Vec::new,
-    },
-];
+        Kind::TimeConstantSupposed => Entry {
+            reason: "a time constant was supposed",
+            text: "the {parameter} of the error {effect} is supposed to be {value}, because these recordings do not show it. The other parameters of that error depend on it, so the program gives no standard errors",
+            ..remark(0.01)
+        },
+        Kind::TemperatureChanged => Entry {
+            reason: "the temperature changed from {low} to {high}, which the model leaves out",
+            text: "the temperature changed from {low} to {high} while the device was at rest, and the model has no effect of the temperature. Scale factors and biases are means over that range, and the standard errors do not cover how they change within it",
+            remedies: vec![Remedy::Discover],
+            ..care(0.5)
+        },
+        Kind::TemperatureUnknown => Entry {
+            reason: "some recordings have no temperature",
+            text: "the recordings without a temperature ({without}) keep the program from looking for effects of the temperature",
+            remedies: vec![Remedy::Thermometer],
+            ..remark(0.01)
+        },
+        Kind::LeftAsRead => Entry {
+            reason: "the {sensor} is not calibrated",
+            text: "the {sensor} is not calibrated[ ({why})]. The program leaves its readings as they are",
+            ..remark(0.1)
+        },
+        Kind::AxisOnlyNoise => Entry {
+            reason: "the {axis} axis of the {sensor} reads nothing but noise",
+            text: "the {axis} axis of the {sensor} reads nothing but noise while other axes turn: it is dead, or its column is another, or the device was not turned about it",
+            advice: "check that column in the file and the sensor",
+            remedies: vec![Remedy::RecordAgain],
+            ..bad(90.0)
+        },
+        Kind::BiasMoved => Entry {
+            reason: "the bias of the {sensor} moved by {change} during the recording, as with the temperature",
+            text: "the bias (the reading at rest) of the {sensor} moved by {change} from the first static interval to the last, more than it walks by. The calibration states its mean over that time",
+            advice: "let the device warm up before you record",
+            remedies: vec![Remedy::Discover],
+            ..care(0.1)
+        },
+        Kind::BiasWandered => Entry {
+            reason: "the readings of the {sensor} at rest wandered by {size}",
+            text: "the readings of the {sensor} at rest lay {size} (rms) off their mean, as where its bias walks or steps or the device was not quite still. The calibration states the mean bias, and its errors count that motion as noise",
+            advice: "let the device warm up, and lay it down in every placement",
+            remedies: vec![Remedy::Discover],
+            ..care(0.1)
+        },
+        Kind::OfAnotherAccelerometer => Entry {
+            reason: "a part of the recording is of another accelerometer",
+            text: "{intervals:static interval} at {at} fit another accelerometer than the {used} that the program uses: with that one their gravity is off by {missed} (rms), with one of their own by {own}. Perhaps the file holds two devices, or a range or filter of the sensor was switched",
+            remedies: vec![Remedy::Split],
+            ..care(1.0)
+        },
+        Kind::ValidationDisagrees => Entry {
+            reason: "the calibration does not hold for the validation recording",
+            text: "the calibration misses this recording by {missed} times what the noise and the errors of the calibration explain, whatever its biases are ({channel}; {own} times in the recordings of the fit). Perhaps it is of another device, or the device has changed: temperature, a shock, another range",
+            advice: "do not use the calibration for this recording",
+            ..care(1.0)
+        },
+        Kind::ScalarLeftAsRead => Entry {
+            reason: "the {name} is not calibrated",
+            text: "the calibration or this program does not know the {name}. Its readings stay as they are",
+            ..remark(0.1)
+        },
+        Kind::BiasAlone => Entry {
+            reason: "only the bias of the {sensor} is known",
+            text: "only the bias (the reading at rest) of the {sensor} is known. Its scale factors and misalignments are taken as those of a perfect sensor",
+            ..remark(0.1)
+        },
+        _ => return None,
+    })
+}

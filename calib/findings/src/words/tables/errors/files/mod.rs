@@ -13,19 +13,18 @@ pub(in crate::words::tables) mod outputs;
 pub(in crate::words::tables) mod tables;
 
 use crate::kind::Kind;
-use crate::words::entry::Entry;
+use crate::words::entry::{Entry, error};
 
-pub(in crate::words::tables) const ENTRIES: &[Entry] = &[
-    Entry::error(
-        Kind::Unreadable,
-        "cannot be read: {reason}",
-        "check the name of the file, and that it is complete and may be read",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::Unwritable,
-        "cannot be written: {reason}",
-        "check the folder and the free space of the disk",
-        Vec::new,
-    ),
-];
+pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
+    Some(match kind {
+        Kind::Unreadable => error(
+            "cannot be read: {reason}",
+            "check the name of the file, and that it is complete and may be read",
+        ),
+        Kind::Unwritable => error(
+            "cannot be written: {reason}",
+            "check the folder and the free space of the disk",
+        ),
+        _ => return None,
+    })
+}

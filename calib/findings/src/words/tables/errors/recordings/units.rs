@@ -2,113 +2,89 @@
 
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
-use crate::words::entry::Entry;
+use crate::words::entry::{Entry, error, error_with};
 
-pub(in super::super::super) const ENTRIES: &[Entry] = &[
-    Entry::error(
-        Kind::UnitUnknown,
-        "this unit is unknown; known: {known}",
-        "choose one of these",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::GravityOfNoUnit,
-        "at rest the accelerometer's readings have the length {radius}, which is gravity in no unit that the program knows. They may be raw whole numbers (counts)",
-        "",
-        || {
+pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
+    Some(match kind {
+        Kind::UnitUnknown => error(
+            "this unit is unknown; known: {known}",
+            "choose one of these",
+        ),
+        Kind::GravityOfNoUnit => error_with(
+            "at rest the accelerometer's readings have the length {radius}, which is gravity in no unit that the program knows. They may be raw whole numbers (counts)",
+            "",
             vec![Remedy::examples([
                 (OptionName::AccelUnit, "counts"),
                 (OptionName::AccelUnit, "m/s^2"),
-            ])]
-        },
-    ),
-    Entry::error(
-        Kind::UnitStrange,
-        "the file states {unit} for the {sensor}, which is no unit that the program knows. The readings do not show their unit either",
-        "",
-        || {
+            ])],
+        ),
+        Kind::UnitStrange => error_with(
+            "the file states {unit} for the {sensor}, which is no unit that the program knows. The readings do not show their unit either",
+            "",
             vec![Remedy::examples([
                 (OptionName::AccelUnit, "m/s^2"),
                 (OptionName::GyroUnit, "deg/s"),
                 (OptionName::Columns, "ax=NAME*0.001"),
-            ])]
-        },
-    ),
-    Entry::error(
-        Kind::GravityRemoved,
-        "the accelerometer's readings have a median length of {norm} {unit}: gravity has been removed, and calibration needs it",
-        "record the accelerometer with gravity (\"total\", \"uncalibrated\" or \"with g\")",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::AxesOfTheRoom,
-        "by the gyroscope the device was turned over {turns} times, by up to {angle}, and at rest the accelerometer always reads the same: its readings are given in axes of the room and not of the device",
-        "record the accelerometer in the axes of the device (\"raw\" or \"uncalibrated\"; not \"world\", \"earth\" or \"global\")",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::AnglesForRates,
-        "at rest the gyroscope reads another value in each placement, over a range of {range}, as angles (roll, pitch, yaw) do: these are no rates of rotation",
-        "record the gyroscope (\"angular velocity\", \"rotation rate\" or \"gyro\"), not the orientation",
-        || vec![Remedy::set(OptionName::Columns)],
-    ),
-    Entry::error(
-        Kind::Normalised,
-        "the accelerometer's readings have the same length, {length}, in every row, while the device turns too: they were normalised to a direction, and no force is left in them",
-        "record the accelerometer before it is normalised (\"raw\" or \"uncalibrated\")",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::GravityInOtherUnit,
-        "at rest the accelerometer reads {radius} in all orientations. That is gravity in {right}, and {by} says {unit}",
-        "",
-        || vec![Remedy::set_to(OptionName::AccelUnit, "g")],
-    ),
-    Entry::error(
-        Kind::GravityOff,
-        "at rest the accelerometer reads {radius} in all orientations, which is {ratio} times gravity in {unit}, as {by} says. They may be raw whole numbers (counts)",
-        "",
-        || vec![Remedy::set_to(OptionName::AccelUnit, "counts")],
-    ),
-    Entry::error(
-        Kind::TurnsImpossible,
-        "the file states {unit} for the gyroscope. In that unit the device would often turn faster than {fastest}, as no hand turns it",
-        "",
-        || {
+            ])],
+        ),
+        Kind::GravityRemoved => error(
+            "the accelerometer's readings have a median length of {norm} {unit}: gravity has been removed, and calibration needs it",
+            "record the accelerometer with gravity (\"total\", \"uncalibrated\" or \"with g\")",
+        ),
+        Kind::AxesOfTheRoom => error(
+            "by the gyroscope the device was turned over {turns} times, by up to {angle}, and at rest the accelerometer always reads the same: its readings are given in axes of the room and not of the device",
+            "record the accelerometer in the axes of the device (\"raw\" or \"uncalibrated\"; not \"world\", \"earth\" or \"global\")",
+        ),
+        Kind::AnglesForRates => error_with(
+            "at rest the gyroscope reads another value in each placement, over a range of {range}, as angles (roll, pitch, yaw) do: these are no rates of rotation",
+            "record the gyroscope (\"angular velocity\", \"rotation rate\" or \"gyro\"), not the orientation",
+            vec![Remedy::set(OptionName::Columns)],
+        ),
+        Kind::Normalised => error(
+            "the accelerometer's readings have the same length, {length}, in every row, while the device turns too: they were normalised to a direction, and no force is left in them",
+            "record the accelerometer before it is normalised (\"raw\" or \"uncalibrated\")",
+        ),
+        Kind::GravityInOtherUnit => error_with(
+            "at rest the accelerometer reads {radius} in all orientations. That is gravity in {right}, and {by} says {unit}",
+            "",
+            vec![Remedy::set_to(OptionName::AccelUnit, "g")],
+        ),
+        Kind::GravityOff => error_with(
+            "at rest the accelerometer reads {radius} in all orientations, which is {ratio} times gravity in {unit}, as {by} says. They may be raw whole numbers (counts)",
+            "",
+            vec![Remedy::set_to(OptionName::AccelUnit, "counts")],
+        ),
+        Kind::TurnsImpossible => error_with(
+            "the file states {unit} for the gyroscope. In that unit the device would often turn faster than {fastest}, as no hand turns it",
+            "",
             vec![Remedy::examples([
                 (OptionName::GyroUnit, "deg/s"),
                 (OptionName::GyroUnit, "counts"),
-            ])]
-        },
-    ),
-    Entry::error(
-        Kind::TurnsInOtherUnit,
-        "{by} {unit} for the gyroscope. But its turns agree with those that the accelerometer saw only in {told}",
-        "",
-        || vec![Remedy::such_as(OptionName::GyroUnit, "deg/s")],
-    ),
-    Entry::error(
-        Kind::TurnsOff,
-        "{by} {unit} for the gyroscope. But the accelerometer saw turns about {factor} times as far, so the unit of the gyroscope or of the time stamps is wrong",
-        "look both units up in the documentation of what wrote the file, and give the right one",
-        || {
+            ])],
+        ),
+        Kind::TurnsInOtherUnit => error_with(
+            "{by} {unit} for the gyroscope. But its turns agree with those that the accelerometer saw only in {told}",
+            "",
+            vec![Remedy::such_as(OptionName::GyroUnit, "deg/s")],
+        ),
+        Kind::TurnsOff => error_with(
+            "{by} {unit} for the gyroscope. But the accelerometer saw turns about {factor} times as far, so the unit of the gyroscope or of the time stamps is wrong",
+            "look both units up in the documentation of what wrote the file, and give the right one",
             vec![Remedy::examples([
                 (OptionName::TimeUnit, "us"),
                 (OptionName::GyroUnit, "counts"),
                 (OptionName::Columns, "t=NAME"),
-            ])]
-        },
-    ),
-    Entry::error(
-        Kind::RestlessRest,
-        "the device never turns, so that no turn shows the gyroscope's unit. In {unit} its noise would be {noise} and its bias (mean at rest) {bias}, as no gyroscope has",
-        "",
-        || vec![Remedy::such_as(OptionName::GyroUnit, "deg/s")],
-    ),
-    Entry::error(
-        Kind::SensorsSwapped,
-        "the columns of the gyroscope turn with gravity from rest to rest, and those of the accelerometer do not: their names are swapped",
-        "[give {files} the other way round]",
-        Vec::new,
-    ),
-];
+            ])],
+        ),
+        Kind::RestlessRest => error_with(
+            "the device never turns, so that no turn shows the gyroscope's unit. In {unit} its noise would be {noise} and its bias (mean at rest) {bias}, as no gyroscope has",
+            "",
+            vec![Remedy::such_as(OptionName::GyroUnit, "deg/s")],
+        ),
+        Kind::SensorsSwapped => error(
+            "the columns of the gyroscope turn with gravity from rest to rest, and those of the accelerometer do not: their names are swapped",
+            "[give {files} the other way round]",
+        ),
+        _ => return None,
+    })
+}

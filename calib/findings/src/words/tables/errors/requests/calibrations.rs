@@ -2,121 +2,87 @@
 
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
-use crate::words::entry::Entry;
+use crate::words::entry::{Entry, error, error_with};
 
-pub(in super::super::super) const ENTRIES: &[Entry] = &[
-    Entry::error(
-        Kind::WrittenByNewer,
-        "a newer version of the program wrote this file ({found}); this one reads {schema}",
-        "use the newer one, or write the file again with this one",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::NotJson,
-        "the file is no JSON: {reason}",
-        "check that it is the right file and complete",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::SchemaMissing,
-        "the file has no \"schema\" entry: not a calibration (\"{schema}\")",
-        "name a calibration",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::EntryOther,
-        "[{key}: ]\"{found}\" found, \"{expected}\" expected",
-        "check that it is the right file",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::MatrixSingular,
-        "[{key}: ]the matrix has no inverse: its axes lie in one plane, as no sensor's do",
-        "check the numbers of the matrix",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::MatrixUnequal,
-        "[{key}: ]the matrix enlarges one direction {times} times as much as another, as no sensor does",
-        "undo what was edited in the file, or calibrate again",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::BiasBeyond,
-        "[{key}: ]the bias (the constant error of the readings) is {found}, which makes {offset} {unit}: more than any sensor has",
-        "undo what was edited in the file, or calibrate again",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::PriorFrame,
-        "the prior (typical values of a type of device) is for the usual choice of axes. The calibration has the symmetric one (symmetric frame)",
-        "calibrate again without the symmetric frame; if you need this frame, calibrate without the prior",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::PriorForeign,
-        "the prior (typical values of a type of device) and the calibration have no parameter in common. They may be of other sensors",
-        "use the prior of this type of device if you named another; if you have none, calibrate without a prior",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::PriorUnusable,
-        "the prior (typical values of a type of device) cannot be used: it should hold a mean and a covariance for each of {count:parameter}, and does not",
-        "make the prior again from the batch of these devices; if you do not have the batch, calibrate without the prior",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::PriorDegenerate,
-        "the prior (typical values of a type of device) does not go with the recording: the fit of both together has no solution. The prior is damaged, or was made of too few devices",
-        "calibrate without the prior now; for later devices, make the prior again from more devices",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::SensorNotRecorded,
-        "the recording has no {sensor}",
-        "record it too",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::SensorNotInCalibration,
-        "the calibration has no {sensor}",
-        "calibrate from a recording of it too",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::OfOtherUnits,
-        "corrected by this calibration, the accelerometer's readings have a median length of {median}, where gravity is {gravity}. The calibration is for another unit or another device",
-        "use this calibration for no recording of another device",
-        || {
+pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
+    Some(match kind {
+        Kind::WrittenByNewer => error(
+            "a newer version of the program wrote this file ({found}); this one reads {schema}",
+            "use the newer one, or write the file again with this one",
+        ),
+        Kind::NotJson => error(
+            "the file is no JSON: {reason}",
+            "check that it is the right file and complete",
+        ),
+        Kind::SchemaMissing => error(
+            "the file has no \"schema\" entry: not a calibration (\"{schema}\")",
+            "name a calibration",
+        ),
+        Kind::EntryOther => error(
+            "[{key}: ]\"{found}\" found, \"{expected}\" expected",
+            "check that it is the right file",
+        ),
+        Kind::MatrixSingular => error(
+            "[{key}: ]the matrix has no inverse: its axes lie in one plane, as no sensor's do",
+            "check the numbers of the matrix",
+        ),
+        Kind::MatrixUnequal => error(
+            "[{key}: ]the matrix enlarges one direction {times} times as much as another, as no sensor does",
+            "undo what was edited in the file, or calibrate again",
+        ),
+        Kind::BiasBeyond => error(
+            "[{key}: ]the bias (the constant error of the readings) is {found}, which makes {offset} {unit}: more than any sensor has",
+            "undo what was edited in the file, or calibrate again",
+        ),
+        Kind::PriorFrame => error(
+            "the prior (typical values of a type of device) is for the usual choice of axes. The calibration has the symmetric one (symmetric frame)",
+            "calibrate again without the symmetric frame; if you need this frame, calibrate without the prior",
+        ),
+        Kind::PriorForeign => error(
+            "the prior (typical values of a type of device) and the calibration have no parameter in common. They may be of other sensors",
+            "use the prior of this type of device if you named another; if you have none, calibrate without a prior",
+        ),
+        Kind::PriorUnusable => error(
+            "the prior (typical values of a type of device) cannot be used: it should hold a mean and a covariance for each of {count:parameter}, and does not",
+            "make the prior again from the batch of these devices; if you do not have the batch, calibrate without the prior",
+        ),
+        Kind::PriorDegenerate => error(
+            "the prior (typical values of a type of device) does not go with the recording: the fit of both together has no solution. The prior is damaged, or was made of too few devices",
+            "calibrate without the prior now; for later devices, make the prior again from more devices",
+        ),
+        Kind::SensorNotRecorded => error("the recording has no {sensor}", "record it too"),
+        Kind::SensorNotInCalibration => error(
+            "the calibration has no {sensor}",
+            "calibrate from a recording of it too",
+        ),
+        Kind::OfOtherUnits => error_with(
+            "corrected by this calibration, the accelerometer's readings have a median length of {median}, where gravity is {gravity}. The calibration is for another unit or another device",
+            "use this calibration for no recording of another device",
             vec![
                 Remedy::OwnCalibration,
                 Remedy::set(OptionName::AccelUnit),
                 Remedy::set(OptionName::ForceDevice),
-            ]
-        },
-    ),
-    Entry::error(
-        Kind::DevicesDiffer,
-        "{parameter} is {one} in {first} and {two} in {second}, {distance} standard errors apart. The recordings are of different devices, or of one device at different temperatures[ ({celsius})]",
-        "calibrate each recording alone if the devices differ; if it is one device, record again at one temperature",
-        || vec![Remedy::set(OptionName::ForceDevice)],
-    ),
-    Entry::error(
-        Kind::GyroscopeOfOther,
-        "{parameter} of the gyroscope differs by {change} ± {error} from the other recordings. This recording is of another device[, or at another temperature ({celsius})], or its clock ran fast or slow",
-        "calibrate this recording alone if the device is another; if it is the same, record again at the temperature of the others and with the time stamps of the sensor",
-        || vec![Remedy::set(OptionName::ForceDevice)],
-    ),
-    Entry::error(
-        Kind::ReadingsTwice,
-        "this recording repeats readings of {other}: from {at} on they equal those from static interval {interval} (t = {time}) on. Counted twice they make the standard errors too small",
-        "leave one of the two recordings out",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::AxesOfOtherTurned,
-        "the axes of this recording are turned against those of {other}: by their biases and scale factors, {axes}. One calibration of both would be wrong for either",
-        "compare the order and the signs of the columns in both recordings, and correct them if they are wrong; if they are right, calibrate each recording alone",
-        || vec![Remedy::set(OptionName::ForceDevice)],
-    ),
-];
+            ],
+        ),
+        Kind::DevicesDiffer => error_with(
+            "{parameter} is {one} in {first} and {two} in {second}, {distance} standard errors apart. The recordings are of different devices, or of one device at different temperatures[ ({celsius})]",
+            "calibrate each recording alone if the devices differ; if it is one device, record again at one temperature",
+            vec![Remedy::set(OptionName::ForceDevice)],
+        ),
+        Kind::GyroscopeOfOther => error_with(
+            "{parameter} of the gyroscope differs by {change} ± {error} from the other recordings. This recording is of another device[, or at another temperature ({celsius})], or its clock ran fast or slow",
+            "calibrate this recording alone if the device is another; if it is the same, record again at the temperature of the others and with the time stamps of the sensor",
+            vec![Remedy::set(OptionName::ForceDevice)],
+        ),
+        Kind::ReadingsTwice => error(
+            "this recording repeats readings of {other}: from {at} on they equal those from static interval {interval} (t = {time}) on. Counted twice they make the standard errors too small",
+            "leave one of the two recordings out",
+        ),
+        Kind::AxesOfOtherTurned => error_with(
+            "the axes of this recording are turned against those of {other}: by their biases and scale factors, {axes}. One calibration of both would be wrong for either",
+            "compare the order and the signs of the columns in both recordings, and correct them if they are wrong; if they are right, calibrate each recording alone",
+            vec![Remedy::set(OptionName::ForceDevice)],
+        ),
+        _ => return None,
+    })
+}

@@ -2,73 +2,65 @@
 
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
-use crate::words::entry::Entry;
+use crate::words::entry::{Entry, doubt};
 
-pub(in super::super::super) const ENTRIES: &[Entry] = &[
-    Entry::doubt(
-        Kind::RateAtRestOff,
-        "corrected by this calibration the rate at rest is {rate}, where it should be zero. The calibration may be of another device, or for another unit of the gyroscope",
-        "check device and unit first; if both are right, the bias has moved",
-        || vec![Remedy::UpdateBias],
-    ),
-    Entry::doubt(
-        Kind::DirectionOff,
-        "after {count:turn} the corrected gyroscope misses the direction of gravity by {rms} (rms)[, and in the calibration's own recordings by {usual}]. The calibration may be of another device, or for another unit, sign or order of the axes",
-        "correct unit, sign or order of the columns if they are not those of the calibration's recordings",
-        || vec![Remedy::OwnCalibration],
-    ),
-    Entry::doubt(
-        Kind::NormOff,
-        "at rest the corrected reading of the accelerometer differs from gravity by {rms} (rms)[, and in the calibration's own recordings by {usual}]. The calibration may be of another device",
-        "use this calibration only if device and unit are those of its recordings",
-        || vec![Remedy::OwnCalibration],
-    ),
-    Entry::doubt(
-        Kind::NormGrown,
-        "at rest the corrected reading of the accelerometer differs from gravity by {rms} (rms), and in the calibration's own recordings by {usual}. The sensor has changed since, as by temperature or age, or gravity is another here",
-        "",
-        || vec![Remedy::CalibrateAgain],
-    ),
-    Entry::doubt(
-        Kind::FieldOff,
-        "the corrected magnetic field differs from one static interval to the next by {share} in strength and by {angle} in its angle to the vertical[, and in the calibration's own recordings by {usual}]. The magnetometer's bias has moved, its unit, signs or order of axes are others, the calibration is of another device, or iron was near",
-        "calibrate the magnetometer again if unit, signs and order of the columns are those of the calibration's recordings",
-        || vec![Remedy::OwnCalibration],
-    ),
-    Entry::doubt(
-        Kind::CorrectedOtherwise,
-        "{by} had corrected the readings of the {sensor} in this recording before, and {own} those behind the calibration. So the calibration does not hold for this recording",
-        "do not use the corrected readings; calibrate from recordings that were corrected as this one",
-        Vec::new,
-    ),
-    Entry::doubt(
-        Kind::CorrectedInPart,
-        "{by} had corrected the readings of the {sensor} before, and not those of {others}: one calibration does not hold for both",
-        "calibrate these recordings apart",
-        Vec::new,
-    ),
-    Entry::doubt(
-        Kind::NumbersEdited,
-        "the calibration was edited since it was written: gravity, a sensor or an effect is not what was found (its numbers_sha256 differs)",
-        "nothing has to be done if you edited it on purpose; else calibrate again",
-        Vec::new,
-    ),
-    Entry::doubt(
-        Kind::BasisEdited,
-        "the calibration was edited since it was written: method, covariance, limits, inputs or another entry beside the parameters is not what was written (its basis_sha256 differs)",
-        "nothing has to be done if you edited it on purpose; else calibrate again",
-        Vec::new,
-    ),
-    Entry::doubt(
-        Kind::EffectOfRecordings,
-        "the calibration corrects {effect} ({parameter} = {value}). Only the recordings that it was made from had this error, and the file does not name them",
-        "correct only those with it; for any other recording calibrate again without {effect}",
-        Vec::new,
-    ),
-    Entry::doubt(
-        Kind::OnlyRestAnalysed,
-        "the device moved during the recording. The program analyses only the longest rest, {at}",
-        "use these values if this rest is the one you meant; else leave the device alone and record again",
-        || vec![Remedy::such_as(OptionName::Rest, "60,3600")],
-    ),
-];
+pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
+    Some(match kind {
+        Kind::RateAtRestOff => doubt(
+            "corrected by this calibration the rate at rest is {rate}, where it should be zero. The calibration may be of another device, or for another unit of the gyroscope",
+            "check device and unit first; if both are right, the bias has moved",
+            vec![Remedy::UpdateBias],
+        ),
+        Kind::DirectionOff => doubt(
+            "after {count:turn} the corrected gyroscope misses the direction of gravity by {rms} (rms)[, and in the calibration's own recordings by {usual}]. The calibration may be of another device, or for another unit, sign or order of the axes",
+            "correct unit, sign or order of the columns if they are not those of the calibration's recordings",
+            vec![Remedy::OwnCalibration],
+        ),
+        Kind::NormOff => doubt(
+            "at rest the corrected reading of the accelerometer differs from gravity by {rms} (rms)[, and in the calibration's own recordings by {usual}]. The calibration may be of another device",
+            "use this calibration only if device and unit are those of its recordings",
+            vec![Remedy::OwnCalibration],
+        ),
+        Kind::NormGrown => doubt(
+            "at rest the corrected reading of the accelerometer differs from gravity by {rms} (rms), and in the calibration's own recordings by {usual}. The sensor has changed since, as by temperature or age, or gravity is another here",
+            "",
+            vec![Remedy::CalibrateAgain],
+        ),
+        Kind::FieldOff => doubt(
+            "the corrected magnetic field differs from one static interval to the next by {share} in strength and by {angle} in its angle to the vertical[, and in the calibration's own recordings by {usual}]. The magnetometer's bias has moved, its unit, signs or order of axes are others, the calibration is of another device, or iron was near",
+            "calibrate the magnetometer again if unit, signs and order of the columns are those of the calibration's recordings",
+            vec![Remedy::OwnCalibration],
+        ),
+        Kind::CorrectedOtherwise => doubt(
+            "{by} had corrected the readings of the {sensor} in this recording before, and {own} those behind the calibration. So the calibration does not hold for this recording",
+            "do not use the corrected readings; calibrate from recordings that were corrected as this one",
+            vec![],
+        ),
+        Kind::CorrectedInPart => doubt(
+            "{by} had corrected the readings of the {sensor} before, and not those of {others}: one calibration does not hold for both",
+            "calibrate these recordings apart",
+            vec![],
+        ),
+        Kind::NumbersEdited => doubt(
+            "the calibration was edited since it was written: gravity, a sensor or an effect is not what was found (its numbers_sha256 differs)",
+            "nothing has to be done if you edited it on purpose; else calibrate again",
+            vec![],
+        ),
+        Kind::BasisEdited => doubt(
+            "the calibration was edited since it was written: method, covariance, limits, inputs or another entry beside the parameters is not what was written (its basis_sha256 differs)",
+            "nothing has to be done if you edited it on purpose; else calibrate again",
+            vec![],
+        ),
+        Kind::EffectOfRecordings => doubt(
+            "the calibration corrects {effect} ({parameter} = {value}). Only the recordings that it was made from had this error, and the file does not name them",
+            "correct only those with it; for any other recording calibrate again without {effect}",
+            vec![],
+        ),
+        Kind::OnlyRestAnalysed => doubt(
+            "the device moved during the recording. The program analyses only the longest rest, {at}",
+            "use these values if this rest is the one you meant; else leave the device alone and record again",
+            vec![Remedy::such_as(OptionName::Rest, "60,3600")],
+        ),
+        _ => return None,
+    })
+}

@@ -2,43 +2,35 @@
 
 use crate::kind::Kind;
 use crate::remedy::Remedy;
-use crate::words::entry::Entry;
+use crate::words::entry::{Entry, error, error_with};
 
-pub(in super::super::super) const ENTRIES: &[Entry] = &[
-    Entry::error(
-        Kind::EffectUnknown,
-        "[{key}: ]there is no such effect (source of error)[: {effect} is not in the list of known ones]",
-        "",
-        || vec![Remedy::ListEffects],
-    ),
-    Entry::error(
-        Kind::ParameterUnknown,
-        "[{key}: ]there is no such parameter[: `{effect}` has {known}]",
-        "correct the name",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::EffectTaken,
-        "[{key}: ]`{name}` is another effect already",
-        "choose another name",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::NameTaken,
-        "[{key}: ]`{name}` means something else already",
-        "choose another name",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::NameNotSnakeCase,
-        "[{key}: ]`{name}` found, a name in snake case expected (lower case letters, digits and `_`)",
-        "rename it",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::DefinitionOfOther,
-        "[{key}: ]the definition of `{effect}` is that of `{other}`",
-        "name both alike",
-        Vec::new,
-    ),
-];
+pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
+    Some(match kind {
+        Kind::EffectUnknown => error_with(
+            "[{key}: ]there is no such effect (source of error)[: {effect} is not in the list of known ones]",
+            "",
+            vec![Remedy::ListEffects],
+        ),
+        Kind::ParameterUnknown => error(
+            "[{key}: ]there is no such parameter[: `{effect}` has {known}]",
+            "correct the name",
+        ),
+        Kind::EffectTaken => error(
+            "[{key}: ]`{name}` is another effect already",
+            "choose another name",
+        ),
+        Kind::NameTaken => error(
+            "[{key}: ]`{name}` means something else already",
+            "choose another name",
+        ),
+        Kind::NameNotSnakeCase => error(
+            "[{key}: ]`{name}` found, a name in snake case expected (lower case letters, digits and `_`)",
+            "rename it",
+        ),
+        Kind::DefinitionOfOther => error(
+            "[{key}: ]the definition of `{effect}` is that of `{other}`",
+            "name both alike",
+        ),
+        _ => return None,
+    })
+}

@@ -2,7 +2,7 @@
 
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
-use crate::words::entry::Entry;
+use crate::words::entry::{Entry, error, error_with};
 
 /// How turns come out that can be used.
 fn whole_turns() -> Vec<Remedy> {
@@ -14,162 +14,125 @@ fn whole_turns() -> Vec<Remedy> {
     ]
 }
 
-pub(in super::super::super) const ENTRIES: &[Entry] = &[
-    Entry::error(
-        Kind::Requirement,
-        "record at least {least} placements in all ({advised} are better), with each face up once and down once. Hold the device still for {rest} in each, and turn no faster than {fastest}",
-        "",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::PlacementsLeaveOpen,
-        "{count:placement}, {distinct} of which differ by more than 20°: {parameters} cannot be found from them[; no placement has {missing}]",
-        "",
-        || vec![Remedy::Plan],
-    ),
-    Entry::error(
-        Kind::PlacementsTooFew,
-        "{count:placement}, {distinct} of which differ by more than 20°: with {free} unknowns nothing is left to check the result with[; {weakest} is known to {error} only][; {unknown} is not known][; no placement has {missing}]",
-        "",
-        || vec![Remedy::Plan],
-    ),
-    Entry::error(
-        Kind::PlacementsTellLittle,
-        "{count:placement}, {distinct} of which differ by more than 20°: they do not determine {parameters} well enough[; {weakest} is known to {error} only][; {unknown} is not known][; no placement has {missing}]",
-        "",
-        || vec![Remedy::Plan],
-    ),
-    Entry::error(
-        Kind::PlacementsInPlane,
-        "{count:placement}, {distinct} of which differ by more than 20°: all lie near one plane, so that errors across it cannot be found[; no placement has {missing}]",
-        "",
-        || vec![Remedy::Plan],
-    ),
-    Entry::error(
-        Kind::DirectionsTooFew,
-        "{count:placement}, {distinct} of which differ by more than 20°: from only {directions} directions, however often recorded, {parameters} cannot be found[; no placement has {missing}]",
-        "",
-        || vec![Remedy::Plan],
-    ),
-    Entry::error(
-        Kind::TurnsLeaveOpen,
-        "{count:turn} determine only {rank} of the gyroscope's {free} unknowns: {parameters} cannot be found from them",
-        "turn the device about its {axes} too, by half a turn or more while that axis lies level",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::TurnsTooFew,
-        "{count:turn} leave nothing to check the gyroscope's {free} unknowns with: at least {least} turns are needed",
-        "turn the device about its {axes} too, by half a turn or more while that axis lies level",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::TurnsTellLittle,
-        "{count:turn} do not determine {parameters} well enough",
-        "turn the device about its {axes} too, by half a turn or more while that axis lies level",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::TurnsMissing,
-        "the recording has no turn between two static intervals",
-        "",
-        || vec![Remedy::TurnEachAxis],
-    ),
-    Entry::error(
-        Kind::TurnsUnusable,
-        "none of {count:turn} can be used[; {gaps} with samples missing][; {frozen} with one reading repeated][; {saturated} faster than the gyroscope can read][; {empty} without samples]",
-        "",
-        whole_turns,
-    ),
-    Entry::error(
-        Kind::TurnsUsableFew,
-        "{usable} of {count:turn} can be used[, and {least} or more are needed][; {gaps} with samples missing][; {frozen} with one reading repeated][; {saturated} faster than the gyroscope can read][; {empty} without samples]",
-        "",
-        || {
+pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
+    Some(match kind {
+        Kind::Requirement => error(
+            "record at least {least} placements in all ({advised} are better), with each face up once and down once. Hold the device still for {rest} in each, and turn no faster than {fastest}",
+            "",
+        ),
+        Kind::PlacementsLeaveOpen => error_with(
+            "{count:placement}, {distinct} of which differ by more than 20°: {parameters} cannot be found from them[; no placement has {missing}]",
+            "",
+            vec![Remedy::Plan],
+        ),
+        Kind::PlacementsTooFew => error_with(
+            "{count:placement}, {distinct} of which differ by more than 20°: with {free} unknowns nothing is left to check the result with[; {weakest} is known to {error} only][; {unknown} is not known][; no placement has {missing}]",
+            "",
+            vec![Remedy::Plan],
+        ),
+        Kind::PlacementsTellLittle => error_with(
+            "{count:placement}, {distinct} of which differ by more than 20°: they do not determine {parameters} well enough[; {weakest} is known to {error} only][; {unknown} is not known][; no placement has {missing}]",
+            "",
+            vec![Remedy::Plan],
+        ),
+        Kind::PlacementsInPlane => error_with(
+            "{count:placement}, {distinct} of which differ by more than 20°: all lie near one plane, so that errors across it cannot be found[; no placement has {missing}]",
+            "",
+            vec![Remedy::Plan],
+        ),
+        Kind::DirectionsTooFew => error_with(
+            "{count:placement}, {distinct} of which differ by more than 20°: from only {directions} directions, however often recorded, {parameters} cannot be found[; no placement has {missing}]",
+            "",
+            vec![Remedy::Plan],
+        ),
+        Kind::TurnsLeaveOpen => error(
+            "{count:turn} determine only {rank} of the gyroscope's {free} unknowns: {parameters} cannot be found from them",
+            "turn the device about its {axes} too, by half a turn or more while that axis lies level",
+        ),
+        Kind::TurnsTooFew => error(
+            "{count:turn} leave nothing to check the gyroscope's {free} unknowns with: at least {least} turns are needed",
+            "turn the device about its {axes} too, by half a turn or more while that axis lies level",
+        ),
+        Kind::TurnsTellLittle => error(
+            "{count:turn} do not determine {parameters} well enough",
+            "turn the device about its {axes} too, by half a turn or more while that axis lies level",
+        ),
+        Kind::TurnsMissing => error_with(
+            "the recording has no turn between two static intervals",
+            "",
+            vec![Remedy::TurnEachAxis],
+        ),
+        Kind::TurnsUnusable => error_with(
+            "none of {count:turn} can be used[; {gaps} with samples missing][; {frozen} with one reading repeated][; {saturated} faster than the gyroscope can read][; {empty} without samples]",
+            "",
+            whole_turns(),
+        ),
+        Kind::TurnsUsableFew => error_with(
+            "{usable} of {count:turn} can be used[, and {least} or more are needed][; {gaps} with samples missing][; {frozen} with one reading repeated][; {saturated} faster than the gyroscope can read][; {empty} without samples]",
+            "",
             vec![
                 Remedy::TurnEachAxis,
                 Remedy::TurnSlower,
                 Remedy::LoseNoSamples,
                 Remedy::FreezeNoRows,
                 Remedy::BothSensors,
-            ]
-        },
-    ),
-    Entry::error(
-        Kind::TurnsUsableOpen,
-        "{usable} of {count:turn} can be used, and they do not determine all unknowns of the gyroscope[; {gaps} with samples missing][; {frozen} with one reading repeated][; {saturated} faster than the gyroscope can read][; {empty} without samples]",
-        "",
-        whole_turns,
-    ),
-    Entry::error(
-        Kind::NeverStill,
-        "no static interval was found: the device is never still for long enough[ (the quietest seconds and their spread: {quietest})]",
-        "record again and lay the device down for {rest} or longer in every placement; if it lay that long already, stop what shakes it",
-        || {
+            ],
+        ),
+        Kind::TurnsUsableOpen => error_with(
+            "{usable} of {count:turn} can be used, and they do not determine all unknowns of the gyroscope[; {gaps} with samples missing][; {frozen} with one reading repeated][; {saturated} faster than the gyroscope can read][; {empty} without samples]",
+            "",
+            whole_turns(),
+        ),
+        Kind::NeverStill => error_with(
+            "no static interval was found: the device is never still for long enough[ (the quietest seconds and their spread: {quietest})]",
+            "record again and lay the device down for {rest} or longer in every placement; if it lay that long already, stop what shakes it",
             vec![Remedy::any_of([
                 OptionName::MinStatic,
                 OptionName::Multiplier,
-            ])]
-        },
-    ),
-    Entry::error(
-        Kind::NeverQuiet,
-        "no quiet stretch is long enough to show a device at rest (in the quietest the rate wavers by {rate})",
-        "record again and lay the device down for 5 s or longer in every placement; if it lay that long already, stop what shakes it",
-        || vec![Remedy::set(OptionName::Multiplier)],
-    ),
-    Entry::error(
-        Kind::QuietNotStatic,
-        "the program found {found:static interval}, too few for a calibration, and {count:quiet stretch} that it cannot use. The first: {first}",
-        "record again and lay the device on a firm support in every placement instead of holding it",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::AllStatic,
-        "the recording is all static: one rest of {length} and no turn",
-        "",
-        || vec![Remedy::Plan],
-    ),
-    Entry::error(
-        Kind::NoSphere,
-        "the means of the readings in {count:placement} at rest do not have one length, as gravity would give them. So the program cannot tell the accelerometer's unit",
-        "correct the columns of the accelerometer if they are the wrong ones; if they are right, record again with the device still in every placement",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::NoGravityAtRest,
-        "{at} has no accelerometer samples or shows no gravity",
-        "record this placement again",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::NoRest,
-        "no rest of the {sensor} was found: the device is never still for long enough",
-        "record this placement again and lay the device down for 5 s or longer",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::FaceMissing,
-        "six positions: no rest with {missing}[, {also}]",
-        "record every axis once up and once down",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::RestTooShort,
-        "the longest rest is {longest}, too short to find the bias (the reading at rest)",
-        "put the device down for more than {least}",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::RestsTooFew,
-        "{rests:rest}: the bias of the {sensor} needs at least {least} in different orientations",
-        "lay the device down in more orientations",
-        Vec::new,
-    ),
-    Entry::error(
-        Kind::RestsInPlane,
-        "the orientations of the rests are too alike to tell the biases of the three axes apart (condition number {condition})",
-        "record again with each of the six faces up once",
-        Vec::new,
-    ),
-];
+            ])],
+        ),
+        Kind::NeverQuiet => error_with(
+            "no quiet stretch is long enough to show a device at rest (in the quietest the rate wavers by {rate})",
+            "record again and lay the device down for 5 s or longer in every placement; if it lay that long already, stop what shakes it",
+            vec![Remedy::set(OptionName::Multiplier)],
+        ),
+        Kind::QuietNotStatic => error(
+            "the program found {found:static interval}, too few for a calibration, and {count:quiet stretch} that it cannot use. The first: {first}",
+            "record again and lay the device on a firm support in every placement instead of holding it",
+        ),
+        Kind::AllStatic => error_with(
+            "the recording is all static: one rest of {length} and no turn",
+            "",
+            vec![Remedy::Plan],
+        ),
+        Kind::NoSphere => error(
+            "the means of the readings in {count:placement} at rest do not have one length, as gravity would give them. So the program cannot tell the accelerometer's unit",
+            "correct the columns of the accelerometer if they are the wrong ones; if they are right, record again with the device still in every placement",
+        ),
+        Kind::NoGravityAtRest => error(
+            "{at} has no accelerometer samples or shows no gravity",
+            "record this placement again",
+        ),
+        Kind::NoRest => error(
+            "no rest of the {sensor} was found: the device is never still for long enough",
+            "record this placement again and lay the device down for 5 s or longer",
+        ),
+        Kind::FaceMissing => error(
+            "six positions: no rest with {missing}[, {also}]",
+            "record every axis once up and once down",
+        ),
+        Kind::RestTooShort => error(
+            "the longest rest is {longest}, too short to find the bias (the reading at rest)",
+            "put the device down for more than {least}",
+        ),
+        Kind::RestsTooFew => error(
+            "{rests:rest}: the bias of the {sensor} needs at least {least} in different orientations",
+            "lay the device down in more orientations",
+        ),
+        Kind::RestsInPlane => error(
+            "the orientations of the rests are too alike to tell the biases of the three axes apart (condition number {condition})",
+            "record again with each of the six faces up once",
+        ),
+        _ => return None,
+    })
+}
