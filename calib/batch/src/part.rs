@@ -57,9 +57,13 @@ pub fn timings_name(shard: Shard) -> String {
     format!("timings-{}-of-{}.jsonl", shard.k, shard.n)
 }
 
+/// A line of JSON.
+fn line(value: &impl Serialize) -> String {
+    serde_json::to_string(value).unwrap_or_default() + "\n"
+}
+
 /// A part as text.
 pub fn part_text<'a>(header: &PartHeader, records: impl IntoIterator<Item = &'a Record>) -> String {
-    let line = |value: &dyn erased::Line| value.line() + "\n";
     let mut text = line(header);
     let mut count = 0;
     for record in records {
@@ -140,19 +144,4 @@ pub(crate) fn read_part(text: &str) -> Result<Part, Box<Finding>> {
         records,
         sha256: end.sha256,
     })
-}
-
-mod erased {
-    use serde::Serialize;
-
-    /// Anything as a line of JSON.
-    pub trait Line {
-        fn line(&self) -> String;
-    }
-
-    impl<T: Serialize> Line for T {
-        fn line(&self) -> String {
-            serde_json::to_string(self).unwrap_or_default()
-        }
-    }
 }
