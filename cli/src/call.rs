@@ -7,8 +7,6 @@ use crate::quoted::printable;
 use crate::read_args::quoted;
 
 static WORDS: OnceLock<Vec<String>> = OnceLock::new();
-/// The call that does a part of it again.
-static PART: OnceLock<Vec<String>> = OnceLock::new();
 
 /// Options that say how much is said, and those that are added anew.
 const NOT_AGAIN: [&str; 7] = [
@@ -23,22 +21,22 @@ const NOT_AGAIN: [&str; 7] = [
 
 /// Keeps the words of the call, the program's name first.
 pub fn remember(words: &[OsString]) {
-    let words = words.iter().skip(1);
-    let words = words.map(|word| printable(&word.to_string_lossy()).into_owned());
     // A second call of one process keeps the first's words.
-    let _ = WORDS.set(words.collect());
+    let _ = WORDS.set(shown(words.iter().skip(1)));
 }
 
-/// Gives the words of another call to repeat: the calibration of what a session left, where the session is over.
-pub fn repeat(words: &[OsString]) {
-    let words = words.iter();
-    let words = words.map(|word| printable(&word.to_string_lossy()).into_owned());
-    let _ = PART.set(words.collect());
+/// Words of a call as they are shown.
+pub fn shown<'a>(words: impl IntoIterator<Item = &'a OsString>) -> Vec<String> {
+    let words = words.into_iter();
+    words
+        .map(|word| printable(&word.to_string_lossy()).into_owned())
+        .collect()
 }
 
-/// The call with `more` behind it; `output` is where it writes, which is there already if it was given.
-pub fn again(more: &str, output: Option<&str>) -> String {
-    let words = PART.get().or(WORDS.get()).map_or(&[][..], Vec::as_slice);
+/// The call of this process, or the part of it that is `call`, with `more` behind it; `output` is where it writes, which is
+/// there already if it was given.
+pub fn again(call: Option<&Vec<String>>, more: &str, output: Option<&str>) -> String {
+    let words = call.or(WORDS.get()).map_or(&[][..], Vec::as_slice);
     let words = words
         .iter()
         .filter(|word| !NOT_AGAIN.contains(&word.as_str()));

@@ -62,6 +62,11 @@ impl Failure {
         }
     }
 
+    /// The call is wrong.
+    pub fn usage(message: impl Into<String>) -> Self {
+        Self::new(USAGE, message)
+    }
+
     /// Builds the failure of a finding.
     pub fn of(code: u8, finding: Finding) -> Self {
         let message = finding.text(Front::CommandLine);

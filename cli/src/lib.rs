@@ -31,7 +31,7 @@ use std::path::Path;
 
 use clap::{CommandFactory, FromArgMatches, Parser};
 
-use exit::{Failure, USAGE};
+use exit::Failure;
 
 /// Calibrates an accelerometer and a gyroscope from a recording made by hand: hold the device
 /// still, turn it, hold it still again.
@@ -131,5 +131,5 @@ fn ended(failure: &Failure) -> u8 {
 fn wrong_call(error: &clap::Error) -> Failure {
     let message = error.render().to_string();
     let message = message.trim().trim_start_matches("error: ");
-    Failure::new(USAGE, message)
+    Failure::usage(message)
 }

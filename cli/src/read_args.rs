@@ -92,98 +92,61 @@ pub struct ReadArgs {
 }
 
 impl ReadArgs {
-    /// The first of them that was given.
-    pub fn given(&self) -> Option<&'static str> {
-        let limits = ReadOptions::default();
-        let given = [
-            ("--format", self.format.is_some()),
-            ("--entry", self.entry.is_some()),
-            ("--topic", !self.topic.is_empty()),
-            ("--instance", self.instance.is_some()),
-            ("--part", self.part.is_some()),
-            ("--columns", self.columns.is_some()),
-            ("--skip-bad-rows", self.skip_bad_rows > 0),
-            ("--na", self.na == Na::Drop),
-            ("--sort-time", self.sort_time),
-            ("--rate", self.rate.is_some()),
-            ("--time-unit", self.time_unit.is_some()),
-            ("--time-format", self.time_format.is_some()),
-            ("--accel-unit", self.accel_unit.is_some()),
-            ("--gyro-unit", self.gyro_unit.is_some()),
-            ("--mag-unit", self.mag_unit.is_some()),
-            ("--flip", !self.flip.is_empty()),
-            ("--max-rows", self.max_rows != limits.max_rows),
-            ("--max-bytes", self.max_bytes != limits.max_bytes),
-        ];
-        let first = given.into_iter().find(|(_, given)| *given);
-        first.map(|(option, _)| option)
-    }
-
-    /// Returns true if no option is given that a well-formed file does not need.
-    pub fn are_default(&self) -> bool {
-        let given = [
-            self.format.is_some(),
-            self.entry.is_some(),
-            !self.topic.is_empty(),
-            self.instance.is_some(),
-            self.part.is_some(),
-            self.columns.is_some(),
-            self.rate.is_some(),
-            self.time_unit.is_some(),
-            self.time_format.is_some(),
-            self.accel_unit.is_some(),
-            self.gyro_unit.is_some(),
-            self.mag_unit.is_some(),
-            !self.flip.is_empty(),
-        ];
-        let limits = ReadOptions::default();
-        let limited = self.max_rows < limits.max_rows || self.max_bytes < limits.max_bytes;
-        !limited && !given.contains(&true)
-    }
-}
-
-impl ReadArgs {
-    /// The options that were given, as a shell takes them, each with a blank before it.
-    pub fn command_line(&self) -> String {
+    /// Its options with the values that were given; an option without a value has an empty one.
+    fn options(&self) -> [(&'static str, Option<String>); 18] {
         let limits = ReadOptions::default();
         let list = |words: Vec<String>| (!words.is_empty()).then(|| words.join(","));
-        let above = |value: u64, usual: u64| (value != usual).then(|| value.to_string());
+        let other = |value: u64, usual: u64| (value != usual).then(|| value.to_string());
+        let unit = |name: Option<&str>| name.map(str::to_owned);
         let axes = self.flip.iter().map(|role| role.name().to_owned());
-        let given = [
-            (
-                "--format",
-                self.format.map(|format| format.name().to_owned()),
-            ),
+        [
+            ("--format", unit(self.format.map(|format| format.name()))),
             ("--entry", self.entry.clone()),
             ("--topic", list(self.topic.clone())),
             ("--instance", self.instance.clone()),
             ("--part", self.part.map(|part| part.to_string())),
             ("--columns", self.columns.as_ref().map(ColumnMap::to_string)),
-            ("--skip-bad-rows", above(self.skip_bad_rows as u64, 0)),
+            ("--skip-bad-rows", other(self.skip_bad_rows as u64, 0)),
             ("--na", (self.na == Na::Drop).then(|| "drop".to_owned())),
-            ("--rate", self.rate.map(figure)),
-            (
-                "--time-unit",
-                self.time_unit.map(|unit| unit.name().to_owned()),
-            ),
-            ("--time-format", self.time_format.clone()),
-            (
-                "--accel-unit",
-                self.accel_unit.map(|unit| unit.name().to_owned()),
-            ),
-            (
-                "--gyro-unit",
-                self.gyro_unit.map(|unit| unit.name().to_owned()),
-            ),
-            (
-                "--mag-unit",
-                self.mag_unit.map(|unit| unit.name().to_owned()),
-            ),
-            ("--flip", list(axes.collect())),
-            ("--max-rows", above(self.max_rows, limits.max_rows)),
-            ("--max-bytes", above(self.max_bytes, limits.max_bytes)),
             ("--sort-time", self.sort_time.then(String::new)),
-        ];
+            ("--rate", self.rate.map(figure)),
+            ("--time-unit", unit(self.time_unit.map(TimeUnit::name))),
+            ("--time-format", self.time_format.clone()),
+            ("--accel-unit", unit(self.accel_unit.map(AccelUnit::name))),
+            ("--gyro-unit", unit(self.gyro_unit.map(GyroUnit::name))),
+            ("--mag-unit", unit(self.mag_unit.map(FieldUnit::name))),
+            ("--flip", list(axes.collect())),
+            ("--max-rows", other(self.max_rows, limits.max_rows)),
+            ("--max-bytes", other(self.max_bytes, limits.max_bytes)),
+        ]
+    }
+
+    /// The first of them that was given.
+    pub fn given(&self) -> Option<&'static str> {
+        let first = self
+            .options()
+            .into_iter()
+            .find(|(_, value)| value.is_some());
+        first.map(|(option, _)| option)
+    }
+
+    /// Returns true if no option is given that a well-formed file does not need.
+    pub fn are_default(&self) -> bool {
+        // These let through what would be refused; a limit does where it is raised.
+        let lenient = ["--skip-bad-rows", "--na", "--sort-time"];
+        let limits = ["--max-rows", "--max-bytes"];
+        let usual = ReadOptions::default();
+        let limited = self.max_rows < usual.max_rows || self.max_bytes < usual.max_bytes;
+        let is_usual = |(option, value): (&str, Option<String>)| {
+            value.is_none() || lenient.contains(&option) || limits.contains(&option)
+        };
+        !limited && self.options().into_iter().all(is_usual)
+    }
+
+    /// The options that were given, as a shell takes them, each with a blank before it.
+    pub fn command_line(&self) -> String {
+        let mut given = self.options();
+        given.sort_by_key(|(option, _)| *option == "--sort-time");
         let written = given
             .into_iter()
             .filter_map(|(option, value)| match value?.as_str() {

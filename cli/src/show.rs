@@ -4,9 +4,12 @@ use std::io::Write;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use ::findings::{Finding, Front};
 use calib::document::to_json;
 use comfy_table::presets::NOTHING;
-use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, LineStyle, Table, Width};
+use comfy_table::{
+    CellAlignment, ColumnConstraint, ContentArrangement, LineStyle, Row, Table, Width,
+};
 
 use serde::Serialize;
 
@@ -35,6 +38,22 @@ pub fn table(header: &[&str]) -> Table {
     for column in table.column_iter_mut().skip(1) {
         column.set_cell_alignment(CellAlignment::Right);
     }
+    table
+}
+
+/// A table of words, whose columns are all aligned left.
+pub fn texts(header: &[&str]) -> Table {
+    let mut table = table(header);
+    for column in table.column_iter_mut() {
+        column.set_cell_alignment(CellAlignment::Left);
+    }
+    table
+}
+
+/// A table with rows.
+pub fn table_of<R: Into<Row>>(header: &[&str], rows: impl IntoIterator<Item = R>) -> Table {
+    let mut table = table(header);
+    table.add_rows(rows);
     table
 }
 
@@ -93,6 +112,12 @@ pub fn warn(text: &str) {
         let label = terminal::coloured("warning:", 33);
         say_after(&label, &format!("warning: {}", shortened(text)));
     }
+}
+
+/// Findings as warnings.
+pub fn warn_each<'a>(findings: impl IntoIterator<Item = &'a Finding>) {
+    let findings = findings.into_iter();
+    findings.for_each(|found| warn(&found.text(Front::CommandLine)));
 }
 
 /// Prints a note on standard error, unless the output is quiet.

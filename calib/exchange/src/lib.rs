@@ -4,7 +4,7 @@
 //! cal.json ──► Source ──► Target ──► files, and what of the calibration they do not hold (Loss)
 //! imu_tk, Kalibr ──► import ──► Calibration
 //! ```
-//! A target is one file in `targets/` and one line in [`TARGETS`]. It says by [`Target::keeps`] what its tool makes of a
+//! A target is one file in `targets/` and one line in [`TARGETS`]. It says by its `keeps` what its tool makes of a
 //! reading; what is lost, and how much that is for this device, follows from that.
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]

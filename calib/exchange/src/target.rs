@@ -51,26 +51,18 @@ impl Written {
 }
 
 /// A tool that calibrations are written for.
-pub trait Target: Sync + std::fmt::Debug {
+#[derive(Clone, Copy, Debug)]
+pub struct Target {
     /// Its name.
-    fn name(&self) -> &'static str;
-
+    pub name: &'static str,
     /// In one line: tool, file, rule.
-    fn about(&self) -> &'static str;
-
+    pub about: &'static str,
     /// Its files.
-    fn form(&self) -> Form {
-        Form::File
-    }
-
+    pub form: Form,
     /// Returns the corrections that the tool of the target applies to a reading.
-    fn keeps(&self, source: &Source<'_>) -> Kept;
-
-    /// Its files' contents.
-    ///
-    /// # Errors
-    /// What the target cannot hold.
-    fn write(&self, source: &Source<'_>, settings: &Settings) -> Result<Written, Error>;
+    pub keeps: fn(&Source<'_>) -> Kept,
+    /// Returns its files' contents, or what the target cannot hold.
+    pub write: fn(&Source<'_>, &Settings) -> Result<Written, Error>,
 }
 
 /// Files and what they do not hold.
@@ -101,13 +93,9 @@ pub struct Export {
 /// assert!(String::from_utf8_lossy(&export.files[0]).contains("pub fn correct_accelerometer"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn export(
-    target: &dyn Target,
-    source: &Source<'_>,
-    settings: &Settings,
-) -> Result<Export, Error> {
-    let Written { files, mut notes } = target.write(source, settings)?;
-    notes.extend(source.on_top_of(target.name()));
+pub fn export(target: &Target, source: &Source<'_>, settings: &Settings) -> Result<Export, Error> {
+    let Written { files, mut notes } = (target.write)(source, settings)?;
+    notes.extend(source.on_top_of(target.name));
     notes.extend(source.without_biases());
     notes.extend(
         source
@@ -117,7 +105,7 @@ pub fn export(
     );
     Ok(Export {
         files,
-        lost: losses(source, &target.keeps(source)),
+        lost: losses(source, &(target.keeps)(source)),
         notes,
     })
 }

@@ -210,34 +210,34 @@ fn every_other_target_says_what_the_calibration_is_on_top_of() {
         ("unknown", "the recording software"),
     ] {
         let corrected = calibration(by, false);
-        for target in TARGETS.iter().filter(|target| target.name() != by) {
-            let made = exported(&corrected, target.name(), None).unwrap();
+        for target in TARGETS.iter().filter(|target| target.name != by) {
+            let made = exported(&corrected, target.name, None).unwrap();
             let says = |note: &str| note.contains(name) && note.contains("on top of");
             assert_eq!(
                 made.notes.iter().filter(|note| says(&said(note))).count(),
                 1,
                 "{}: {:?}",
-                target.name(),
+                target.name,
                 made.notes
             );
             let text = String::from_utf8_lossy(&made.files[0]).into_owned();
             let in_file = text.contains("on top of what") || text.contains("applied_before");
             assert!(
-                in_file || target.name() == "imu_tk" || target.name() == "npz",
+                in_file || target.name == "imu_tk" || target.name == "npz",
                 "{}: {text}",
-                target.name()
+                target.name
             );
         }
     }
     for stated in [calibration("", false), calibration("px4", true)] {
         for target in TARGETS {
-            let made = exported(&stated, target.name(), None).unwrap();
+            let made = exported(&stated, target.name, None).unwrap();
             assert!(
                 made.notes
                     .iter()
                     .all(|note| !said(note).contains("on top of")),
                 "{}: {:?}",
-                target.name(),
+                target.name,
                 made.notes
             );
         }
@@ -250,18 +250,18 @@ fn every_target_says_that_the_calibration_was_edited() {
     edited.accelerometer.as_mut().unwrap().bias[0] = 0.2;
     for target in TARGETS {
         let all_of = |calibration| {
-            let made = exported(calibration, target.name(), None).unwrap();
+            let made = exported(calibration, target.name, None).unwrap();
             made.notes.iter().map(said).collect::<Vec<_>>().join("\n")
         };
         assert!(
             all_of(&edited).contains("was edited since"),
             "{}",
-            target.name()
+            target.name
         );
         assert!(
             !all_of(&calibration("", false)).contains("was edited"),
             "{}",
-            target.name()
+            target.name
         );
     }
 }

@@ -18,7 +18,7 @@ use source::{Source, listed, moved};
 use words::{advice, extent, is_in_counts, largest_white, sensors, shown_unit, significant};
 
 use crate::commands::shared::pictures::named;
-use crate::exit::{Failure, USAGE};
+use crate::exit::Failure;
 use crate::output::Output;
 use crate::report::{Axis, Figure, Level, Picture, Plot, Report, ReportTable, Series};
 use crate::show;
@@ -29,17 +29,12 @@ const PLOTS: [&str; 2] = ["allan-gyroscope", "allan-accelerometer"];
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
     let inputs: [&Path; 1] = [&args.recording];
-    let output = match &args.output {
-        Some(path) => Some(Output::claim(path, args.replace, &inputs)?),
-        None => None,
-    };
+    let output = Output::claim_given(args.output.as_deref(), args.replace, &inputs)?;
     let pictures = args.pictures.claim(&PLOTS, args.replace, &inputs)?;
     args.replace.end_if_all_exist()?;
     let summary = summary(args)?;
     let json = show::json(&summary)?;
-    if let Some(output) = output {
-        output.write(json.as_bytes())?;
-    }
+    Output::write_given(output, &json)?;
     if pictures.wanted() {
         let plots = sensors(&summary).map(|(_, s, noise)| plot(s, noise));
         let names = sensors(&summary).map(|(_, s, _)| match s {
@@ -61,7 +56,7 @@ fn summary(args: &Args) -> Result<NoiseSummary, Failure> {
     let mut source = Source::new(args);
     if let Some([from, to]) = args.rest {
         if from >= to {
-            return Err(Failure::new(USAGE, "--rest T0,T1: T0 must be before T1"));
+            return Err(Failure::usage("--rest T0,T1: T0 must be before T1"));
         }
         let curves = source.curves(Some(Span { from, to }))?;
         return Ok(NoiseSummary::of(&curves)?);

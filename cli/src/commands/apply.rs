@@ -1,6 +1,5 @@
 //! `apply`: a recording corrected by a calibration.
 
-use ::findings::Front;
 use std::path::{Path, PathBuf};
 
 use calib::Recording;
@@ -8,7 +7,7 @@ use calib::calibration::apply_under;
 use calib::recording::{FOLDER_FILES, FolderFile, to_csv, to_parquet};
 
 use crate::commands::shared::inputs::{DeviceArgs, load, read};
-use crate::exit::{Failure, USAGE};
+use crate::exit::Failure;
 use crate::output::{Filled, Folder, Output, Replace};
 use crate::read_args::ReadArgs;
 use crate::{show, steps};
@@ -50,9 +49,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     args.device.check(&calibration, &[&recording])?;
     let mut corrected: Recording = apply_under(&steps::watch(), &calibration, &recording)?;
     let written = target.write(&mut corrected);
-    for warning in &corrected.warnings {
-        show::warn(&warning.text(Front::CommandLine));
-    }
+    show::warn_each(&corrected.warnings);
     written
 }
 
@@ -75,7 +72,7 @@ impl Target {
             if is_parquet && let Err(error) = to_parquet(&mut Recording::default()) {
                 // This build cannot, and nothing has been read yet.
                 let message = format!("-o {}: {error}", show::path(path));
-                return Err(Failure::new(USAGE, message));
+                return Err(Failure::usage(message));
             }
             let output = Box::new(Output::claim(path, replace, inputs)?);
             return Ok(match is_parquet {

@@ -16,7 +16,7 @@ use calib::methods::online_bias::{
 };
 use calib::readings::symptoms;
 
-use crate::commands::shared::first_screen::{Screen, Step};
+use crate::commands::shared::first_screen::{Screen, Step, wrote};
 use crate::commands::shared::inputs::{DetectorArgs, DeviceArgs, load, read};
 use crate::commands::shared::names::Names;
 use crate::commands::shared::pictures::{PictureArgs, named};
@@ -68,10 +68,7 @@ pub struct Args {
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
     let inputs: [&Path; 2] = [&args.calibration, &args.recording];
-    let output = match &args.output {
-        Some(path) => Some(Output::claim(path, args.replace, &inputs)?),
-        None => None,
-    };
+    let output = Output::claim_given(args.output.as_deref(), args.replace, &inputs)?;
     let names: &[&str] = if args.no_gyroscope { &[] } else { &["rates"] };
     let pictures = args.pictures.claim(names, args.replace, &inputs)?;
     args.replace.end_if_all_exist()?;
@@ -100,9 +97,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     }
     args.device.check(&new, &[&recording])?;
     let json = show::json(&new)?;
-    if let Some(output) = output {
-        output.write(json.as_bytes())?;
-    }
+    Output::write_given(output, &json)?;
     if pictures.wanted() {
         let plot = (!stretches.is_empty()).then(|| page::plot(&stretches));
         let name = show::name(&recording.name);
@@ -163,11 +158,7 @@ fn screen(args: &Args, new: &Calibration, remarks: &[String]) -> Screen {
         verdict: vec![format!("The {}.", moved.join("; the "))],
         tables: vec![updates::brief(new)],
         next: vec![next],
-        written: args
-            .output
-            .iter()
-            .map(|path| format!("Wrote {}.", show::path(path)))
-            .collect(),
+        written: wrote(args.output.as_deref(), ""),
         remarks: remarks.to_vec(),
         ..Screen::default()
     }
@@ -199,10 +190,8 @@ fn text(new: &Calibration, stretches: &[Stretch]) -> String {
             "Mean corrected rate in rests of more than {LONG_ENOUGH} s\n{table}\n"
         );
     }
-    let mut table = show::table(&["bias", "before", "now", "change", "std error", "rests"]);
-    for row in updates::updates(new) {
-        table.add_row(row);
-    }
+    let header = ["bias", "before", "now", "change", "std error", "rests"];
+    let table = show::table_of(&header, updates::updates(new));
     let _ = writeln!(text, "{table}");
     text
 }

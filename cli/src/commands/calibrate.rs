@@ -20,8 +20,6 @@ use std::path::Path;
 
 use calib::Recording;
 use calib::calibrate::{Outcome, Request, calibrate};
-use calib::gravity::Gravity;
-use calib::methods::cut;
 use calib::prior::Prior;
 use first_screen::Shown;
 use limits::gate;
@@ -30,10 +28,10 @@ use crate::commands::shared::first_screen::say;
 use crate::commands::shared::inputs::{as_paths, read, spinner};
 use crate::commands::shared::names::Names;
 use crate::commands::shared::pictures::Pictures;
-use crate::exit::{Failure, INPUT, NOT_CONVERGED, NOT_ENOUGH, USAGE};
+use crate::exit::{Failure, INPUT, NOT_CONVERGED, NOT_ENOUGH};
 use crate::output::Output;
 use crate::pages::residual::Residual;
-use crate::pages::session::Session;
+use crate::pages::session::{Session, all_cut};
 use crate::pages::{calibration, refusal};
 use crate::read_args::ReadArgs;
 use crate::report::{Picture, Report};
@@ -46,10 +44,7 @@ use request::{request, sections};
 
 /// Claims every output of the call.
 pub(super) fn claim(args: &Args, inputs: &[&Path]) -> Result<(Option<Output>, Pictures), Failure> {
-    let output = match &args.output {
-        Some(path) => Some(Output::claim(path, args.replace, inputs)?),
-        None => None,
-    };
+    let output = Output::claim_given(args.output.as_deref(), args.replace, inputs)?;
     let names = plot_names(args);
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let pictures = args.pictures.claim(&names, args.replace, inputs)?;
@@ -71,8 +66,7 @@ pub(super) fn run_and_show(args: &Args, shown: Watcher<'_>) -> Result<(), Failur
     inputs.extend(args.gyro_recording.iter().chain(&args.sections).cloned());
     inputs.extend(args.static_means.iter().chain(&args.effect_file).cloned());
     if inputs.is_empty() {
-        return Err(Failure::new(
-            USAGE,
+        return Err(Failure::usage(
             "no recording given: name a file or a folder",
         ));
     }
@@ -93,26 +87,7 @@ pub(super) fn run_and_show(args: &Args, shown: Watcher<'_>) -> Result<(), Failur
         Err(failure) => return Err(refused(failure, pictures, &[], &request)),
     };
     if let Method::SixPosition = args.method {
-        let (detector, gravity) = (
-            request.detector,
-            Gravity {
-                value: request.gravity,
-                source: request.gravity_source,
-            },
-        );
-        let (first_order, json) = (args.first_order, args.json);
-        let recordings = &recordings;
-        return six_position::run(six_position::Call {
-            args,
-            recordings,
-            detector,
-            gravity,
-            first_order,
-            json,
-            limits,
-            output,
-            pictures,
-        });
+        return six_position::run(args, &recordings, &request, limits, output, pictures);
     }
     let gyro_recordings = args
         .gyro_recording
@@ -217,23 +192,8 @@ fn refused(
     if !pictures.wanted() || ![INPUT, NOT_ENOUGH, NOT_CONVERGED].contains(&failure.code) {
         return failure;
     }
-    let choices: Vec<_> = recordings
-        .iter()
-        .map(|r| {
-            cut(
-                r,
-                &request.detector,
-                request.choose_multiplier,
-                request.gravity,
-            )
-            .ok()
-        })
-        .collect();
-    let cut: Vec<_> = recordings
-        .iter()
-        .zip(&choices)
-        .filter_map(|(r, choice)| Some((r, &choice.as_ref()?.segmentation)))
-        .collect();
+    let (detector, choose) = (&request.detector, request.choose_multiplier);
+    let cut = all_cut(recordings, detector, choose, request.gravity);
     let (page, plots) = refusal::page(&failure, recordings, &cut, request.gravity);
     match pictures.write(&plots, &page) {
         Ok(()) => failure,
@@ -249,9 +209,7 @@ fn finish(
 ) -> Result<(), Failure> {
     let calibration = &outcome.calibration;
     let json = show::json(&calibration)?;
-    if let Some(output) = output {
-        output.write(json.as_bytes())?;
-    }
+    Output::write_given(output, &json)?;
     if args.json {
         show::warn_all(&calibration.warnings.texts(Front::CommandLine));
         show::print(&json)?;

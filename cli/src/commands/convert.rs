@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 use super::apply::Target;
 use crate::commands::shared::inputs::read;
-use crate::exit::{Failure, USAGE};
+use crate::exit::Failure;
 use crate::output::Replace;
 use crate::read_args::ReadArgs;
 use crate::show;
@@ -46,10 +46,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         None | Some("csv" | "txt" | "parquet") => {}
         Some(other) => {
             let output = show::path(&args.output);
-            return Err(Failure::new(
-                USAGE,
-                format!("-o {output}: .{other} is not written; name a .csv file or a folder"),
-            ));
+            return Err(Failure::usage(format!(
+                "-o {output}: .{other} is not written; name a .csv file or a folder"
+            )));
         }
     }
     let target = Target::claim(&args.output, args.replace, &[&args.recording])?;

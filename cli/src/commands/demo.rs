@@ -15,7 +15,7 @@ use super::discover::{gaps, json, look, page_after, plots, verdict};
 use crate::commands::shared::first_screen::{Screen, Step};
 use crate::commands::shared::inputs::spinner;
 use crate::exit::Failure;
-use crate::output::{Filled, Folder, Output, Replace};
+use crate::output::{Folder, Output, Replace};
 use crate::report::{Report, ReportTable};
 use crate::show;
 use crate::show::command_line;
@@ -81,16 +81,12 @@ impl Files {
         let page = page.html()?;
         let csv = calib::recording::to_csv(&mut session.recording);
         let findings = json(&discovery.findings)?;
-        let mut filled = Vec::new();
-        for (output, contents) in [
+        Output::write_all([
             (self.recording, csv),
             (self.calibration, calibration),
             (self.findings, findings),
             (self.report, page),
-        ] {
-            filled.push(output.fill(|out| out.write_all(contents.as_bytes()))?);
-        }
-        filled.into_iter().try_for_each(Filled::publish)
+        ])
     }
 }
 
@@ -227,7 +223,21 @@ impl Estimate {
     fn ratio(&self) -> f64 {
         (self.value - self.truth) / self.std
     }
+
+    /// The row of a table under [`HEADER`].
+    fn cells(&self) -> [String; 5] {
+        let std = Some(self.std);
+        [
+            self.name.clone(),
+            show::value(self.truth, std),
+            show::value(self.value, std),
+            show::error(std),
+            format!("{:+.2}", self.ratio()),
+        ]
+    }
 }
+
+const HEADER: [&str; 5] = ["parameter", "truth", "estimate", "std error", "error / std"];
 
 /// Everything that the model with what was named estimates.
 fn estimates(session: &Session, discovery: &Discovery) -> Vec<Estimate> {
@@ -298,18 +308,8 @@ fn discovered(discovery: &Discovery) -> String {
 
 /// Truth beside the estimates of the model with everything that was named.
 fn compared(session: &Session, discovery: &Discovery) -> String {
-    let mut table = show::table(&["parameter", "truth", "estimate", "std error", "error / std"]);
     let rows = estimates(session, discovery);
-    for row in &rows {
-        let std = Some(row.std);
-        table.add_row([
-            row.name.clone(),
-            show::value(row.truth, std),
-            show::value(row.value, std),
-            show::error(std),
-            format!("{:+.2}", row.ratio()),
-        ]);
-    }
+    let table = show::table_of(&HEADER, rows.iter().map(Estimate::cells));
     let within = rows.iter().filter(|row| row.ratio().abs() < WITHIN).count();
     let count = rows.len();
     format!(
@@ -321,18 +321,7 @@ fn compared(session: &Session, discovery: &Discovery) -> String {
 
 /// The same on the page, and that nothing on it was measured.
 fn compared_on_page(report: Report, rows: &[Estimate]) -> Report {
-    let mut table =
-        ReportTable::new(["parameter", "truth", "estimate", "std error", "error / std"]);
-    for row in rows {
-        let std = Some(row.std);
-        table.row([
-            row.name.clone(),
-            show::value(row.truth, std),
-            show::value(row.value, std),
-            show::error(std),
-            format!("{:+.2}", row.ratio()),
-        ]);
-    }
+    let table = ReportTable::of(HEADER, rows.iter().map(Estimate::cells));
     let within = rows.iter().filter(|row| row.ratio().abs() < WITHIN).count();
     report
         .section("Simulated: truth beside estimate")

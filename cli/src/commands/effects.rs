@@ -46,14 +46,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
                 })
             })
             .collect();
-        let text = show::json(&effects)?;
-        show::print(&text)?;
-        return Ok(());
+        return show::print(&show::json(&effects)?);
     }
-    let mut table = show::table(&["effect", "sensor", "equation", "parameters"]);
-    for column in table.column_iter_mut() {
-        column.set_cell_alignment(comfy_table::CellAlignment::Left);
-    }
+    let mut table = show::texts(&["effect", "sensor", "equation", "parameters"]);
     for effect in catalogue_with(&own) {
         table.add_row([
             effect.name().to_owned(),
@@ -62,8 +57,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             parameters(effect.params()),
         ]);
     }
-    show::print(&table.to_string())?;
-    Ok(())
+    show::print(&table.to_string())
 }
 
 /// `x y z (m/s^2), tau (s)`: neighbours of one unit together.

@@ -18,7 +18,7 @@ use crate::commands::shared::inputs::{
 };
 use crate::commands::shared::names::Names;
 use crate::commands::shared::pictures::PictureArgs;
-use crate::exit::{Failure, USAGE};
+use crate::exit::Failure;
 use crate::output::Replace;
 use crate::pages::evaluation;
 use crate::read_args::ReadArgs;
@@ -66,15 +66,15 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<(), Failure> {
     let mut calibrations = Vec::new();
     for named in &args.calibration {
-        let (name, path) = named.split_once('=').ok_or_else(|| {
-            Failure::new(USAGE, format!("--calibration {named}: NAME=FILE expected"))
-        })?;
+        let (name, path) = named
+            .split_once('=')
+            .ok_or_else(|| Failure::usage(format!("--calibration {named}: NAME=FILE expected")))?;
         calibrations.push((name.to_owned(), load(path.as_ref())?));
     }
     let limits = args.limits.read()?;
     if limits.is_some() && calibrations.is_empty() {
         let why = "--limits: there is no calibration to judge; add --calibration NAME=FILE";
-        return Err(Failure::new(USAGE, why));
+        return Err(Failure::usage(why));
     }
     args.gravity.map_or(Ok(()), check_gravity)?;
     let gravities = Gravities::of(args.gravity, &calibrations);
@@ -301,40 +301,32 @@ fn cells(rows: &[(String, Evaluation)]) -> Vec<Vec<String>> {
 
 /// The magnetic field over the static intervals, where there is a magnetometer.
 fn fields(rows: &[(String, Evaluation)]) -> String {
-    let mut table = show::table(&[
+    let header = [
         "calibration",
         "static",
         "norm of the field",
         "its spread, %",
         "angle to up, °",
         "its spread, °",
-    ]);
-    let with_field = rows
-        .iter()
-        .filter_map(|(name, e)| Some((name, e.magnetic_field?)));
-    let mut is_empty = true;
-    for (name, field) in with_field {
-        is_empty = false;
-        table.add_row([
+    ];
+    let row = |(name, e): &(String, Evaluation)| {
+        let field = e.magnetic_field?;
+        Some([
             show::name(name),
             field.static_intervals.to_string(),
             show::value(field.norm, Some(0.01 * field.norm)),
             format!("{:.2}", 100.0 * field.norm_spread),
             format!("{:.1}", field.angle),
             format!("{:.2}", field.angle_spread),
-        ]);
-    }
-    if is_empty {
-        String::new()
-    } else {
-        format!("\n{table}")
+        ])
+    };
+    let rows: Vec<_> = rows.iter().filter_map(row).collect();
+    match rows.is_empty() {
+        true => String::new(),
+        false => format!("\n{}", show::table_of(&header, rows)),
     }
 }
 
 fn table(rows: &[(String, Evaluation)]) -> comfy_table::Table {
-    let mut table = show::table(&HEADER);
-    for row in cells(rows) {
-        table.add_row(row);
-    }
-    table
+    show::table_of(&HEADER, cells(rows))
 }

@@ -8,9 +8,9 @@ use calib::noise::NOISE_SCHEMA;
 use exchange::{Form, Settings, Source, TARGETS, Target, by_name, export};
 use serde_json::json;
 
-use crate::commands::shared::inputs::load;
-use crate::exit::{Failure, INPUT, USAGE};
-use crate::output::{Filled, Folder, Output, Replace};
+use crate::commands::shared::inputs::{gates_of, load};
+use crate::exit::{Failure, INPUT};
+use crate::output::{Folder, Output, Replace};
 use crate::show;
 
 /// Writes a calibration in another tool's form, and says what of it that form does not hold and how much that is for this
@@ -23,7 +23,7 @@ pub struct Args {
     calibration: PathBuf,
     /// The tool
     #[arg(long, value_name = "TARGET", value_parser = target)]
-    to: &'static dyn Target,
+    to: &'static Target,
     /// Write here; a folder for tools that want several files
     #[arg(short, value_name = "FILE")]
     output: PathBuf,
@@ -49,15 +49,15 @@ fn targets() -> String {
     let mut text =
         String::from("Example:\n  stillpoint export cal.json --to px4 -o imu.params\n\nTargets:\n");
     for target in TARGETS {
-        let _ = writeln!(text, "  {:10} {}", target.name(), target.about());
+        let _ = writeln!(text, "  {:10} {}", target.name, target.about);
     }
     text
 }
 
 /// The target of a name.
-fn target(name: &str) -> Result<&'static dyn Target, String> {
+fn target(name: &str) -> Result<&'static Target, String> {
     by_name(name).ok_or_else(|| {
-        let names: Vec<&str> = TARGETS.iter().map(|t| t.name()).collect();
+        let names: Vec<&str> = TARGETS.iter().map(|t| t.name).collect();
         format!("no such target; use one of {}", names.join(", "))
     })
 }
@@ -76,16 +76,8 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let settings = settings(args)?;
     let export = export(args.to, &Source::new(&calibration), &settings)?;
     outputs.write(&export.files)?;
-    for gate in &calibration.failed_gates {
-        show::warn(&format!(
-            "the calibration failed a gate: {}",
-            gate.text(Front::CommandLine)
-        ));
-    }
-    calibration
-        .bias_alone()
-        .iter()
-        .for_each(|said| show::warn(&said.text(Front::CommandLine)));
+    gates_of(&calibration).for_each(|gate| show::warn(&gate));
+    show::warn_each(&calibration.bias_alone());
     for note in &export.notes {
         show::note(&format!("note: {}", note.text(Front::CommandLine)));
     }
@@ -96,7 +88,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             .map(|note| note.text(Front::CommandLine));
         let notes: Vec<String> = notes.collect();
         let document = json!({
-            "target": args.to.name(),
+            "target": args.to.name,
             "output": show::path(&args.output),
             "lost": export.lost,
             "notes": notes,
@@ -115,7 +107,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
 
 /// Refuses options that the target would ignore.
 fn refuse_useless(args: &Args) -> Result<(), Failure> {
-    let name = args.to.name();
+    let name = args.to.name;
     let useless = [
         ("--noise", args.noise.is_some(), &["kalibr"][..]),
         ("--instance", args.instance > 0, &["px4", "ardupilot"]),
@@ -131,7 +123,7 @@ fn refuse_useless(args: &Args) -> Result<(), Failure> {
                 "{option} is for {} and means nothing to {name}; leave it out",
                 targets.join(" and ")
             );
-            return Err(Failure::new(USAGE, why));
+            return Err(Failure::usage(why));
         }
     }
     Ok(())
@@ -170,7 +162,7 @@ struct Outputs {
 impl Outputs {
     fn claim(args: &Args, inputs: &[&Path]) -> Result<Self, Failure> {
         let (path, replace) = (&args.output, args.replace);
-        let Form::Folder(names) = args.to.form() else {
+        let Form::Folder(names) = args.to.form else {
             return Ok(Self {
                 files: vec![Output::claim(path, replace, inputs)?],
                 _folder: None,
@@ -180,10 +172,10 @@ impl Outputs {
             let why = format!(
                 "-o {}: {} wants {}; name a folder, without an extension",
                 show::path(path),
-                args.to.name(),
+                args.to.name,
                 names.join(" and ")
             );
-            return Err(Failure::new(USAGE, why));
+            return Err(Failure::usage(why));
         }
         let folder = Folder::make(path)?;
         let claims = names
@@ -196,10 +188,6 @@ impl Outputs {
     }
 
     fn write(self, contents: &[Vec<u8>]) -> Result<(), Failure> {
-        let mut filled = Vec::new();
-        for (output, bytes) in self.files.into_iter().zip(contents) {
-            filled.push(output.fill(|out| out.write_all(bytes))?);
-        }
-        filled.into_iter().try_for_each(Filled::publish)
+        Output::write_all(self.files.into_iter().zip(contents))
     }
 }

@@ -4,11 +4,10 @@ use std::path::{Path, PathBuf};
 
 use clap_complete::Shell;
 use clap_mangen::Man;
-use comfy_table::CellAlignment;
 
 use crate::commands::calibrate::methods::OF_METHODS;
 use crate::exit::{BUG, Failure};
-use crate::output::{Filled, Folder, Output, Replace};
+use crate::output::{Folder, Output, Replace};
 use crate::show;
 use crate::without_effect::WITHOUT_EFFECT;
 
@@ -50,14 +49,7 @@ pub fn run(args: &Args, mut whole: clap::Command) -> Result<(), Failure> {
 
 /// The tables of the manual.
 fn options() -> String {
-    let left = |header: &[&str]| {
-        let mut table = show::table(header);
-        for column in table.column_iter_mut() {
-            column.set_cell_alignment(CellAlignment::Left);
-        }
-        table
-    };
-    let mut without = left(&["command", "option", "why it changes no result"]);
+    let mut without = show::texts(&["command", "option", "why it changes no result"]);
     for own in WITHOUT_EFFECT {
         let command = match own.command {
             "" => "every",
@@ -65,7 +57,7 @@ fn options() -> String {
         };
         without.add_row([command, own.option, own.reason]);
     }
-    let mut methods = left(&["option of calibrate", "methods that follow it"]);
+    let mut methods = show::texts(&["option of calibrate", "methods that follow it"]);
     for own in &OF_METHODS {
         methods.add_row([own.option, &own.in_words()]);
     }
@@ -92,11 +84,7 @@ fn manual(dir: &Path, mut command: clap::Command, replace: Replace) -> Result<()
         claimed.push((output, page));
     }
     replace.end_if_all_exist()?;
-    let mut filled = Vec::new();
-    for (output, page) in claimed {
-        filled.push(output.fill(|out| out.write_all(&page))?);
-    }
-    filled.into_iter().try_for_each(Filled::publish)?;
+    let written = Output::write_all(claimed);
     drop(folder);
-    Ok(())
+    written
 }

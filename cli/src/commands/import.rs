@@ -1,12 +1,11 @@
 //! `import`: another tool's calibration as a `cal.json`.
 
-use ::findings::Front;
 use std::path::{Path, PathBuf};
 
 use calib::{Calibration, read_text};
 use exchange::import;
 
-use crate::exit::{Failure, INPUT, USAGE};
+use crate::exit::{Failure, INPUT};
 use crate::output::{Output, Replace};
 use crate::show;
 
@@ -57,10 +56,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     args.replace.end_if_all_exist()?;
     let calibration = read(&files, args.from)?;
     output.write(show::json(&calibration)?.as_bytes())?;
-    calibration
-        .warnings
-        .iter()
-        .for_each(|w| show::warn(&w.text(Front::CommandLine)));
+    show::warn_each(&calibration.warnings);
     show::print(&format!(
         "{}: a calibration of {}",
         show::path(&args.output),
@@ -83,7 +79,7 @@ fn read(files: &[PathBuf], from: Option<From>) -> Result<Calibration, Failure> {
             let why = format!(
                 "{said}one imu.yaml of Kalibr, or two texts of imu_tk (accelerometer, gyroscope) expected; name those"
             );
-            return Err(Failure::new(USAGE, why));
+            return Err(Failure::usage(why));
         }
     };
     found.map_err(|error| {

@@ -5,6 +5,7 @@ mod first_screen;
 
 use ::findings::{Finding, Front};
 use std::fmt::Write as _;
+use std::path::Path;
 
 pub use args::Args;
 use calib::Recording;
@@ -13,7 +14,7 @@ use calib::methods::{Choice, cut};
 use calib::readings::symptoms;
 use serde_json::json;
 
-use crate::commands::shared::inputs::{as_paths, read, spinner};
+use crate::commands::shared::inputs::{read, spinner};
 use crate::commands::shared::pictures::named;
 use crate::exit::Failure;
 use crate::output::Output;
@@ -27,19 +28,9 @@ use crate::show;
 pub fn run(args: &Args) -> Result<(), Failure> {
     let gravity = args.place.gravity()?.value;
     let (detector, choose) = args.detector.detector()?;
-    let output = match &args.output {
-        Some(path) => Some(Output::claim(
-            path,
-            args.replace,
-            &as_paths(std::slice::from_ref(&args.recording)),
-        )?),
-        None => None,
-    };
-    let pictures = args.pictures.claim(
-        &["rests"],
-        args.replace,
-        &as_paths(std::slice::from_ref(&args.recording)),
-    )?;
+    let inputs: [&Path; 1] = [&args.recording];
+    let output = Output::claim_given(args.output.as_deref(), args.replace, &inputs)?;
+    let pictures = args.pictures.claim(&["rests"], args.replace, &inputs)?;
     args.replace.end_if_all_exist()?;
     let recording = read(&args.recording, &args.read)?.decimated();
     if recording.is_magnetometer_only() {
@@ -54,9 +45,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     warnings.extend(remarks(&recording, &choice));
     let document = document(&recording, &choice);
     let json = show::json(&document)?;
-    if let Some(output) = output {
-        output.write(json.as_bytes())?;
-    }
+    Output::write_given(output, &json)?;
     if pictures.wanted() {
         let segmentation = &choice.segmentation;
         let keys = (1..=segmentation.statics.len()).map(|k| k.to_string());
@@ -197,7 +186,7 @@ fn report(
     ))
     .figures([
         Figure::new("Found", count, format!("and {turns} turns between them")),
-        Figure::new("Directions covered", coverage.value(), coverage.note()),
+        coverage.figure(),
     ])
     .next(&next)
     .warnings(&show::folded(&warnings.texts(Front::CommandLine)))

@@ -87,6 +87,19 @@ impl Output {
         Self::counted(output::Output::claim(path, replace.existing(), inputs)?)
     }
 
+    /// Claims the file that the call names, if it names one.
+    ///
+    /// # Errors
+    /// As [`claim`](Self::claim).
+    pub fn claim_given(
+        path: Option<&Path>,
+        replace: Replace,
+        inputs: &[&Path],
+    ) -> Result<Option<Self>, Failure> {
+        let claim = |path| Self::claim(path, replace, inputs);
+        path.map(claim).transpose()
+    }
+
     /// Claims a file that the program names, in a folder of the call.
     ///
     /// # Errors
@@ -113,6 +126,27 @@ impl Output {
     /// Status 6 with the system's reason; the target is as it was.
     pub fn write(self, contents: &[u8]) -> Result<(), Failure> {
         Ok(self.0.write(contents)?)
+    }
+
+    /// Writes a document where a file for it was claimed.
+    ///
+    /// # Errors
+    /// As [`write`](Self::write).
+    pub fn write_given(claimed: Option<Self>, document: &str) -> Result<(), Failure> {
+        claimed.map_or(Ok(()), |output| output.write(document.as_bytes()))
+    }
+
+    /// Writes several files; none is put in place before all of them are on the disk.
+    ///
+    /// # Errors
+    /// As [`write`](Self::write).
+    pub fn write_all<T: AsRef<[u8]>>(
+        files: impl IntoIterator<Item = (Self, T)>,
+    ) -> Result<(), Failure> {
+        let fill =
+            |(output, contents): (Self, T)| output.fill(|out| out.write_all(contents.as_ref()));
+        let filled: Vec<Filled> = files.into_iter().map(fill).collect::<Result<_, _>>()?;
+        filled.into_iter().try_for_each(Filled::publish)
     }
 
     /// Writes what `fill` gives and syncs it; the target is as it was until [`Filled::publish`].

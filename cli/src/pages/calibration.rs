@@ -10,11 +10,11 @@ use super::residual::Residual;
 use super::session::Session;
 use super::{noise, parameters, provenance, quantiles, residuals, verdict};
 use crate::commands::calibrate::tables::{
-    PARAMETERS, field, field_unit, over_noise, parameters as rows,
+    PARAMETERS, coefficients, field, field_unit, over_noise, parameters as rows,
 };
 use crate::commands::calibrate::{left_out, limits};
 use crate::exit::Failure;
-use crate::report::{Picture, Report, ReportTable};
+use crate::report::{Picture, Report, ReportTable, numbered};
 use crate::show;
 
 /// Pictures that every calibration may have, as files are called.
@@ -61,14 +61,13 @@ pub fn pictures(
     }
     all.push(("parameters".into(), parameters::forest(calibration)));
     all.extend(parameters::correlation(calibration).map(|p| ("correlation".into(), p)));
-    let mut several = |name: &str, pictures: Vec<Picture>| {
-        let named = pictures.into_iter().enumerate();
-        all.extend(named.map(|(k, p)| (format!("{name}-{}", k + 1), p)));
-    };
-    several("against", residuals::against(session, measured));
-    several("quantiles", quantiles::pictures(session, measured));
-    several("noise", noise::pictures(session, units));
-    several("rests", residuals::over_time(session, units));
+    all.extend(numbered("against", residuals::against(session, measured)));
+    all.extend(numbered(
+        "quantiles",
+        quantiles::pictures(session, measured),
+    ));
+    all.extend(numbered("noise", noise::pictures(session, units)));
+    all.extend(numbered("rests", residuals::over_time(session, units)));
     all
 }
 
@@ -168,10 +167,7 @@ fn names(session: &Session<'_>) -> String {
 }
 
 fn sensor(report: Report, heading: &str, triad: &Triad, unit: &str, kind: Sensor) -> Report {
-    let mut table = ReportTable::new(PARAMETERS);
-    for row in rows(triad, unit, kind) {
-        table.row(row);
-    }
+    let table = ReportTable::of(PARAMETERS, rows(triad, unit, kind));
     let mut report = report.folded(heading).table(table).text(format!(
         "Condition {:.1}, rank {}{}.",
         triad.condition,
@@ -186,16 +182,7 @@ fn sensor(report: Report, heading: &str, triad: &Triad, unit: &str, kind: Sensor
 
 fn effects(mut report: Report, calibration: &Calibration) -> Report {
     for effect in &calibration.effects {
-        let mut table = ReportTable::new(PARAMETERS);
-        for p in &effect.parameters {
-            let digits = |v: f64| format!("{v:.3e}");
-            table.row([
-                p.name.clone(),
-                digits(p.value),
-                p.std.map_or("fixed".into(), digits),
-                p.unit.clone(),
-            ]);
-        }
+        let table = ReportTable::of(PARAMETERS, coefficients(effect));
         report = report.section(effect.name.clone()).table(table);
     }
     report
@@ -206,10 +193,7 @@ fn left_out(report: Report, calibration: &Calibration, units: [&str; 2]) -> Repo
     if rows.is_empty() {
         return report;
     }
-    let mut table = ReportTable::new(left_out::HEADER);
-    for row in rows {
-        table.row(row);
-    }
+    let table = ReportTable::of(left_out::HEADER, rows);
     let heading = "What the standard errors take for granted";
     report.folded(heading).text(left_out::SENTENCE).table(table)
 }

@@ -3,7 +3,7 @@
 use findings::turns;
 use nalgebra::Vector3;
 
-use crate::report::{Picture, Placed, Sphere};
+use crate::report::{Figure, Picture, Placed, Sphere};
 
 use super::session::Session;
 
@@ -29,12 +29,17 @@ impl Coverage {
     }
 
     /// Returns the number of placements, of different ones, and of parameters not known well, in words.
-    pub fn note(&self) -> String {
+    fn note(&self) -> String {
         let faces = Some(self.0.missing()).filter(|words| !words.is_empty());
         let open = Some(self.0.unknown.len()).filter(|count| *count > 0);
         let open = open.map(|count| format!("{count} of {PARAMETERS} parameters not known well"));
         let parts = std::iter::once(self.0.found()).chain(faces).chain(open);
         parts.collect::<Vec<_>>().join("; ")
+    }
+
+    /// The figure at the head of a page.
+    pub fn figure(&self) -> Figure {
+        Figure::new("Directions covered", self.value(), self.note())
     }
 
     /// Returns the placements to add, in words; `None` if nothing is missing.

@@ -7,10 +7,11 @@ use calib::methods::online_bias::LONG_ENOUGH;
 use calib::{Calibration, Evaluation, Recording};
 
 use super::calibration::covered;
+use super::coverage::{self, Coverage};
 use super::residual::Residual;
 use super::session::Session;
-use super::{coverage, noise, provenance, residuals};
-use crate::report::{Axis, Figure, Level, Picture, Plot, Report, ReportTable, Series};
+use super::{noise, provenance, residuals};
+use crate::report::{Axis, Figure, Level, Picture, Plot, Report, ReportTable, Series, numbered};
 use crate::show;
 
 /// A calibration must leave less than this share of the raw misfit to be of use.
@@ -46,13 +47,8 @@ pub fn page(
     let (level, sentence, next) = judged(rows, doubts, (segmentation, warnings));
     let mut figures = vec![Residual::measured(first).figure()];
     figures.push(bias(rows));
-    figures.extend(
-        coverage
-            .as_ref()
-            .map(|c| Figure::new("Directions covered", c.value(), c.note())),
-    );
-    let mut table = ReportTable::new(header.iter().copied());
-    cells.iter().for_each(|row| table.row(row.clone()));
+    figures.extend(coverage.as_ref().map(Coverage::figure));
+    let table = ReportTable::of(header.iter().copied(), cells.iter().cloned());
     let mut pictures: Vec<(String, Picture)> = Vec::new();
     let norm = compared(
         &raw,
@@ -81,19 +77,14 @@ pub fn page(
         pictures.push(("coverage".into(), coverage::picture(first, coverage)));
     }
     let units = ["m/s²", "rad/s"];
-    for (k, p) in residuals::against(first, [None, None])
-        .into_iter()
-        .enumerate()
-    {
-        pictures.push((format!("against-{}", k + 1), p));
-    }
+    let against = residuals::against(first, [None, None]);
+    pictures.extend(numbered("against", against));
     pictures.extend(
         residuals::over_time(first, units)
             .into_iter()
             .map(|p| ("intervals".into(), p)),
     );
-    let noise = noise::pictures(first, units).into_iter().enumerate();
-    pictures.extend(noise.map(|(k, p)| (format!("noise-{}", k + 1), p)));
+    pictures.extend(numbered("noise", noise::pictures(first, units)));
     let mut report = Report::new(format!("Evaluation on {}", show::name(&recording.name)))
         .verdict(level, sentence)
         .figures(figures)

@@ -25,15 +25,21 @@ struct Sensor<'a> {
     at: f64,
 }
 
+/// Scale factors of readings in SI units lie in here.
+const NEAR_ONE: std::ops::Range<f64> = 0.5..2.0;
+
+/// The scale factor that all others are shown against: 1 of readings in SI units.
+pub fn overall(triad: &Triad) -> f64 {
+    Some(triad.base().scale())
+        .filter(|scale| !NEAR_ONE.contains(scale))
+        .unwrap_or(1.0)
+}
+
 fn sensors(calibration: &Calibration) -> Vec<Sensor<'_>> {
-    let scale = |triad: &Triad| {
-        let all = triad.base().scale();
-        if (0.5..2.0).contains(&all) { 1.0 } else { all }
-    };
     let accelerometer = calibration.accelerometer.as_ref().map(|triad| Sensor {
         name: "accelerometer",
         angle: "alpha",
-        scale: scale(triad),
+        scale: overall(triad),
         triad,
         bias: ("mg", 1e3 / STANDARD_GRAVITY),
         at: STANDARD_GRAVITY,
@@ -41,7 +47,7 @@ fn sensors(calibration: &Calibration) -> Vec<Sensor<'_>> {
     let gyroscope = calibration.gyroscope.as_ref().map(|triad| Sensor {
         name: "gyroscope",
         angle: "beta",
-        scale: scale(triad),
+        scale: overall(triad),
         triad,
         bias: ("°/h", 3600.0 * 1f64.to_degrees()),
         // A brisk turn by hand.
@@ -50,7 +56,7 @@ fn sensors(calibration: &Calibration) -> Vec<Sensor<'_>> {
     let magnetometer = calibration.magnetometer.as_ref().map(|triad| Sensor {
         name: "magnetometer",
         angle: "gamma",
-        scale: scale(triad),
+        scale: overall(triad),
         triad,
         bias: (field_unit(calibration), 1.0),
         // The earth's field.

@@ -7,21 +7,23 @@ use nalgebra::Vector3;
 use plan::REQUIREMENT;
 
 use super::calibration::covered;
+use super::coverage::{self, Coverage};
 use super::residual::Residual;
 use super::session::Session;
-use super::{coverage, noise, provenance, residuals, verdict};
+use super::{noise, provenance, residuals, verdict};
 use crate::exit::{Failure, NOT_ENOUGH};
-use crate::report::{Figure, Level, Picture, Report};
+use crate::report::{Figure, Level, Picture, Report, numbered};
 use crate::show;
 
 /// Page and pictures of a refusal; recordings that could be cut are drawn.
 pub fn page(
     failure: &Failure,
     recordings: &[Recording],
-    cut: &[(&Recording, &Segmentation)],
+    cut: &[(&Recording, Segmentation)],
     gravity: f64,
 ) -> (Report, Vec<(String, Picture)>) {
-    let session = Session::of(cut.iter().copied(), None, gravity).ok();
+    let pairs = cut.iter().map(|(r, segmentation)| (*r, segmentation));
+    let session = Session::of(pairs, None, gravity).ok();
     let lacking = session.as_ref().and_then(|s| too_few(failure, s));
     let why = lacking.as_ref().map_or_else(
         || format!("{}.", failure.message.trim_end_matches('.')),
@@ -47,7 +49,7 @@ pub fn page(
     };
     let coverage = covered(&session);
     if next.is_empty() {
-        next.extend(coverage.as_ref().and_then(coverage::Coverage::advice));
+        next.extend(coverage.as_ref().and_then(Coverage::advice));
     }
     if next.is_empty() {
         next.extend(verdict::advice_of(failure));
@@ -68,11 +70,7 @@ pub fn page(
         format!("{} static intervals", session.rests.len()),
         format!("and {turns} turns between them"),
     )];
-    figures.extend(
-        coverage
-            .as_ref()
-            .map(|c| Figure::new("Directions covered", c.value(), c.note())),
-    );
+    figures.extend(coverage.as_ref().map(Coverage::figure));
     figures.push(Residual::measured(&session).figure());
     report = report.figures(figures).next(&next).warnings(&warnings);
     let mut pictures: Vec<(String, Picture)> = Vec::new();
@@ -81,12 +79,8 @@ pub fn page(
     }
     pictures.push(("modulus".into(), residuals::norm(&session, None).into()));
     let units = units(&session, gravity);
-    let named = |name: &'static str, all: Vec<Picture>| {
-        let all = all.into_iter().enumerate();
-        all.map(move |(k, p)| (format!("{name}-{}", k + 1), p))
-    };
-    pictures.extend(named("rests", residuals::over_time(&session, units)));
-    pictures.extend(named("noise", noise::pictures(&session, units)));
+    pictures.extend(numbered("rests", residuals::over_time(&session, units)));
+    pictures.extend(numbered("noise", noise::pictures(&session, units)));
     report = report.section("What there is");
     report = pictures
         .iter()

@@ -1,7 +1,7 @@
 //! Static intervals and turns of one or more recordings, with what a calibration leaves of each.
 
 use calib::calibration::Triad;
-use calib::intervals::{Segmentation, StaticInterval, Turn};
+use calib::intervals::{Detector, Segmentation, StaticInterval, Turn};
 use calib::{Calibration, Misfit, Misfits, Recording, misfits};
 
 use super::direction;
@@ -216,6 +216,20 @@ impl<'a> Session<'a> {
             .filter(|_| several)
             .map_or(String::new(), |part| part.name.clone())
     }
+}
+
+/// Recordings as they are cut, without those that cannot be.
+pub fn all_cut<'a>(
+    recordings: &'a [Recording],
+    detector: &Detector,
+    choose_multiplier: bool,
+    gravity: f64,
+) -> Vec<(&'a Recording, Segmentation)> {
+    let cut = |recording: &'a Recording| {
+        let choice = calib::methods::cut(recording, detector, choose_multiplier, gravity).ok()?;
+        Some((recording, choice.segmentation))
+    };
+    recordings.iter().filter_map(cut).collect()
 }
 
 fn at(all: &Option<Misfits>, of: fn(&Misfits) -> &Vec<Misfit>, index: usize) -> Option<f64> {

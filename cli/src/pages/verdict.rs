@@ -28,13 +28,12 @@ pub struct Judged {
 pub fn judged(calibration: &Calibration, coverage: Option<&Coverage>) -> Judged {
     let verdict = calibration.verdict();
     let why = verdict.reason.clone().unwrap_or_default();
-    let (level, sentence) = match verdict.level {
-        Grade::Good => (
-            Level::Good,
-            "The model explains the recording to within its measured noise; the calibration can be used.".to_owned(),
-        ),
-        Grade::Care => (Level::Care, format!("Usable with care: {why}.")),
-        Grade::Bad => (Level::Bad, format!("Do not use this calibration: {why}.")),
+    let sentence = match verdict.level {
+        Grade::Good => {
+            "The model explains the recording to within its measured noise; the calibration can be used.".to_owned()
+        }
+        Grade::Care => format!("Usable with care: {why}."),
+        Grade::Bad => format!("Do not use this calibration: {why}."),
     };
     let mut next: Vec<String> = verdict.next.iter().map(in_words).collect();
     if let Some(record) = coverage.and_then(Coverage::second_recording) {
@@ -45,7 +44,7 @@ pub fn judged(calibration: &Calibration, coverage: Option<&Coverage>) -> Judged 
         }
     }
     Judged {
-        level,
+        level: verdict.level.into(),
         sentence,
         next,
     }
@@ -72,7 +71,7 @@ pub fn figures(
 ) -> Vec<Figure> {
     let mut all = vec![residual.figure()];
     all.extend(parameters::weakest(calibration));
-    all.extend(coverage.map(|c| Figure::new("Directions covered", c.value(), c.note())));
+    all.extend(coverage.map(Coverage::figure));
     all
 }
 

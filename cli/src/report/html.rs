@@ -1,5 +1,6 @@
 //! One self-contained HTML page: verdict and next step first, everything else below.
 
+use ::findings::Grade;
 use askama::Template;
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
@@ -45,6 +46,16 @@ pub enum Level {
     Bad,
     /// There is no calibration.
     Refused,
+}
+
+impl From<Grade> for Level {
+    fn from(grade: Grade) -> Self {
+        match grade {
+            Grade::Good => Self::Good,
+            Grade::Care => Self::Care,
+            Grade::Bad => Self::Bad,
+        }
+    }
 }
 
 impl Level {
@@ -136,6 +147,16 @@ impl ReportTable {
             header: header.into_iter().map(|cell| safe(cell.into())).collect(),
             rows: Vec::new(),
         }
+    }
+
+    /// With rows.
+    pub fn of<S: Into<String>, R: IntoIterator<Item: Into<String>>>(
+        header: impl IntoIterator<Item = S>,
+        rows: impl IntoIterator<Item = R>,
+    ) -> Self {
+        let mut table = Self::new(header);
+        rows.into_iter().for_each(|row| table.row(row));
+        table
     }
 
     /// Appends a row.

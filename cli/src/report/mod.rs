@@ -25,6 +25,6 @@ mod theme;
 pub use axis::Axis;
 pub use forest::{Group, Row};
 pub use html::{Figure, Level, Limit, Report, ReportTable, policy};
-pub use picture::Picture;
+pub use picture::{Picture, numbered};
 pub use plot::{Plot, Series};
 pub use sphere::{Placed, Sphere};

@@ -28,6 +28,12 @@ impl From<Plot> for Picture {
     }
 }
 
+/// Pictures of one kind with their names: `noise-1`, `noise-2`.
+pub fn numbered(name: &str, all: Vec<Picture>) -> impl Iterator<Item = (String, Picture)> {
+    let numbered = (1..).zip(all);
+    numbered.map(move |(k, picture)| (format!("{name}-{k}"), picture))
+}
+
 impl Picture {
     /// Returns the title of the picture.
     pub fn title(&self) -> &str {

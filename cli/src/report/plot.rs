@@ -63,28 +63,14 @@ impl Series {
 
     /// A line; `colour` counts through the palette.
     pub fn line(name: impl Into<String>, colour: usize, points: Vec<(f64, f64)>) -> Self {
-        let points = thin(points);
-        Self::new(
-            name,
-            colour,
-            Mark::Line {
-                points,
-                dashed: false,
-            },
-        )
+        let (points, dashed) = (thin(points), false);
+        Self::new(name, colour, Mark::Line { points, dashed })
     }
 
     /// A broken line, for what is computed rather than measured.
     pub fn dashed(name: impl Into<String>, colour: usize, points: Vec<(f64, f64)>) -> Self {
-        let points = thin(points);
-        Self::new(
-            name,
-            colour,
-            Mark::Line {
-                points,
-                dashed: true,
-            },
-        )
+        let (points, dashed) = (thin(points), true);
+        Self::new(name, colour, Mark::Line { points, dashed })
     }
 
     /// Dots with intervals `(x, y, low, high)`.
@@ -101,15 +87,8 @@ impl Series {
     /// Level strokes `(x0, x1, y)`, thick, for stretches of time.
     pub fn stretches(name: impl Into<String>, colour: usize, all: Vec<(f64, f64, f64)>) -> Self {
         let strokes = all.into_iter().map(|(from, to, y)| [(from, y), (to, y)]);
-        let strokes = strokes.collect();
-        Self::new(
-            name,
-            colour,
-            Mark::Strokes {
-                strokes,
-                thick: true,
-            },
-        )
+        let (strokes, thick) = (strokes.collect(), true);
+        Self::new(name, colour, Mark::Strokes { strokes, thick })
     }
 
     /// Level strokes `(x0, x1, y)`, thin.
@@ -124,15 +103,8 @@ impl Series {
     /// Upright strokes `(x, low, high)`, for the range of many samples.
     pub fn ranges(name: impl Into<String>, colour: usize, all: Vec<(f64, f64, f64)>) -> Self {
         let strokes = all.into_iter().map(|(x, low, high)| [(x, low), (x, high)]);
-        let strokes = strokes.collect();
-        Self::new(
-            name,
-            colour,
-            Mark::Strokes {
-                strokes,
-                thick: false,
-            },
-        )
+        let (strokes, thick) = (strokes.collect(), false);
+        Self::new(name, colour, Mark::Strokes { strokes, thick })
     }
 
     /// The area between two values.

@@ -10,7 +10,7 @@ use super::in_force::{Controller, Names};
 use crate::error::Error;
 use crate::kept::Kept;
 use crate::source::{Source, by_axis};
-use crate::target::{Settings, Target, Written};
+use crate::target::{Form, Settings, Target, Written};
 
 /// Ranges that ArduPilot accepts for a scale factor and for an offset (m/s²): `@Range: 0.8 1.2` of `ACCSCAL_X` and
 /// `-3.5 3.5` of `ACCOFFS_X` in `AP_InertialSensor_Params.cpp`. Its own calibration refuses scale factors outside this
@@ -23,90 +23,81 @@ const OFFSETS: (f64, f64) = (-3.5, 3.5);
 ///
 /// A log holds readings that were corrected already, by `s` and `o`: a calibration `d`, `b` of those makes
 /// `d (s (raw − o) − b) = s d (raw − (o + b / s))`.
-#[derive(Debug)]
-pub struct ArduPilot;
+pub const TARGET: Target = Target {
+    name: "ardupilot",
+    about: "ArduPilot parameters (INS_ACCOFFS_X, INS_ACCSCAL_X, INS_GYROFFS_X, ...)",
+    form: Form::File,
+    keeps: Kept::offsets_and_scales_of,
+    write,
+};
 
-impl Target for ArduPilot {
-    fn name(&self) -> &'static str {
-        "ardupilot"
-    }
-
-    fn about(&self) -> &'static str {
-        "ArduPilot parameters (INS_ACCOFFS_X, INS_ACCSCAL_X, INS_GYROFFS_X, ...)"
-    }
-
-    fn keeps(&self, source: &Source<'_>) -> Kept {
-        Kept::offsets_and_scales_of(source)
-    }
-
-    fn write(&self, source: &Source<'_>, settings: &Settings) -> Result<Written, Error> {
-        source.needs_si("ardupilot")?;
-        source.needs_signs("ardupilot")?;
-        let [acc, gyro] = numbered(settings.instance)?;
-        let controller = Controller {
-            system: "ardupilot",
-            turning: vec!["AHRS_ORIENTATION".into()],
-            raw: "its raw batches (INS_LOG_BAT_MASK)",
-        };
-        let mut text = source.provenance("#") + Controller::remark(settings);
-        let mut put = |name: &str, values: Vector3<f64>, limits: Option<(f64, f64)>| {
-            for (axis, value) in by_axis(values) {
-                let name = format!("{name}_{axis}");
-                if let Some((least, most)) = limits.filter(|(a, b)| !(*a..=*b).contains(&value)) {
-                    return Err(Error::Range {
-                        target: "ardupilot",
-                        name,
-                        value,
-                        least,
-                        most,
-                    });
-                }
-                let _ = writeln!(text, "{name},{:?}", value as f32);
+fn write(source: &Source<'_>, settings: &Settings) -> Result<Written, Error> {
+    source.needs_si("ardupilot")?;
+    source.needs_signs("ardupilot")?;
+    let [acc, gyro] = numbered(settings.instance)?;
+    let controller = Controller {
+        system: "ardupilot",
+        turning: vec!["AHRS_ORIENTATION".into()],
+        raw: "its raw batches (INS_LOG_BAT_MASK)",
+    };
+    let mut text = source.provenance("#") + Controller::remark(settings);
+    let mut put = |name: &str, values: Vector3<f64>, limits: Option<(f64, f64)>| {
+        for (axis, value) in by_axis(values) {
+            let name = format!("{name}_{axis}");
+            if let Some((least, most)) = limits.filter(|(a, b)| !(*a..=*b).contains(&value)) {
+                return Err(Error::Range {
+                    target: "ardupilot",
+                    name,
+                    value,
+                    least,
+                    most,
+                });
             }
-            Ok(())
+            let _ = writeln!(text, "{name},{:?}", value as f32);
+        }
+        Ok(())
+    };
+    if let Some(base) = &source.accelerometer {
+        let (offset, scale) = (format!("{acc}OFFS"), format!("{acc}SCAL"));
+        let names = Names {
+            offset: format!("{offset}_{{axis}}"),
+            scale: Some(format!("{scale}_{{axis}}")),
         };
-        if let Some(base) = &source.accelerometer {
-            let (offset, scale) = (format!("{acc}OFFS"), format!("{acc}SCAL"));
-            let names = Names {
-                offset: format!("{offset}_{{axis}}"),
-                scale: Some(format!("{scale}_{{axis}}")),
-            };
-            let sensor = (Sensor::Accelerometer, base);
-            let raw = controller.for_raw(source, sensor, &names, settings)?;
-            // A zero in place of what is not known would erase the vehicle's own.
-            if source.knows_bias(Sensor::Accelerometer) {
-                put(&offset, raw.bias, Some(OFFSETS))?;
-            }
-            put(&scale, raw.t.diagonal(), Some(SCALES))?;
+        let sensor = (Sensor::Accelerometer, base);
+        let raw = controller.for_raw(source, sensor, &names, settings)?;
+        // A zero in place of what is not known would erase the vehicle's own.
+        if source.knows_bias(Sensor::Accelerometer) {
+            put(&offset, raw.bias, Some(OFFSETS))?;
         }
-        let gyroscope = source.gyroscope.as_ref();
-        if let Some(base) = gyroscope.filter(|_| source.knows_bias(Sensor::Gyroscope)) {
-            let offset = format!("{gyro}OFFS");
-            let names = Names {
-                offset: format!("{offset}_{{axis}}"),
-                scale: None,
-            };
-            let sensor = (Sensor::Gyroscope, base);
-            let raw = controller.for_raw(source, sensor, &names, settings)?;
-            put(&offset, raw.bias, None)?;
-        }
-        let mut notes = vec![
-            Finding::of(Kind::OffsetsMeasuredAgain)
+        put(&scale, raw.t.diagonal(), Some(SCALES))?;
+    }
+    let gyroscope = source.gyroscope.as_ref();
+    if let Some(base) = gyroscope.filter(|_| source.knows_bias(Sensor::Gyroscope)) {
+        let offset = format!("{gyro}OFFS");
+        let names = Names {
+            offset: format!("{offset}_{{axis}}"),
+            scale: None,
+        };
+        let sensor = (Sensor::Gyroscope, base);
+        let raw = controller.for_raw(source, sensor, &names, settings)?;
+        put(&offset, raw.bias, None)?;
+    }
+    let mut notes = vec![
+        Finding::of(Kind::OffsetsMeasuredAgain)
+            .detail("system", "ArduPilot")
+            .detail("parameter", "INS_GYR_CAL"),
+    ];
+    if Controller::is_unknown(source, settings) {
+        notes.push(
+            Finding::of(Kind::MaybeCorrected)
                 .detail("system", "ArduPilot")
-                .detail("parameter", "INS_GYR_CAL"),
-        ];
-        if Controller::is_unknown(source, settings) {
-            notes.push(
-                Finding::of(Kind::MaybeCorrected)
-                    .detail("system", "ArduPilot")
-                    .detail("stream", "its log"),
-            );
-        }
-        Ok(Written {
-            notes,
-            ..Written::text(text)
-        })
+                .detail("stream", "its log"),
+        );
     }
+    Ok(Written {
+        notes,
+        ..Written::text(text)
+    })
 }
 
 /// Returns the prefixes of the accelerometer and gyroscope parameters of an instance.

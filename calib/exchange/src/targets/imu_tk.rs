@@ -14,34 +14,21 @@ use crate::target::{Form, Settings, Target, Written};
 /// `B`, 21 numbers in rows (`CalibratedTriad_::load` and `unbiasNormalize` in `include/imu_tk/calibration.h`).
 ///
 /// `K = diag T`, `T' = T K⁻¹`.
-#[derive(Debug)]
-pub struct ImuTk;
+pub const TARGET: Target = Target {
+    name: "imu_tk",
+    about: "imu_tk: a folder with acc.calib and gyro.calib, f = T K (A - B)",
+    form: Form::Folder(&["acc.calib", "gyro.calib"]),
+    keeps: Kept::base_of,
+    write,
+};
 
-impl Target for ImuTk {
-    fn name(&self) -> &'static str {
-        "imu_tk"
-    }
-
-    fn about(&self) -> &'static str {
-        "imu_tk: a folder with acc.calib and gyro.calib, f = T K (A - B)"
-    }
-
-    fn form(&self) -> Form {
-        Form::Folder(&["acc.calib", "gyro.calib"])
-    }
-
-    fn keeps(&self, source: &Source<'_>) -> Kept {
-        Kept::base_of(source)
-    }
-
-    fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
-        let accelerometer = source.needs_accelerometer("imu_tk")?;
-        let gyroscope = source.needs_gyroscope("imu_tk")?;
-        Ok(Written {
-            files: vec![text(accelerometer)?, text(gyroscope)?],
-            notes: Vec::new(),
-        })
-    }
+fn write(source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
+    let accelerometer = source.needs_accelerometer("imu_tk")?;
+    let gyroscope = source.needs_gyroscope("imu_tk")?;
+    Ok(Written {
+        files: vec![text(accelerometer)?, text(gyroscope)?],
+        notes: Vec::new(),
+    })
 }
 
 fn text(base: &Base<f64>) -> Result<Vec<u8>, Error> {

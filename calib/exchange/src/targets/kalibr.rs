@@ -9,64 +9,55 @@ use nalgebra::{Matrix3, Rotation3};
 use crate::error::Error;
 use crate::kept::Kept;
 use crate::source::Source;
-use crate::target::{Settings, Target, Written, matrix_alone};
+use crate::target::{Form, Settings, Target, Written, matrix_alone};
 
 /// Kalibr's model is of the readings: `a_m = M_a a_i + b`, `w_m = M_g C_gyro_i w_i + A C_gyro_i a_i + b` with `M_a`, `M_g`
 /// lower triangular and the frame `i` that makes `M_a` so (`addAccelerometerErrorTerms` and `addGyroscopeErrorTerms` of
 /// `IccScaledMisalignedImu` in `kalibr_imu_camera_calibration/IccSensors.py`).
 ///
 /// With `f` in the frame of the calibration and `a_i = Q f`: `T_a⁻¹ = M_a Q`, `T_g⁻¹ Qᵀ = M_g C`, `A = T_g⁻¹ G Qᵀ Cᵀ`.
-#[derive(Debug)]
-pub struct Kalibr;
+pub const TARGET: Target = Target {
+    name: "kalibr",
+    about: "Kalibr's imu.yaml (scale-misalignment): raw = M C f + b",
+    form: Form::File,
+    keeps: |source| Kept {
+        accelerometer: source.accelerometer.as_ref().map(matrix_alone),
+        gyroscope: source.gyroscope.as_ref().map(matrix_alone),
+        g_sensitivity: true,
+        ..Kept::default()
+    },
+    write,
+};
 
-impl Target for Kalibr {
-    fn name(&self) -> &'static str {
-        "kalibr"
-    }
-
-    fn about(&self) -> &'static str {
-        "Kalibr's imu.yaml (scale-misalignment): raw = M C f + b"
-    }
-
-    fn keeps(&self, source: &Source<'_>) -> Kept {
-        Kept {
-            accelerometer: source.accelerometer.as_ref().map(matrix_alone),
-            gyroscope: source.gyroscope.as_ref().map(matrix_alone),
-            g_sensitivity: true,
-            ..Kept::default()
-        }
-    }
-
-    fn write(&self, source: &Source<'_>, settings: &Settings) -> Result<Written, Error> {
-        source.needs_si("kalibr")?;
-        let accelerometer = source.needs_accelerometer("kalibr")?;
-        let gyroscope = source.needs_gyroscope("kalibr")?;
-        let (m_a, q) = lower_times_rotation(&inverse(&accelerometer.t)?, "accelerometer")?;
-        let of_rate = inverse(&gyroscope.t)?;
-        let (m_g, c) = lower_times_rotation(&(of_rate * q.transpose()), "gyroscope")?;
-        let g = source.g_sensitivity.unwrap_or_else(Matrix3::zeros);
-        let a = of_rate * g * q.transpose() * c.transpose();
-        let (densities, mut notes) = densities(source, settings);
-        let mut text = source.provenance("#");
-        text.push_str("imu0:\n  model: scale-misalignment\n");
-        text.push_str(&densities);
-        let _ = write!(
-            text,
-            "  T_i_b:\n  - [1.0, 0.0, 0.0, 0.0]\n  - [0.0, 1.0, 0.0, 0.0]\n  - [0.0, 0.0, 1.0, 0.0]\n  - [0.0, 0.0, 0.0, 1.0]\n\
-             \x20 time_offset: 0.0\n  accelerometers:\n{}  gyroscopes:\n{}{}{}",
-            matrix("M", &m_a),
-            matrix("M", &m_g),
-            matrix("A", &a),
-            matrix("C_gyro_i", &c)
-        );
-        let angle = Rotation3::from_matrix_unchecked(q).angle();
-        notes.push(Finding::of(Kind::FrameTurned).number("angle", angle, "rad"));
-        notes.push(Finding::of(Kind::TopicToAdd));
-        Ok(Written {
-            notes,
-            ..Written::text(text)
-        })
-    }
+fn write(source: &Source<'_>, settings: &Settings) -> Result<Written, Error> {
+    source.needs_si("kalibr")?;
+    let accelerometer = source.needs_accelerometer("kalibr")?;
+    let gyroscope = source.needs_gyroscope("kalibr")?;
+    let (m_a, q) = lower_times_rotation(&inverse(&accelerometer.t)?, "accelerometer")?;
+    let of_rate = inverse(&gyroscope.t)?;
+    let (m_g, c) = lower_times_rotation(&(of_rate * q.transpose()), "gyroscope")?;
+    let g = source.g_sensitivity.unwrap_or_else(Matrix3::zeros);
+    let a = of_rate * g * q.transpose() * c.transpose();
+    let (densities, mut notes) = densities(source, settings);
+    let mut text = source.provenance("#");
+    text.push_str("imu0:\n  model: scale-misalignment\n");
+    text.push_str(&densities);
+    let _ = write!(
+        text,
+        "  T_i_b:\n  - [1.0, 0.0, 0.0, 0.0]\n  - [0.0, 1.0, 0.0, 0.0]\n  - [0.0, 0.0, 1.0, 0.0]\n  - [0.0, 0.0, 0.0, 1.0]\n\
+         \x20 time_offset: 0.0\n  accelerometers:\n{}  gyroscopes:\n{}{}{}",
+        matrix("M", &m_a),
+        matrix("M", &m_g),
+        matrix("A", &a),
+        matrix("C_gyro_i", &c)
+    );
+    let angle = Rotation3::from_matrix_unchecked(q).angle();
+    notes.push(Finding::of(Kind::FrameTurned).number("angle", angle, "rad"));
+    notes.push(Finding::of(Kind::TopicToAdd));
+    Ok(Written {
+        notes,
+        ..Written::text(text)
+    })
 }
 
 fn inverse(t: &Matrix3<f64>) -> Result<Matrix3<f64>, Error> {

@@ -9,51 +9,42 @@ use super::document::{document, matrix, not_applied, numbers};
 use crate::error::Error;
 use crate::kept::Kept;
 use crate::source::Source;
-use crate::target::{Settings, Target, Written};
+use crate::target::{Form, Settings, Target, Written};
 
 /// `cal.accelerometer.T` and so on with the keys of `cal.json`; `cal_accelerometer(A)` and `cal_gyroscope(W)` correct readings
 /// in the rows of a matrix. With a g-sensitivity it is `cal_gyroscope(W, f)`, `f` as the first gives it.
-#[derive(Debug)]
-pub struct Matlab;
+pub const TARGET: Target = Target {
+    name: "matlab",
+    about: "a MATLAB or Octave script: the struct cal with all of cal.json, and functions for rows of readings",
+    form: Form::File,
+    keeps: Kept::all_of,
+    write,
+};
 
-impl Target for Matlab {
-    fn name(&self) -> &'static str {
-        "matlab"
-    }
-
-    fn about(&self) -> &'static str {
-        "a MATLAB or Octave script: the struct cal with all of cal.json, and functions for rows of readings"
-    }
-
-    fn keeps(&self, source: &Source<'_>) -> Kept {
-        Kept::all_of(source)
-    }
-
-    fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
-        let mut text = source.provenance("%");
-        let _ = writeln!(text, "cal = {};", literal(&document(source)?));
-        let sensors = [
-            ("accelerometer", source.accelerometer.is_some()),
-            ("gyroscope", source.gyroscope.is_some()),
-            ("magnetometer", source.magnetometer.is_some()),
-        ];
-        for (name, there) in sensors {
-            if there {
-                let g = source.g_sensitivity.filter(|_| name == "gyroscope");
-                let argument = if g.is_some() { ", force" } else { "" };
-                let term = g.map(|g| format!(" - force * {}'", matrix_of(&g)));
-                let _ = writeln!(
-                    text,
-                    "cal_{name} = @(raw{argument}) (raw - cal.{name}.bias) * cal.{name}.T'{};",
-                    term.unwrap_or_default()
-                );
-            }
+fn write(source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
+    let mut text = source.provenance("%");
+    let _ = writeln!(text, "cal = {};", literal(&document(source)?));
+    let sensors = [
+        ("accelerometer", source.accelerometer.is_some()),
+        ("gyroscope", source.gyroscope.is_some()),
+        ("magnetometer", source.magnetometer.is_some()),
+    ];
+    for (name, there) in sensors {
+        if there {
+            let g = source.g_sensitivity.filter(|_| name == "gyroscope");
+            let argument = if g.is_some() { ", force" } else { "" };
+            let term = g.map(|g| format!(" - force * {}'", matrix_of(&g)));
+            let _ = writeln!(
+                text,
+                "cal_{name} = @(raw{argument}) (raw - cal.{name}.bias) * cal.{name}.T'{};",
+                term.unwrap_or_default()
+            );
         }
-        Ok(Written {
-            notes: not_applied(source),
-            ..Written::text(text)
-        })
     }
+    Ok(Written {
+        notes: not_applied(source),
+        ..Written::text(text)
+    })
 }
 
 fn literal(value: &Value) -> String {

@@ -17,22 +17,22 @@ mod toml_table;
 use crate::target::Target;
 
 /// Every target.
-pub static TARGETS: [&dyn Target; 12] = [
-    &imu_tk::ImuTk,
-    &kalibr::Kalibr,
-    &ros::Ros,
-    &ros2::Ros2,
-    &px4::Px4,
-    &ardupilot::ArduPilot,
-    &code::CHeader,
-    &code::RustModule,
-    &toml_table::TomlTable,
-    &matlab::Matlab,
-    &numpy::NumPy,
-    &npz::Npz,
+pub static TARGETS: [&Target; 12] = [
+    &imu_tk::TARGET,
+    &kalibr::TARGET,
+    &ros::TARGET,
+    &ros2::TARGET,
+    &px4::TARGET,
+    &ardupilot::TARGET,
+    &code::c_header::TARGET,
+    &code::rust_module::TARGET,
+    &toml_table::TARGET,
+    &matlab::TARGET,
+    &numpy::TARGET,
+    &npz::TARGET,
 ];
 
 /// The target that `--to` calls so.
-pub fn by_name(name: &str) -> Option<&'static dyn Target> {
-    TARGETS.into_iter().find(|target| target.name() == name)
+pub fn by_name(name: &str) -> Option<&'static Target> {
+    TARGETS.into_iter().find(|target| target.name == name)
 }

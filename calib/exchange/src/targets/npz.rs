@@ -8,61 +8,52 @@ use super::document::{document, matrix};
 use crate::error::Error;
 use crate::kept::Kept;
 use crate::source::Source;
-use crate::target::{Settings, Target, Written};
+use crate::target::{Form, Settings, Target, Written};
 
 /// `accelerometer_T` (3 × 3), `accelerometer_bias` (3), `accelerometer_T_std`, `accelerometer_bias_std`, the same of the
 /// gyroscope, `g_sensitivity`, `gravity`, `covariance`, `parameters` (names), and `cal_json`, the whole file as text.
-#[derive(Debug)]
-pub struct Npz;
+pub const TARGET: Target = Target {
+    name: "npz",
+    about: "a NumPy archive: T and bias of every sensor, covariance, and all of cal.json as text",
+    form: Form::File,
+    keeps: Kept::all_of,
+    write,
+};
 
-impl Target for Npz {
-    fn name(&self) -> &'static str {
-        "npz"
+fn write(source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
+    let mut archive = Archive::default();
+    let tree = document(source)?;
+    let calibration = source.calibration;
+    let sensors = [
+        ("accelerometer", &calibration.accelerometer),
+        ("gyroscope", &calibration.gyroscope),
+        ("magnetometer", &calibration.magnetometer),
+    ];
+    for (name, triad) in sensors {
+        let Some(triad) = triad else { continue };
+        let base = triad.base();
+        archive.numbers(&format!("{name}_T"), &[3, 3], &in_rows(&base.t))?;
+        archive.numbers(&format!("{name}_bias"), &[3], base.bias.as_slice())?;
+        let t_std = Matrix3::from_fn(|i, j| triad.t_std[i][j].unwrap_or(f64::NAN));
+        let bias_std = Vector3::from(triad.bias_std.map(|v| v.unwrap_or(f64::NAN)));
+        archive.numbers(&format!("{name}_T_std"), &[3, 3], &in_rows(&t_std))?;
+        archive.numbers(&format!("{name}_bias_std"), &[3], bias_std.as_slice())?;
     }
-
-    fn about(&self) -> &'static str {
-        "a NumPy archive: T and bias of every sensor, covariance, and all of cal.json as text"
+    if let Some(g) = &source.g_sensitivity {
+        archive.numbers("g_sensitivity", &[3, 3], &in_rows(g))?;
     }
-
-    fn keeps(&self, source: &Source<'_>) -> Kept {
-        Kept::all_of(source)
+    archive.numbers("gravity", &[], &[calibration.gravity])?;
+    if let Some(rows) = tree.get("covariance").and_then(matrix) {
+        let n = rows.len();
+        archive.numbers("covariance", &[n, n], &rows.concat())?;
     }
-
-    fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
-        let mut archive = Archive::default();
-        let tree = document(source)?;
-        let calibration = source.calibration;
-        let sensors = [
-            ("accelerometer", &calibration.accelerometer),
-            ("gyroscope", &calibration.gyroscope),
-            ("magnetometer", &calibration.magnetometer),
-        ];
-        for (name, triad) in sensors {
-            let Some(triad) = triad else { continue };
-            let base = triad.base();
-            archive.numbers(&format!("{name}_T"), &[3, 3], &in_rows(&base.t))?;
-            archive.numbers(&format!("{name}_bias"), &[3], base.bias.as_slice())?;
-            let t_std = Matrix3::from_fn(|i, j| triad.t_std[i][j].unwrap_or(f64::NAN));
-            let bias_std = Vector3::from(triad.bias_std.map(|v| v.unwrap_or(f64::NAN)));
-            archive.numbers(&format!("{name}_T_std"), &[3, 3], &in_rows(&t_std))?;
-            archive.numbers(&format!("{name}_bias_std"), &[3], bias_std.as_slice())?;
-        }
-        if let Some(g) = &source.g_sensitivity {
-            archive.numbers("g_sensitivity", &[3, 3], &in_rows(g))?;
-        }
-        archive.numbers("gravity", &[], &[calibration.gravity])?;
-        if let Some(rows) = tree.get("covariance").and_then(matrix) {
-            let n = rows.len();
-            archive.numbers("covariance", &[n, n], &rows.concat())?;
-        }
-        let names: Vec<&str> = calibration.parameters.iter().map(String::as_str).collect();
-        archive.texts("parameters", &[names.len()], &names)?;
-        archive.texts("cal_json", &[], &[&tree.to_string()])?;
-        Ok(Written {
-            files: vec![archive.finish()?],
-            notes: Vec::new(),
-        })
-    }
+    let names: Vec<&str> = calibration.parameters.iter().map(String::as_str).collect();
+    archive.texts("parameters", &[names.len()], &names)?;
+    archive.texts("cal_json", &[], &[&tree.to_string()])?;
+    Ok(Written {
+        files: vec![archive.finish()?],
+        notes: Vec::new(),
+    })
 }
 
 fn in_rows(m: &Matrix3<f64>) -> [f64; 9] {

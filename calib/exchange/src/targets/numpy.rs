@@ -8,60 +8,51 @@ use super::document::{document, matrix, not_applied, numbers};
 use crate::error::Error;
 use crate::kept::Kept;
 use crate::source::Source;
-use crate::target::{Settings, Target, Written};
+use crate::target::{Form, Settings, Target, Written};
 
 /// `calibration`, a dictionary with the keys of `cal.json`, and `accelerometer(A)`, `gyroscope(W)` for readings in the rows of
 /// an array. With a g-sensitivity it is `gyroscope(W, f)`, `f` as the first gives it.
-#[derive(Debug)]
-pub struct NumPy;
+pub const TARGET: Target = Target {
+    name: "numpy",
+    about: "a Python module: the dictionary calibration with all of cal.json in NumPy arrays, and functions",
+    form: Form::File,
+    keeps: Kept::all_of,
+    write,
+};
 
-impl Target for NumPy {
-    fn name(&self) -> &'static str {
-        "numpy"
-    }
-
-    fn about(&self) -> &'static str {
-        "a Python module: the dictionary calibration with all of cal.json in NumPy arrays, and functions"
-    }
-
-    fn keeps(&self, source: &Source<'_>) -> Kept {
-        Kept::all_of(source)
-    }
-
-    fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
-        let mut text = source.provenance("#");
-        text.push_str("import numpy as np\n\n");
-        let _ = writeln!(text, "calibration = {}", literal(&document(source)?));
-        let sensors = [
-            ("accelerometer", source.accelerometer.is_some()),
-            ("gyroscope", source.gyroscope.is_some()),
-            ("magnetometer", source.magnetometer.is_some()),
-        ];
-        for (name, there) in sensors {
-            if there {
-                let g = source.g_sensitivity.filter(|_| name == "gyroscope");
-                let (argument, rule) = match g {
-                    Some(_) => (", force", "T (raw - b) - G force"),
-                    None => ("", "T (raw - b)"),
-                };
-                let term = g.map(|g| {
-                    let rows = g.row_iter().map(|row| list(&[row[0], row[1], row[2]]));
-                    let rows: Vec<String> = rows.collect();
-                    format!(" - np.asarray(force) @ np.array([{}]).T", rows.join(", "))
-                });
-                let _ = write!(
-                    text,
-                    "\n\ndef {name}(raw{argument}):\n    \"\"\"{rule} of readings in rows.\"\"\"\n    own = calibration[\"{name}\"]\n    \
-                     return (np.asarray(raw) - own[\"bias\"]) @ own[\"T\"].T{}\n",
-                    term.unwrap_or_default()
-                );
-            }
+fn write(source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
+    let mut text = source.provenance("#");
+    text.push_str("import numpy as np\n\n");
+    let _ = writeln!(text, "calibration = {}", literal(&document(source)?));
+    let sensors = [
+        ("accelerometer", source.accelerometer.is_some()),
+        ("gyroscope", source.gyroscope.is_some()),
+        ("magnetometer", source.magnetometer.is_some()),
+    ];
+    for (name, there) in sensors {
+        if there {
+            let g = source.g_sensitivity.filter(|_| name == "gyroscope");
+            let (argument, rule) = match g {
+                Some(_) => (", force", "T (raw - b) - G force"),
+                None => ("", "T (raw - b)"),
+            };
+            let term = g.map(|g| {
+                let rows = g.row_iter().map(|row| list(&[row[0], row[1], row[2]]));
+                let rows: Vec<String> = rows.collect();
+                format!(" - np.asarray(force) @ np.array([{}]).T", rows.join(", "))
+            });
+            let _ = write!(
+                text,
+                "\n\ndef {name}(raw{argument}):\n    \"\"\"{rule} of readings in rows.\"\"\"\n    own = calibration[\"{name}\"]\n    \
+                 return (np.asarray(raw) - own[\"bias\"]) @ own[\"T\"].T{}\n",
+                term.unwrap_or_default()
+            );
         }
-        Ok(Written {
-            notes: not_applied(source),
-            ..Written::text(text)
-        })
     }
+    Ok(Written {
+        notes: not_applied(source),
+        ..Written::text(text)
+    })
 }
 
 fn literal(value: &Value) -> String {

@@ -7,44 +7,35 @@ use findings::{Finding, Kind};
 use crate::error::Error;
 use crate::kept::Kept;
 use crate::source::{Source, rows};
-use crate::target::{Settings, Target, Written};
+use crate::target::{Form, Settings, Target, Written};
 
 /// `SM = T`, `bias = T b` (`AccelCalib::loadCalib` and `applyCalib` in `src/accel_calib/accel_calib.cpp`). The node has no
 /// parameters of the gyroscope: it takes off the mean of its first samples.
-#[derive(Debug)]
-pub struct Ros;
+pub const TARGET: Target = Target {
+    name: "ros",
+    about: "ROS imu_calib's yaml: f = SM A - bias; the accelerometer only",
+    form: Form::File,
+    keeps: |source| Kept {
+        accelerometer: source.accelerometer,
+        ..Kept::default()
+    },
+    write,
+};
 
-impl Target for Ros {
-    fn name(&self) -> &'static str {
-        "ros"
-    }
-
-    fn about(&self) -> &'static str {
-        "ROS imu_calib's yaml: f = SM A - bias; the accelerometer only"
-    }
-
-    fn keeps(&self, source: &Source<'_>) -> Kept {
-        Kept {
-            accelerometer: source.accelerometer,
-            ..Kept::default()
+fn write(source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
+    source.needs_si("ros")?;
+    let base = source.needs_accelerometer("ros")?;
+    let mut text = source.provenance("#");
+    let sequence = |text: &mut String, key: &str, values: &[f64]| {
+        let _ = writeln!(text, "{key}:");
+        for value in values {
+            let _ = writeln!(text, "  - {value:?}");
         }
-    }
-
-    fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
-        source.needs_si("ros")?;
-        let base = source.needs_accelerometer("ros")?;
-        let mut text = source.provenance("#");
-        let sequence = |text: &mut String, key: &str, values: &[f64]| {
-            let _ = writeln!(text, "{key}:");
-            for value in values {
-                let _ = writeln!(text, "  - {value:?}");
-            }
-        };
-        sequence(&mut text, "SM", &rows(&base.t));
-        sequence(&mut text, "bias", (base.t * base.bias).as_slice());
-        Ok(Written {
-            notes: vec![Finding::of(Kind::BiasFromStart)],
-            ..Written::text(text)
-        })
-    }
+    };
+    sequence(&mut text, "SM", &rows(&base.t));
+    sequence(&mut text, "bias", (base.t * base.bias).as_slice());
+    Ok(Written {
+        notes: vec![Finding::of(Kind::BiasFromStart)],
+        ..Written::text(text)
+    })
 }

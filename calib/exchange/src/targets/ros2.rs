@@ -7,51 +7,42 @@ use sensor::Base;
 use crate::error::Error;
 use crate::kept::Kept;
 use crate::source::{Source, rows};
-use crate::target::{Settings, Target, Written};
+use crate::target::{Form, Settings, Target, Written};
 
 /// A parameter file for any node (`ros2 run … --ros-args --params-file FILE`): `accelerometer.T` (9, rows),
 /// `accelerometer.b` (3), the same of the gyroscope, and `gyroscope.G` (9) where it is known; `f = T (A − b)`,
 /// `w = T (W − b) − G f`.
-#[derive(Debug)]
-pub struct Ros2;
+pub const TARGET: Target = Target {
+    name: "ros2",
+    about: "ROS 2 parameters of any node: T and b of both sensors, f = T (A - b)",
+    form: Form::File,
+    keeps: |source| Kept {
+        g_sensitivity: true,
+        ..Kept::base_of(source)
+    },
+    write,
+};
 
-impl Target for Ros2 {
-    fn name(&self) -> &'static str {
-        "ros2"
-    }
-
-    fn about(&self) -> &'static str {
-        "ROS 2 parameters of any node: T and b of both sensors, f = T (A - b)"
-    }
-
-    fn keeps(&self, source: &Source<'_>) -> Kept {
-        Kept {
-            g_sensitivity: true,
-            ..Kept::base_of(source)
+fn write(source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
+    source.needs_si("ros2")?;
+    let mut text = source.provenance("#");
+    text.push_str(
+        "# f = T (A - b), w = T (W - b) - G f; matrices in rows\n/**:\n  ros__parameters:\n",
+    );
+    let sensors = [
+        ("accelerometer", &source.accelerometer),
+        ("gyroscope", &source.gyroscope),
+    ];
+    for (name, base) in sensors {
+        let Some(Base { t, bias }) = base else {
+            continue;
+        };
+        let _ = writeln!(text, "    {name}:");
+        let _ = writeln!(text, "      T: {:?}", rows(t));
+        let _ = writeln!(text, "      b: {:?}", [bias.x, bias.y, bias.z]);
+        if let Some(g) = source.g_sensitivity.filter(|_| name == "gyroscope") {
+            let _ = writeln!(text, "      G: {:?}", rows(&g));
         }
     }
-
-    fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
-        source.needs_si("ros2")?;
-        let mut text = source.provenance("#");
-        text.push_str(
-            "# f = T (A - b), w = T (W - b) - G f; matrices in rows\n/**:\n  ros__parameters:\n",
-        );
-        let sensors = [
-            ("accelerometer", &source.accelerometer),
-            ("gyroscope", &source.gyroscope),
-        ];
-        for (name, base) in sensors {
-            let Some(Base { t, bias }) = base else {
-                continue;
-            };
-            let _ = writeln!(text, "    {name}:");
-            let _ = writeln!(text, "      T: {:?}", rows(t));
-            let _ = writeln!(text, "      b: {:?}", [bias.x, bias.y, bias.z]);
-            if let Some(g) = source.g_sensitivity.filter(|_| name == "gyroscope") {
-                let _ = writeln!(text, "      G: {:?}", rows(&g));
-            }
-        }
-        Ok(Written::text(text))
-    }
+    Ok(Written::text(text))
 }

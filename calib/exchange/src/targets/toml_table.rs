@@ -6,36 +6,27 @@ use super::document::document;
 use crate::error::Error;
 use crate::kept::Kept;
 use crate::source::Source;
-use crate::target::{Settings, Target, Written};
+use crate::target::{Form, Settings, Target, Written};
 
 /// The same keys as `cal.json`; what is null is `nan` in a list of numbers and absent in a table, as TOML has no null.
-#[derive(Debug)]
-pub struct TomlTable;
+pub const TARGET: Target = Target {
+    name: "toml",
+    about: "TOML with the keys of cal.json: all of it",
+    form: Form::File,
+    keeps: Kept::all_of,
+    write,
+};
 
-impl Target for TomlTable {
-    fn name(&self) -> &'static str {
-        "toml"
-    }
-
-    fn about(&self) -> &'static str {
-        "TOML with the keys of cal.json: all of it"
-    }
-
-    fn keeps(&self, source: &Source<'_>) -> Kept {
-        Kept::all_of(source)
-    }
-
-    fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
-        let mut text = source.provenance("#");
-        text.push_str(
-            "# accelerometer: f = T (A - b), gyroscope: w = T (W - b), magnetometer: m = T (M - b), rows of T in order\n",
-        );
-        let tree = converted(&document(source)?, false);
-        let tree = tree.unwrap_or_else(|| toml::Value::Table(toml::Table::new()));
-        let body = toml::to_string_pretty(&tree).map_err(|e| Error::unwritten(&e))?;
-        text.push_str(&body);
-        Ok(Written::text(text))
-    }
+fn write(source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
+    let mut text = source.provenance("#");
+    text.push_str(
+        "# accelerometer: f = T (A - b), gyroscope: w = T (W - b), magnetometer: m = T (M - b), rows of T in order\n",
+    );
+    let tree = converted(&document(source)?, false);
+    let tree = tree.unwrap_or_else(|| toml::Value::Table(toml::Table::new()));
+    let body = toml::to_string_pretty(&tree).map_err(|e| Error::unwritten(&e))?;
+    text.push_str(&body);
+    Ok(Written::text(text))
 }
 
 fn converted(value: &Value, in_list: bool) -> Option<toml::Value> {

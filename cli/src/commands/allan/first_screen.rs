@@ -5,7 +5,7 @@ use calib::noise::{NoiseSummary, NoiseTerm, TermValue};
 
 use super::args::Args;
 use super::words::{advice, extent, is_in_counts, largest_white, sensors, shown_unit, significant};
-use crate::commands::shared::first_screen::{Screen, Step};
+use crate::commands::shared::first_screen::{Screen, Step, wrote};
 use crate::show;
 use crate::show::command_line;
 
@@ -35,11 +35,7 @@ pub fn screen(args: &Args, summary: &NoiseSummary) -> Screen {
         verdict: vec![verdict(summary)],
         tables: vec![table(summary)],
         next,
-        written: args
-            .output
-            .iter()
-            .map(|path| format!("Wrote {}.", show::path(path)))
-            .collect(),
+        written: wrote(args.output.as_deref(), ""),
         remarks: summary.warnings.texts(Front::CommandLine),
         ..Screen::default()
     }

@@ -1,6 +1,5 @@
 //! Source of the samples for `allan`: a whole recording, or its static part.
 
-use ::findings::Front;
 use calib::Recording;
 use calib::intervals::Span;
 use calib::noise::{RecordingCurves, Stillness, curves_of_long_csv};
@@ -83,11 +82,7 @@ impl<'a> Source<'a> {
             }
         }
         let recording = read(&args.recording, &args.read)?;
-        recording
-            .warnings
-            .texts(Front::CommandLine)
-            .iter()
-            .for_each(|warning| show::warn(warning));
+        show::warn_each(&recording.warnings);
         let curves = RecordingCurves::of(&recording, within);
         self.recording = Some(recording);
         Ok(curves)

@@ -20,7 +20,7 @@ use batch::{
 use failure::failure;
 use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::exit::{Failure, GATE, USAGE};
+use crate::exit::{Failure, GATE};
 use crate::output::{Folder, Output, Replace};
 use crate::show;
 
@@ -32,13 +32,10 @@ pub fn run_command(args: &Args) -> Result<(), Failure> {
         None => {}
     }
     if !(args.budget > 0.0 && args.budget <= 1e7) {
-        return Err(Failure::new(USAGE, "--budget: seconds above 0 expected"));
+        return Err(Failure::usage("--budget: seconds above 0 expected"));
     }
     let Some(folder) = &args.output else {
-        return Err(Failure::new(
-            USAGE,
-            "no output folder; give one with -o OUT",
-        ));
+        return Err(Failure::usage("no output folder; give one with -o OUT"));
     };
     let options = options::of(args)?;
     let manifest = Manifest::read(&args.inputs).map_err(failure)?;
@@ -121,7 +118,7 @@ fn refuse_within(folder: &Path, manifest: &Manifest) -> Result<(), Failure> {
             show::path(folder),
             show::path(input)
         );
-        return Err(Failure::new(USAGE, why));
+        return Err(Failure::usage(why));
     }
     Ok(())
 }

@@ -2,12 +2,13 @@
 
 use batch::Options;
 use calib::calibrate::{Method, Request};
-use calib::calibration::{catalogue, effect_named};
 use calib::discover;
 use calib::prior::Prior;
+use sensor::EffectRef;
 
 use super::args::{Args, BatchMethod};
-use crate::exit::{Failure, USAGE};
+use crate::commands::shared::inputs::named_effect;
+use crate::exit::Failure;
 
 /// Refuses options that the search for effects leaves nothing to do for.
 fn refuse_with_discover(args: &Args) -> Result<(), Failure> {
@@ -19,12 +20,9 @@ fn refuse_with_discover(args: &Args) -> Result<(), Failure> {
         .into_iter()
         .find(|(_, given)| args.discover && *given)
     {
-        Some((option, _)) => Err(Failure::new(
-            USAGE,
-            format!(
-                "{option} means nothing with --discover, which finds the effects of each device in the joint fit; leave one of the two out"
-            ),
-        )),
+        Some((option, _)) => Err(Failure::usage(format!(
+            "{option} means nothing with --discover, which finds the effects of each device in the joint fit; leave one of the two out"
+        ))),
         None => Ok(()),
     }
 }
@@ -38,20 +36,8 @@ pub fn of(args: &Args) -> Result<Options, Failure> {
     let mut effects = Vec::new();
     let of_prior = prior.iter().flat_map(|p| &p.effects);
     for name in args.effects.iter().chain(of_prior) {
-        let effect = effect_named(name).ok_or_else(|| {
-            let names: Vec<String> = catalogue().map(|e| e.name().to_owned()).collect();
-            Failure::new(
-                USAGE,
-                format!(
-                    "--effects {name}: not in the catalogue ({})",
-                    names.join(", ")
-                ),
-            )
-        })?;
-        if !effects
-            .iter()
-            .any(|own: &sensor::EffectRef| own.name() == name)
-        {
+        let effect = named_effect(name, &[])?;
+        if !effects.iter().any(|own: &EffectRef| own.name() == name) {
             effects.push(effect);
         }
     }

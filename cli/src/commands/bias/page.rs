@@ -28,17 +28,15 @@ pub fn plot(stretches: &[Stretch]) -> Plot {
 
 /// Warnings, the biases before and now, the picture.
 pub fn page(name: &str, warnings: &[String], new: &Calibration, plot: Option<&Picture>) -> Report {
-    let mut table = ReportTable::new([
+    let header = [
         "bias",
         "before",
         "now",
         "change",
         "std error",
         "static intervals",
-    ]);
-    for row in updates(new) {
-        table.row(row);
-    }
+    ];
+    let table = ReportTable::of(header, updates(new));
     let page = Report::new(format!("Biases from {name}"))
         .warnings(&show::folded(warnings))
         .provenance(provenance::rows(new))

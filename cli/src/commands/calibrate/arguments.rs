@@ -39,6 +39,9 @@ limits.toml (every key may be left out):
   [values]
   \"gyro.b_z\" = [-0.02, 0.02]")]
 pub struct Args {
+    /// The words of the call where they are not those of the process; no option.
+    #[arg(skip)]
+    pub call: Option<Vec<String>>,
     #[command(flatten)]
     pub(super) recordings: RecordingArgs,
     /// How to calibrate

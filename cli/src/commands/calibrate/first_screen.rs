@@ -73,7 +73,13 @@ pub fn screen(shown: &Shown<'_>) -> Screen {
             .into_iter()
             .collect(),
         next: steps::next(args, calibration, &judgement, coverage.as_ref()),
-        written: written(args),
+        written: wrote(
+            args.output
+                .as_deref()
+                .into_iter()
+                .chain(args.pictures.paths()),
+            "Nothing was written; -o cal.json keeps the calibration.",
+        ),
         said: names.all_short(&said),
         remarks: names.all_short(&remarks),
         reserved: lines_of_failure(&reasons),
@@ -94,14 +100,4 @@ fn of_readings(calibration: &Calibration) -> Option<[String; 2]> {
         parts.push(format!("± {heading}° per 90° turn"));
     }
     (!parts.is_empty()).then(|| ["corrected reading".into(), parts.join(", ")])
-}
-
-/// Returns a sentence with the files that were written.
-fn written(args: &Args) -> String {
-    let mut files: Vec<String> = args.output.iter().map(|path| show::path(path)).collect();
-    files.extend(args.pictures.paths().iter().map(|path| show::path(path)));
-    wrote(
-        &files,
-        "Nothing was written; -o cal.json keeps the calibration.",
-    )
 }

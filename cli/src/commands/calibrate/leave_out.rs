@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use calib::calibrate::Instant;
 
-use crate::exit::{Failure, USAGE};
+use crate::exit::Failure;
 
 /// Argument of `--leave-out`: an instant within a static interval.
 #[derive(Clone, Copy, Debug)]
@@ -29,13 +29,10 @@ impl FromStr for LeftOut {
 pub fn instants(given: &[LeftOut], recordings: usize) -> Result<Vec<Instant>, Failure> {
     let instants: Vec<Instant> = given.iter().map(|one| one.0).collect();
     match instants.iter().find(|i| i.recording > recordings) {
-        Some(i) => Err(Failure::new(
-            USAGE,
-            format!(
-                "--leave-out {}:{}: there is no recording {}, only {recordings}",
-                i.recording, i.t, i.recording
-            ),
-        )),
+        Some(i) => Err(Failure::usage(format!(
+            "--leave-out {}:{}: there is no recording {}, only {recordings}",
+            i.recording, i.t, i.recording
+        ))),
         None => Ok(instants),
     }
 }

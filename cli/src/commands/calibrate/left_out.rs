@@ -48,9 +48,6 @@ pub fn text(calibration: &Calibration, units: [&str; 2]) -> String {
     if rows.is_empty() {
         return String::new();
     }
-    let mut table = show::table(&HEADER);
-    rows.into_iter().for_each(|row| {
-        table.add_row(row);
-    });
+    let table = show::table_of(&HEADER, rows);
     format!("\n{SENTENCE}\n{table}\n")
 }

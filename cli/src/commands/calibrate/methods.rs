@@ -2,7 +2,7 @@
 
 use super::arguments::Args;
 pub use super::arguments::Method;
-use crate::exit::{Failure, USAGE};
+use crate::exit::Failure;
 
 /// An option that not every method follows.
 pub struct OfMethods {
@@ -91,7 +91,7 @@ pub(super) fn method(args: &Args) -> Result<Method, Failure> {
             name(named)
         ),
     };
-    Err(Failure::new(USAGE, why))
+    Err(Failure::usage(why))
 }
 
 fn name(method: Method) -> &'static str {

@@ -2,7 +2,6 @@
 
 use calib::Recording;
 use calib::calibrate::{Frame, GyroBias, NOMINAL_RATES, Request, read_static_means};
-use calib::effect_file::catalogue_with;
 use calib::intervals::{Span, read_sections};
 use calib::recording::figure;
 use calib::residuals::Integrator;
@@ -11,8 +10,8 @@ use sensor::{EffectRef, Sensor};
 
 use super::arguments::{Args, FrameArg, GyroBiasArg, IntegratorArg, Method};
 use super::methods;
-use crate::commands::shared::inputs::own_effects;
-use crate::exit::{Failure, USAGE};
+use crate::commands::shared::inputs::{named_effect, own_effects};
+use crate::exit::Failure;
 use crate::steps;
 
 /// The request to the library.
@@ -23,22 +22,8 @@ pub(super) fn request(args: &Args) -> Result<Request, Failure> {
     let (detector, choose_multiplier) = args.detector.detector()?;
     let own = own_effects(&args.effect_file)?;
     refuse_unnamed(&own, &args.effects)?;
-    let effects = args
-        .effects
-        .iter()
-        .map(|name| {
-            let mut all = catalogue_with(&own);
-            all.find(|effect| effect.name() == name).ok_or_else(|| {
-                Failure::new(
-                    USAGE,
-                    format!(
-                        "--effects {name}: not in the catalogue ({})",
-                        catalogue_names(&own)
-                    ),
-                )
-            })
-        })
-        .collect::<Result<Vec<_>, _>>()?;
+    let named = args.effects.iter().map(|name| named_effect(name, &own));
+    let effects = named.collect::<Result<Vec<_>, _>>()?;
     let of_another = |effect: &&EffectRef| effect.sensor() != Sensor::Accelerometer;
     if let Some(effect) = effects
         .iter()
@@ -50,20 +35,17 @@ pub(super) fn request(args: &Args) -> Result<Request, Failure> {
             effect.name(),
             effect.sensor().name()
         );
-        return Err(Failure::new(USAGE, why));
+        return Err(Failure::usage(why));
     }
     let nominal_step = match args.nominal_rate {
         Some(rate) if NOMINAL_RATES.contains(&rate) => Some(rate.recip()),
         Some(rate) => {
-            return Err(Failure::new(
-                USAGE,
-                format!(
-                    "--nominal-rate {}: a rate from {} to {} Hz expected",
-                    figure(rate),
-                    figure(*NOMINAL_RATES.start()),
-                    figure(*NOMINAL_RATES.end())
-                ),
-            ));
+            return Err(Failure::usage(format!(
+                "--nominal-rate {}: a rate from {} to {} Hz expected",
+                figure(rate),
+                figure(*NOMINAL_RATES.start()),
+                figure(*NOMINAL_RATES.end())
+            )));
         }
         None => None,
     };
@@ -113,12 +95,9 @@ pub(super) fn request(args: &Args) -> Result<Request, Failure> {
 fn refuse_unread(args: &Args) -> Result<(), Failure> {
     let by_hand = !args.sections.is_empty() && args.gyro_recording.is_empty();
     match args.detector.given().filter(|_| by_hand) {
-        Some(option) => Err(Failure::new(
-            USAGE,
-            format!(
-                "{option} finds static intervals, and --sections gives them; leave one of the two out"
-            ),
-        )),
+        Some(option) => Err(Failure::usage(format!(
+            "{option} finds static intervals, and --sections gives them; leave one of the two out"
+        ))),
         None => Ok(()),
     }
 }
@@ -127,20 +106,12 @@ fn refuse_unread(args: &Args) -> Result<(), Failure> {
 fn refuse_unnamed(own: &[EffectRef], named: &[String]) -> Result<(), Failure> {
     let is_named = |effect: &EffectRef| named.iter().any(|name| name == effect.name());
     match own.first() {
-        Some(first) if !own.iter().any(is_named) => Err(Failure::new(
-            USAGE,
-            format!(
-                "--effect-file: none of its effects is fitted; name it, as in --effects {}",
-                first.name()
-            ),
-        )),
+        Some(first) if !own.iter().any(is_named) => Err(Failure::usage(format!(
+            "--effect-file: none of its effects is fitted; name it, as in --effects {}",
+            first.name()
+        ))),
         _ => Ok(()),
     }
-}
-
-fn catalogue_names(own: &[EffectRef]) -> String {
-    let names: Vec<String> = catalogue_with(own).map(|e| e.name().to_owned()).collect();
-    names.join(", ")
 }
 
 /// The static intervals picked by hand, of each recording.
@@ -156,13 +127,10 @@ pub(super) fn sections(args: &Args, recordings: &[Recording]) -> Result<Vec<Vec<
             .zip(recordings)
             .map(|(path, r)| Ok(read_sections(path, r)?))
             .collect(),
-        many => Err(Failure::new(
-            USAGE,
-            format!(
-                "{} tables of --sections for {} recordings: give one for all or one for each",
-                many.len(),
-                recordings.len()
-            ),
-        )),
+        many => Err(Failure::usage(format!(
+            "{} tables of --sections for {} recordings: give one for all or one for each",
+            many.len(),
+            recordings.len()
+        ))),
     }
 }

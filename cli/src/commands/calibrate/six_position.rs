@@ -3,8 +3,8 @@
 use ::findings::Front;
 use std::fmt::Write as _;
 
+use calib::calibrate::Request;
 use calib::gravity::Gravity;
-use calib::intervals::Detector;
 use calib::limits::Limits;
 use calib::methods::six_position::{
     EarthRotation, Face, GyroscopePart, SixPosition, Solved, calibrate,
@@ -23,65 +23,46 @@ use crate::pages::{calibration, parameters, provenance, verdict as judge};
 use crate::report::{Axis, Figure, Picture, Plot, Report, ReportTable, Series};
 use crate::show;
 
-/// Inputs and options of a six-position calibration.
-#[derive(Debug)]
-pub struct Call<'a> {
-    /// The arguments.
-    pub args: &'a Args,
-    /// Six recordings, or one with all placements.
-    pub recordings: &'a [Recording],
-    /// The detector of motion.
-    pub detector: Detector,
-    /// Local gravity, m/s².
-    pub gravity: Gravity,
-    /// Correct by `I − M` instead of the inverse, as the authors do.
-    pub first_order: bool,
-    /// Print JSON.
-    pub json: bool,
-    /// Limits that it must keep.
-    pub limits: Option<Limits>,
-    /// Output file of the calibration.
-    pub output: Option<Output>,
-    /// Output files of the report and the plots.
-    pub pictures: Pictures,
-}
-
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Names of the plots.
 pub const PLOTS: [&str; 2] = ["modulus", "parameters"];
 
-/// Runs the method.
-pub fn run(call: Call<'_>) -> Result<(), Failure> {
+/// Runs the method on six recordings, or on one with all placements.
+pub fn run(
+    args: &Args,
+    recordings: &[Recording],
+    request: &Request,
+    limits: Option<Limits>,
+    output: Option<Output>,
+    pictures: Pictures,
+) -> Result<(), Failure> {
+    let gravity = Gravity {
+        value: request.gravity,
+        source: request.gravity_source,
+    };
     let Solved {
         mut calibration,
         solution,
         labels,
-    } = calibrate(
-        call.recordings,
-        &call.detector,
-        call.gravity,
-        call.first_order,
-    )?;
-    limits::state(&mut calibration, call.limits.as_ref());
+    } = calibrate(recordings, &request.detector, gravity, args.first_order)?;
+    limits::state(&mut calibration, limits.as_ref());
     let json = show::json(&calibration)?;
-    if let Some(output) = call.output {
-        output.write(json.as_bytes())?;
-    }
-    if call.pictures.wanted() {
+    Output::write_given(output, &json)?;
+    if pictures.wanted() {
         let mut plots = named(PLOTS, [plot(&solution)]);
         plots.push((PLOTS[1].into(), parameters::forest(&calibration)));
         let page = report(&solution, &labels, &calibration, &plots)?;
-        call.pictures.write(&plots, &page)?;
+        pictures.write(&plots, &page)?;
     }
-    if call.json {
+    if args.json {
         show::warn_all(&calibration.warnings.texts(Front::CommandLine));
         show::print(&json)?;
         return gate(&calibration);
     }
     let shown = Shown {
-        args: call.args,
-        recordings: call.recordings,
+        args,
+        recordings,
         calibration: &calibration,
         session: None,
         residual: format!(
@@ -127,11 +108,7 @@ fn report(
     calibration: &Calibration,
     plots: &[(String, Picture)],
 ) -> Result<Report, Failure> {
-    let table = |(header, rows): ([&str; 5], Vec<[String; 5]>)| {
-        let mut table = ReportTable::new(header);
-        rows.into_iter().for_each(|row| table.row(row));
-        table
-    };
+    let table = |(header, rows): ([&str; 5], Vec<[String; 5]>)| ReportTable::of(header, rows);
     let directions = solution.means.column_iter().map(|c| {
         let mean: Vector3<f64> = c.into();
         (mean / mean.norm()).into()
@@ -145,11 +122,7 @@ fn report(
     );
     let mut figures = vec![Figure::new("Residual, calibrated", residual, tilt)];
     figures.extend(parameters::weakest(calibration));
-    figures.push(Figure::new(
-        "Directions covered",
-        coverage.value(),
-        coverage.note(),
-    ));
+    figures.push(coverage.figure());
     let mut report = Report::new("Calibration by six positions")
         .verdict(judged.level, &judged.sentence)
         .figures(figures)
@@ -175,11 +148,7 @@ fn report(
 
 /// A table of the result.
 fn shown((header, rows): ([&str; 5], Vec<[String; 5]>)) -> comfy_table::Table {
-    let mut table = show::table(&header);
-    rows.into_iter().for_each(|row| {
-        table.add_row(row);
-    });
-    table
+    show::table_of(&header, rows)
 }
 
 fn text(solution: &SixPosition, labels: &[String; 6]) -> String {

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use calib::calibrate::Outcome;
-use calib::calibration::{Calibration, MagneticField, RecordingField, Triad};
+use calib::calibration::{Calibration, EffectValues, MagneticField, RecordingField, Triad};
 use sensor::{PLACES, Sensor, base_names};
 
 use super::{clocks, joint, left_out};
@@ -110,16 +110,8 @@ pub fn text(outcome: &Outcome) -> String {
     text.push_str(&magnetometer(calibration));
     text.push_str(&clocks::text(calibration));
     for effect in &calibration.effects {
-        let mut table = show::table(&[&effect.name, "value", "std error", "unit"]);
-        for p in &effect.parameters {
-            let digits = |v: f64| format!("{v:.3e}");
-            table.add_row([
-                p.name.clone(),
-                digits(p.value),
-                p.std.map_or("fixed".into(), digits),
-                p.unit.clone(),
-            ]);
-        }
+        let header = [effect.name.as_str(), "value", "std error", "unit"];
+        let table = show::table_of(&header, coefficients(effect));
         let _ = writeln!(text, "\n{table}");
     }
     text.push_str(&left_out::text(calibration, units(outcome)));
@@ -238,11 +230,16 @@ pub fn over_noise(triad: &Triad) -> String {
 pub const PARAMETERS: [&str; 4] = ["parameter", "value", "std error", "unit"];
 
 fn triad_table(triad: &Triad, unit: &str, sensor: Sensor) -> comfy_table::Table {
-    let mut table = show::table(&PARAMETERS);
-    parameters(triad, unit, sensor).into_iter().for_each(|row| {
-        table.add_row(row);
-    });
-    table
+    show::table_of(&PARAMETERS, parameters(triad, unit, sensor))
+}
+
+/// The coefficients of an effect: name, value, standard error and unit.
+pub fn coefficients(effect: &EffectValues) -> impl Iterator<Item = [String; 4]> {
+    effect.parameters.iter().map(|p| {
+        let digits = |v: f64| format!("{v:.3e}");
+        let std = p.std.map_or("fixed".into(), digits);
+        [p.name.clone(), digits(p.value), std, p.unit.clone()]
+    })
 }
 
 /// The parameters of a sensor's base model, a row each.

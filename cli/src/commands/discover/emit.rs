@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use calib::discover::Findings;
 use sensor::{Axis, Covariate, EffectRef, Formula, Sensor, Term, emit_effect};
 
-use crate::exit::{BUG, Failure, USAGE};
+use crate::exit::{BUG, Failure};
 use crate::output::{Output, Replace};
 use crate::show;
 
@@ -75,7 +75,7 @@ fn why_none(findings: &Findings) -> &'static str {
 }
 
 fn refused(path: &Path, what: &str) -> Failure {
-    Failure::new(USAGE, format!("--emit-effect {}: {what}", show::path(path)))
+    Failure::usage(format!("--emit-effect {}: {what}", show::path(path)))
 }
 
 /// The name of the effect, where the file's is one.

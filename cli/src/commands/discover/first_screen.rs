@@ -48,14 +48,10 @@ pub fn screen(
             list.push(remark);
         }
     }
-    let mut written: Vec<String> = args.output.iter().map(|path| show::path(path)).collect();
-    written.extend(
-        args.emit_effect
-            .iter()
-            .filter(|_| findings.proposed.is_some())
-            .map(|path| show::path(path)),
-    );
-    written.extend(args.pictures.paths().iter().map(|path| show::path(path)));
+    let proposed = findings.proposed.as_ref();
+    let written = args.output.as_deref().into_iter();
+    let written = written.chain(proposed.and(args.emit_effect.as_deref()));
+    let written = written.chain(args.pictures.paths());
     let tables = [named(findings), names.short(&open(findings))];
     Screen {
         verdict: vec![brief(findings)],
@@ -64,7 +60,7 @@ pub fn screen(
             .filter(|table| !table.is_empty())
             .collect(),
         next: next(args, findings),
-        written: wrote(&written, "Nothing was written; -o findings.json keeps it."),
+        written: wrote(written, "Nothing was written; -o findings.json keeps it."),
         said,
         remarks: names.all_short(&all),
         reserved: lines_of_failure(&reasons),
@@ -273,7 +269,7 @@ fn next(args: &Args, findings: &Findings) -> Vec<Step> {
     if given.is_none() {
         steps.push(Step::new(
             "keep the findings",
-            call::again("", Some(&document)),
+            call::again(None, "", Some(&document)),
         ));
     }
     let tied = |effect: &&EffectFinding| effect.told_apart_by.is_some();
@@ -328,7 +324,7 @@ fn next(args: &Args, findings: &Findings) -> Vec<Step> {
             };
             steps.push(Step::new(
                 "give the place",
-                call::again("--latitude DEG", output),
+                call::again(None, "--latitude DEG", output),
             ));
         }
     }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use calib::Recording;
 use calib::recording::Stream;
 
-use crate::exit::{Failure, USAGE};
+use crate::exit::Failure;
 use crate::output::is_same_file;
 use crate::show;
 
@@ -45,13 +45,10 @@ pub fn refuse_twins(recordings: &[Recording]) -> Result<(), Failure> {
                 || are_same(&one.gyroscope, &other.gyroscope)
         };
         if let Some(other) = recordings[..k].iter().find(same) {
-            return Err(Failure::new(
-                USAGE,
-                format!(
-                    "{} and {}: the same data, which would count twice; with --units each recording is another unit",
-                    other.name, one.name
-                ),
-            ));
+            return Err(Failure::usage(format!(
+                "{} and {}: the same data, which would count twice; with --units each recording is another unit",
+                other.name, one.name
+            )));
         }
     }
     Ok(())
@@ -63,11 +60,8 @@ fn are_same(one: &Option<Stream>, other: &Option<Stream>) -> bool {
 }
 
 fn seen(validation: &str, input: &str) -> Failure {
-    Failure::new(
-        USAGE,
-        format!(
-            "--validation {validation}: the same data as {input}, which the fit has seen: what it shows there is \
+    Failure::usage(format!(
+        "--validation {validation}: the same data as {input}, which the fit has seen: what it shows there is \
              no proof; name another recording of the device, or leave --validation out"
-        ),
-    )
+    ))
 }

@@ -32,7 +32,7 @@ use crate::commands::calibrate::limits::{self, gate};
 use crate::commands::shared::first_screen::say;
 use crate::commands::shared::inputs::{as_paths, own_effects, read, spinner};
 use crate::commands::shared::names::Names;
-use crate::exit::{Failure, USAGE};
+use crate::exit::Failure;
 use crate::output::Output;
 use crate::{show, steps};
 
@@ -40,8 +40,7 @@ use crate::{show, steps};
 pub fn run(args: &Args) -> Result<(), Failure> {
     let mut inputs = args.recordings.paths();
     if inputs.is_empty() {
-        return Err(Failure::new(
-            USAGE,
+        return Err(Failure::usage(
             "no recording given: name a file or a folder",
         ));
     }
@@ -49,10 +48,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     inputs.extend(files.chain(&args.effect_file).cloned());
     held_out::refuse_same_path(args.validation.as_deref(), &args.recordings.paths())?;
     let mut request = request(args)?;
-    let output = match &args.output {
-        Some(path) => Some(Output::claim(path, args.replace, &as_paths(&inputs))?),
-        None => None,
-    };
+    let output = Output::claim_given(args.output.as_deref(), args.replace, &as_paths(&inputs))?;
     let emit = match &args.emit_effect {
         Some(path) => {
             let taken = &request.catalogue;
@@ -66,11 +62,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     args.replace.end_if_all_exist()?;
     if let Some(path) = &args.noise {
         let given = noise_in(path)?;
-        given
-            .notes
-            .texts(Front::CommandLine)
-            .iter()
-            .for_each(|note| show::warn(note));
+        show::warn_each(&given.notes);
         request.noise = Some(given.noise);
     }
     let recordings = args.recordings.read(&args.read)?;
@@ -92,9 +84,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     limits::state(&mut discovery.findings.calibration, None);
     let findings = &discovery.findings;
     let json = json(findings)?;
-    if let Some(output) = output {
-        output.write(json.as_bytes())?;
-    }
+    Output::write_given(output, &json)?;
     if let Some(emit) = emit {
         emit.write(findings)?;
     }
@@ -125,9 +115,7 @@ fn of_units(
     let findings = units::look(recordings, request)?;
     let remarks = units::warnings(&findings);
     let json = show::json(&findings)?;
-    if let Some(output) = output {
-        output.write(json.as_bytes())?;
-    }
+    Output::write_given(output, &json)?;
     if args.json {
         show::warn_all(&remarks);
         show::print(&json)?;
@@ -141,14 +129,11 @@ fn of_units(
 fn request(args: &Args) -> Result<Request, Failure> {
     let gravity = args.place.gravity()?;
     if !(args.alpha > 0.0 && args.alpha <= 0.5) {
-        return Err(Failure::new(
-            USAGE,
-            format!(
-                "--alpha {}: a chance above 0 and at most 0.5 expected; 0.01 is one false claim in a hundred \
+        return Err(Failure::usage(format!(
+            "--alpha {}: a chance above 0 and at most 0.5 expected; 0.01 is one false claim in a hundred \
                  recordings",
-                figure(args.alpha)
-            ),
-        ));
+            figure(args.alpha)
+        )));
     }
     let (detector, choose_multiplier) = args.detector.detector()?;
     let mut request = Request {

@@ -1,9 +1,7 @@
 //! The report of a discovery.
 
-use ::findings::Grade;
 use calib::Recording;
 use calib::discover::{Discovery, Findings, Request};
-use calib::methods::cut;
 use sensor::Sensor;
 
 use super::super::calibrate::tables::{PARAMETERS, parameters};
@@ -15,9 +13,9 @@ use super::verdict::{remains, verdict};
 use super::words::proposed;
 use crate::exit::Failure;
 use crate::pages::coverage::{self, Coverage};
-use crate::pages::session::Session;
+use crate::pages::session::{Session, all_cut};
 use crate::pages::{calibration as pages, parameters as pictured, provenance};
-use crate::report::{Figure, Level, Picture, Report, ReportTable};
+use crate::report::{Figure, Picture, Report, ReportTable};
 use crate::show;
 
 /// The page: verdict, gap, every named effect with its residuals, the ranking, what could not be told, what to
@@ -41,24 +39,13 @@ pub fn page_after(
 ) -> Result<Report, Failure> {
     let findings = &discovery.findings;
     let calibration = &findings.calibration;
-    let choices: Vec<_> = recordings
-        .iter()
-        .map(|r| {
-            cut(
-                r,
-                &request.detector,
-                request.choose_multiplier,
-                calibration.gravity,
-            )
-            .ok()
-        })
-        .collect();
-    let pairs = recordings.iter().zip(&choices);
-    let pairs = pairs.filter_map(|(r, choice)| Some((r, &choice.as_ref()?.segmentation)));
+    let (detector, choose) = (&request.detector, request.choose_multiplier);
+    let cut = all_cut(recordings, detector, choose, calibration.gravity);
+    let pairs = cut.iter().map(|(r, segmentation)| (*r, segmentation));
     let session = Session::of(pairs, Some(calibration), calibration.gravity)?;
     let coverage = pages::covered(&session);
     let mut report = Report::new("What is missing")
-        .verdict(level(findings), brief(findings))
+        .verdict(calibration.verdict().level.into(), brief(findings))
         .figures(figures(findings, coverage.as_ref()))
         .next(&next(findings))
         .warnings(&pages::notes(calibration))
@@ -118,15 +105,6 @@ pub fn page_after(
     pages::exports(report, calibration)
 }
 
-/// The level of the verdict.
-fn level(findings: &Findings) -> Level {
-    match findings.calibration.verdict().level {
-        Grade::Good => Level::Good,
-        Grade::Care => Level::Care,
-        Grade::Bad => Level::Bad,
-    }
-}
-
 /// The largest gap before and after, weakest parameter, coverage.
 fn figures(findings: &Findings, coverage: Option<&Coverage>) -> Vec<Figure> {
     let effects = findings.effects.iter();
@@ -161,7 +139,7 @@ fn figures(findings: &Findings, coverage: Option<&Coverage>) -> Vec<Figure> {
     };
     let mut all = vec![gap];
     all.extend(pictured::weakest(&findings.calibration));
-    all.extend(coverage.map(|c| Figure::new("Directions covered", c.value(), c.note())));
+    all.extend(coverage.map(Coverage::figure));
     all
 }
 
@@ -280,9 +258,7 @@ fn filled<const N: usize>(report: Report, (header, rows): Rows<N>) -> Report {
     if rows.is_empty() {
         return report;
     }
-    let mut table = ReportTable::new(header);
-    rows.into_iter().for_each(|row| table.row(row));
-    report.table(table)
+    report.table(ReportTable::of(header, rows))
 }
 
 fn lines(report: Report, heading: &str, lines: Vec<String>) -> Report {

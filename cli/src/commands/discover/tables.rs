@@ -233,7 +233,7 @@ pub fn faults(findings: &Findings) -> Rows<4> {
 }
 
 /// A recording by the last part of its path.
-fn last_part(recording: &str) -> String {
+pub fn last_part(recording: &str) -> String {
     let last = Path::new(recording).file_name();
     last.map_or_else(
         || show::name(recording),

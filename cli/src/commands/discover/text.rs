@@ -48,19 +48,15 @@ pub fn text(discovery: &Discovery, names: &Names) -> String {
         text.push_str(P_OF_WALKS);
     }
     for effect in &findings.effects {
-        let mut table = show::table(&[&effect.name, "value", "std error", "unit"]);
-        for row in parameters(effect) {
-            table.add_row(row);
-        }
+        let header = [effect.name.as_str(), "value", "std error", "unit"];
+        let table = show::table_of(&header, parameters(effect));
         let _ = writeln!(text, "\n{table}");
         let more = reference(effect).or_else(|| of_the_earth(effect));
         text.extend(more.map(|line| format!("{line}\n")));
     }
     if let Some(proposal) = &findings.proposed {
-        let mut table = show::table(&["proposed", "value", "std error", "unit"]);
-        for row in proposed_terms(proposal) {
-            table.add_row(row);
-        }
+        let header = ["proposed", "value", "std error", "unit"];
+        let table = show::table_of(&header, proposed_terms(proposal));
         let _ = writeln!(text, "\n{}\n\n{table}", proposed(proposal));
     }
     push(&mut text, faults(findings), 4);
@@ -106,8 +102,6 @@ fn push<const N: usize>(text: &mut String, (header, rows): Rows<N>, left: usize)
     }
     let names = rows.iter().map(|row| row[0].as_str());
     show::keep_names_whole(&mut table, names);
-    for row in rows {
-        table.add_row(row);
-    }
+    table.add_rows(rows);
     let _ = writeln!(text, "\n{table}");
 }

@@ -7,12 +7,12 @@ use calib::Recording;
 use calib::discover::{
     Agreement, Request, SharedEffect, UnitAlone, UnitFindings, Verdict, discover_units,
 };
-use comfy_table::CellAlignment;
 
 use super::held_out::refuse_twins;
+use super::tables::last_part;
 use super::words::gaps;
 use crate::commands::calibrate::limits::gate_for;
-use crate::commands::shared::first_screen::{Screen, Step};
+use crate::commands::shared::first_screen::{Screen, Step, wrote};
 use crate::commands::shared::inputs::spinner;
 use crate::exit::Failure;
 use crate::show;
@@ -35,7 +35,7 @@ pub fn look(recordings: &[Recording], request: &Request) -> Result<UnitFindings,
 /// Returns the warnings of the units' calibrations, each with the name of the unit.
 pub fn warnings(findings: &UnitFindings) -> Vec<String> {
     let of = |unit: &UnitAlone| {
-        let name = label(&unit.recording);
+        let name = last_part(&unit.recording);
         let own = unit.warnings.clone().into_iter();
         own.map(move |warning| match warning.contains(&name) {
             true => warning,
@@ -52,7 +52,7 @@ pub fn warnings(findings: &UnitFindings) -> Vec<String> {
 /// The gates that failed, unit by unit.
 pub fn gate(findings: &UnitFindings) -> Result<(), Failure> {
     let of = |unit: &UnitAlone| {
-        let name = label(&unit.recording);
+        let name = last_part(&unit.recording);
         let gates = unit.failed_gates.clone().into_iter();
         gates
             .map(move |gate| format!("{name}: {gate}"))
@@ -65,12 +65,9 @@ pub fn gate(findings: &UnitFindings) -> Result<(), Failure> {
 /// The findings for people.
 pub fn text(findings: &UnitFindings) -> String {
     let mut text = format!("{}\n", verdict(findings));
-    let mut units = show::table(&["unit", "alone it says"]);
-    for column in units.column_iter_mut() {
-        column.set_cell_alignment(CellAlignment::Left);
-    }
+    let mut units = show::texts(&["unit", "alone it says"]);
     for unit in &findings.units {
-        units.add_row([label(&unit.recording), alone(unit)]);
+        units.add_row([last_part(&unit.recording), alone(unit)]);
     }
     let _ = writeln!(text, "\n{units}");
     for effect in &findings.shared {
@@ -93,7 +90,7 @@ pub fn screen(output: Option<&Path>, findings: &UnitFindings, remarks: Vec<Strin
             .max_by(|a, b| a.gap_before.total_cmp(&b.gap_before));
         let gap = widest.map_or_else(String::new, |size| {
             let gaps = gaps(size.gap_before, size.gap_after).join(" → ");
-            format!("{gaps} in {}", label(&size.unit))
+            format!("{gaps} in {}", last_part(&size.unit))
         });
         rows.push(format!(
             "  {}: shown by {} of {} units, widest gap {gap}",
@@ -114,23 +111,11 @@ pub fn screen(output: Option<&Path>, findings: &UnitFindings, remarks: Vec<Strin
         verdict: vec![show::without_odds(&verdict(findings))],
         tables: vec![show::wrapped(&rows.join("\n"))],
         next: step.into_iter().collect(),
-        written: output.map_or(
-            "Nothing was written; -o findings.json keeps it.".into(),
-            |path| format!("Wrote {}.", show::path(path)),
-        ),
+        written: wrote(output, "Nothing was written; -o findings.json keeps it."),
         remarks,
         reserved: 2 * reasons.len(),
         ..Screen::default()
     }
-}
-
-/// A unit's recording by the last part of its path.
-fn label(recording: &str) -> String {
-    let last = std::path::Path::new(recording).file_name();
-    last.map_or_else(
-        || show::name(recording),
-        |last| show::path(std::path::Path::new(last)),
-    )
 }
 
 /// The verdict in sentences.
@@ -162,7 +147,7 @@ pub fn verdict(findings: &UnitFindings) -> String {
         };
         sentences.push(format!(
             "{} alone shows {}; {others}.",
-            label(&own.size.unit),
+            last_part(&own.size.unit),
             own.name
         ));
     }
@@ -231,7 +216,7 @@ fn in_each(effect: &SharedEffect) -> String {
     for size in &effect.sizes {
         let [before, after] = gaps(size.gap_before, size.gap_after);
         table.add_row([
-            label(&size.unit),
+            last_part(&size.unit),
             size.p_value
                 .map_or_else(|| "not shown".into(), show::chance),
             before,
@@ -251,7 +236,7 @@ fn sizes(effect: &SharedEffect) -> String {
         .filter(|size| beside && !size.parameters.is_empty());
     let units: Vec<_> = units.collect();
     let mut header: Vec<String> = vec!["parameter".into()];
-    header.extend(units.iter().map(|size| label(&size.unit)));
+    header.extend(units.iter().map(|size| last_part(&size.unit)));
     let mean = effect.agreement.as_ref().map(|a| &a.mean);
     header.extend(mean.map(|_| "weighted mean".to_owned()));
     header.push("unit".into());

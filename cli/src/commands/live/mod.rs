@@ -19,7 +19,7 @@ use live::{Aim, Batch, Event, Opening, Session, Source, View, Waits, open};
 use screen::Screen;
 use web::Web;
 
-use crate::exit::{Failure, USAGE};
+use crate::exit::Failure;
 use crate::output::Folder;
 use crate::show;
 use crate::show::command_line;
@@ -110,7 +110,7 @@ fn check(args: &Args) -> Result<(), Failure> {
                 range.start(),
                 range.end()
             );
-            return Err(Failure::new(USAGE, words));
+            return Err(Failure::usage(words));
         }
     }
     Ok(())

@@ -11,7 +11,7 @@ use super::web::Web;
 use crate::call;
 use crate::commands::calibrate;
 use crate::commands::shared::inputs::as_paths;
-use crate::exit::{Failure, USAGE};
+use crate::exit::Failure;
 
 /// The command `calibrate` by itself.
 #[derive(Debug, Parser)]
@@ -49,19 +49,19 @@ pub(super) fn parse(args: &Args, recording: &Path) -> Result<calibrate::Args, Fa
             .map(|(flag, _)| (*flag).into()),
     );
     words.extend(args.calibrate.iter().map(OsString::from));
-    let command = std::iter::once("calibrate".into());
-    call::repeat(&command.chain(words.iter().cloned()).collect::<Vec<_>>());
+    let call = call::shown(std::iter::once(&"calibrate".into()).chain(&words));
     let parsed = Ordinary::try_parse_from(words);
     let as_it_came = |mut ordinary: Ordinary| {
+        ordinary.args.call = Some(call);
         ordinary.args.read_as(&args.read);
         ordinary.args
     };
     parsed.map(as_it_came).map_err(|error| {
         let words = error.render().to_string();
-        Failure::new(
-            USAGE,
-            format!("after `--`: {}", words.trim().trim_start_matches("error: ")),
-        )
+        Failure::usage(format!(
+            "after `--`: {}",
+            words.trim().trim_start_matches("error: ")
+        ))
     })
 }
 

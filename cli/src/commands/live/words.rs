@@ -99,23 +99,7 @@ fn name(axis: usize) -> &'static str {
 
 /// `z up`, `x up and z down`.
 pub(super) fn axes(direction: &Direction) -> String {
-    let axis = |(k, sign): (usize, &i8)| match sign {
-        0 => None,
-        1.. => Some(format!("{} up", name(k))),
-        _ => Some(format!("{} down", name(k))),
-    };
-    let all: Vec<String> = direction
-        .signs
-        .iter()
-        .enumerate()
-        .filter_map(axis)
-        .collect();
-    match all.as_slice() {
-        [one] => one.clone(),
-        [one, two] => format!("{one} and {two}"),
-        [one, two, three] => format!("{one}, {two} and {three}"),
-        _ => all.join(", "),
-    }
+    plan::axes_up(&direction.unit())
 }
 
 /// The same for a phone, whose x points right, y to its top and z out of its screen.

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::exit::{Failure, USAGE};
+use crate::exit::Failure;
 use crate::output::{Output, Replace};
 
 /// The page that `cli/web/build` has written. Documentation with all features is made without.
@@ -29,8 +29,7 @@ pub struct Args {
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
     let Some(page) = PAGE else {
-        return Err(Failure::new(
-            USAGE,
+        return Err(Failure::usage(
             "this build carries no page; take stillpoint.html from a release, or run cli/web/build in the source, which writes it",
         ));
     };

@@ -6,7 +6,7 @@ use clap::ValueEnum;
 use plan::{Noise, Pace, Protocol, Timing, Words};
 
 use crate::commands::shared::inputs::DetectorArgs;
-use crate::exit::{Failure, USAGE};
+use crate::exit::Failure;
 use crate::output::Replace;
 use crate::read_args::ReadArgs;
 
@@ -111,7 +111,7 @@ impl Named {
 
 impl Args {
     pub(super) fn check(&self) -> Result<(), Failure> {
-        let refuse = |what: String| Err(Failure::new(USAGE, what));
+        let refuse = |what: String| Err(Failure::usage(what));
         if let Some(count) = self.placements.filter(|n| !PLACEMENTS.contains(n)) {
             return refuse(format!(
                 "--placements {count}: {} to {} expected",

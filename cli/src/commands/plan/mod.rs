@@ -19,7 +19,7 @@ use plan::{Criterion, Efficiency, ForceMatrix, Plan, REQUIREMENT, finest};
 use serde_json::{Value, json};
 
 use crate::commands::shared::inputs::check_gravity;
-use crate::exit::{Failure, USAGE};
+use crate::exit::Failure;
 use crate::output::Output;
 use crate::show;
 
@@ -28,13 +28,8 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     args.gravity.map_or(Ok(()), check_gravity)?;
     args.check()?;
     let inputs: Vec<&Path> = args.input.iter().map(PathBuf::as_path).collect();
-    let claim = |path: &Option<PathBuf>| {
-        let claimed = path
-            .as_ref()
-            .map(|p| Output::claim(p, args.replace, &inputs));
-        claimed.transpose()
-    };
-    let (output, report) = (claim(&args.output)?, claim(&args.report)?);
+    let output = Output::claim_given(args.output.as_deref(), args.replace, &inputs)?;
+    let report = Output::claim_given(args.report.as_deref(), args.replace, &inputs)?;
     args.replace.end_if_all_exist()?;
     let ours = match args.input.as_deref() {
         Some(path) => known::document(path)?,
@@ -83,9 +78,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     notes.extend(rivals::words(&ties));
     let extra = json!({"ties": ties, "efficiency": efficiency, "noise": noise});
     let document = show::json(&document(args, input.as_ref(), &found, extra, &notes))?;
-    if let Some(output) = output {
-        output.write(document.as_bytes())?;
-    }
+    Output::write_given(output, &document)?;
     if let Some(report) = report {
         report.write(sheet::page(&found, &notes, args.accelerometer_only).as_bytes())?;
     }
@@ -108,10 +101,9 @@ fn refuse_unread(args: &Args, is_foreign: bool) -> Result<(), Failure> {
         return Ok(());
     }
     match args.detector.given().or(args.read.given()) {
-        Some(option) => Err(Failure::new(
-            USAGE,
-            format!("{option} is about a recording: name one, or leave it out"),
-        )),
+        Some(option) => Err(Failure::usage(format!(
+            "{option} is about a recording: name one, or leave it out"
+        ))),
         None => Ok(()),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::show_runs::{heading, table};
 use super::solve::{Outcome, Run};
-use crate::commands::shared::first_screen::{Screen, wrote};
+use crate::commands::shared::first_screen::Screen;
 use crate::commands::shared::names::Names;
 use crate::pages::session::short_names;
 use crate::show;
@@ -10,17 +10,14 @@ use crate::show;
 /// Recordings that are listed one by one.
 const LISTED: usize = 12;
 
-/// Builds the first screen; `written` are the files.
-pub(super) fn screen(runs: &[Run], remarks: Vec<String>, written: &[String]) -> Screen {
+/// Builds the first screen; `written` says which files were.
+pub(super) fn screen(runs: &[Run], remarks: Vec<String>, written: String) -> Screen {
     let whole: Vec<&str> = runs.iter().map(|run| run.recording.as_str()).collect();
     let names = Names::of_words(&whole);
     let tables = match runs {
         [one] => {
             let (header, rows) = table(one);
-            let mut table = show::table(&header);
-            rows.into_iter().for_each(|row| {
-                table.add_row(row);
-            });
+            let table = show::table_of(&header, rows);
             format!("{}\n{table}", names.short(&heading(one)))
         }
         _ => of_several(runs, &short_names(&whole)),
@@ -28,7 +25,7 @@ pub(super) fn screen(runs: &[Run], remarks: Vec<String>, written: &[String]) -> 
     Screen {
         verdict: vec![verdict(runs)],
         tables: vec![tables],
-        written: wrote(written, ""),
+        written,
         remarks: names.all_short(&remarks),
         ..Screen::default()
     }

@@ -14,9 +14,10 @@ use clap::ValueEnum;
 use nalgebra::Vector3;
 use solve::{Known, Named, Run};
 
+use crate::commands::shared::first_screen::wrote;
 use crate::commands::shared::inputs::{DeviceArgs, as_paths, load, numbers, read};
 use crate::commands::shared::pictures::{PictureArgs, named};
-use crate::exit::{Failure, NOT_ENOUGH, USAGE};
+use crate::exit::{Failure, NOT_ENOUGH};
 use crate::output::{Output, Replace};
 use crate::read_args::ReadArgs;
 use crate::show;
@@ -170,7 +171,7 @@ fn refuse_other_procedure(args: &Args) -> Result<(), Failure> {
             format!("{option} means nothing to --procedure published: leave one of the two out")
         }
     };
-    Err(Failure::new(USAGE, why))
+    Err(Failure::usage(why))
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -190,10 +191,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let mut inputs = args.recordings.clone();
     inputs.extend(files.map(|(_, file)| PathBuf::from(file)));
     let inputs = as_paths(&inputs);
-    let output = match &args.output {
-        Some(path) => Some(Output::claim(path, args.replace, &inputs)?),
-        None => None,
-    };
+    let output = Output::claim_given(args.output.as_deref(), args.replace, &inputs)?;
     let names = show_runs::plot_names(&args.recordings);
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let pictures = args.pictures.claim(&names, args.replace, &inputs)?;
@@ -210,9 +208,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     }
     remarks.extend(runs.iter().flat_map(|run| run.warnings.clone()));
     let json = show::json(&runs)?;
-    if let Some(output) = output {
-        output.write(json.as_bytes())?;
-    }
+    Output::write_given(output, &json)?;
     if pictures.wanted() {
         let plots = named(names.iter().copied(), show_runs::plots(&runs));
         pictures.write(&plots, &show_runs::report(&runs, &plots))?;
@@ -221,9 +217,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         show::warn_all(&remarks);
         return show::print(&json);
     }
-    let mut written: Vec<String> = args.output.iter().map(|path| show::path(path)).collect();
-    written.extend(args.pictures.paths().iter().map(|path| show::path(path)));
-    first_screen::screen(&runs, remarks, &written).show(|| show_runs::text(&runs))
+    let written = args.output.as_deref().into_iter();
+    let written = wrote(written.chain(args.pictures.paths()), "");
+    first_screen::screen(&runs, remarks, written).show(|| show_runs::text(&runs))
 }
 
 /// Run `k` by the procedure asked for.
@@ -283,14 +279,11 @@ fn each<T: Copy>(values: &[T], k: usize, args: &Args, name: &str) -> Result<Opti
     if values.is_empty() || values.len() == args.recordings.len() {
         return Ok(values.get(k).copied());
     }
-    Err(Failure::new(
-        USAGE,
-        format!(
-            "{name} given {} times for {} recordings: give it once for each",
-            values.len(),
-            args.recordings.len()
-        ),
-    ))
+    Err(Failure::usage(format!(
+        "{name} given {} times for {} recordings: give it once for each",
+        values.len(),
+        args.recordings.len()
+    )))
 }
 
 /// The raw readings, the authors' numbers where their procedure is asked for, and what was named.
@@ -300,16 +293,13 @@ fn calibrations(args: &Args) -> Result<Vec<Named>, Failure> {
         all.extend(Named::authors());
     }
     for named in &args.calibration {
-        let (name, path) = named.split_once('=').ok_or_else(|| {
-            Failure::new(USAGE, format!("--calibration {named}: NAME=FILE expected"))
-        })?;
+        let (name, path) = named
+            .split_once('=')
+            .ok_or_else(|| Failure::usage(format!("--calibration {named}: NAME=FILE expected")))?;
         if all.iter().any(|other| other.name == name) {
-            return Err(Failure::new(
-                USAGE,
-                format!(
-                    "--calibration {named}: there is a \"{name}\" already; choose another name"
-                ),
-            ));
+            return Err(Failure::usage(format!(
+                "--calibration {named}: there is a \"{name}\" already; choose another name"
+            )));
         }
         let calibration = load(path.as_ref())?;
         if let Some(own) = calibration.not_calibrated.first() {

@@ -109,23 +109,22 @@ pub(super) fn table(run: &Run) -> (Vec<&'static str>, Vec<Vec<String>>) {
     (header, rows.collect())
 }
 
+/// Header of [`means`].
+const MEANS: [&str; 2] = ["all recordings", "mean |error|, m"];
+
 /// Mean absolute error over all recordings and axes by calibration; empty without truth or with one
 /// recording.
-fn means(runs: &[Run]) -> Vec<(String, f64)> {
+fn means(runs: &[Run]) -> Vec<[String; 2]> {
     let Some(first) = runs.first().filter(|_| runs.len() > 1) else {
         return Vec::new();
     };
-    let mean = |k: usize| {
-        let errors: Option<Vec<f64>> = runs
-            .iter()
-            .map(|run| run.results.get(k)?.mean_error())
-            .collect();
-        errors.map(|errors| errors.iter().sum::<f64>() / errors.len() as f64)
+    let row = |(k, outcome): (usize, &Outcome)| {
+        let errors = runs.iter().map(|run| run.results.get(k)?.mean_error());
+        let errors: Vec<f64> = errors.collect::<Option<_>>()?;
+        let mean = errors.iter().sum::<f64>() / errors.len() as f64;
+        Some([show::name(&outcome.calibration), format!("{mean:.3}")])
     };
-    let named = first.results.iter().enumerate();
-    named
-        .filter_map(|(k, o)| Some((show::name(&o.calibration), mean(k)?)))
-        .collect()
+    first.results.iter().enumerate().filter_map(row).collect()
 }
 
 pub(super) fn heading(run: &Run) -> String {
@@ -143,19 +142,12 @@ pub(super) fn text(runs: &[Run]) -> String {
     let mut text = String::new();
     for run in runs {
         let (header, rows) = table(run);
-        let mut table = show::table(&header);
-        rows.into_iter().for_each(|row| {
-            table.add_row(row);
-        });
+        let table = show::table_of(&header, rows);
         let _ = writeln!(text, "{}\n{table}\n", heading(run));
     }
     let means = means(runs);
     if !means.is_empty() {
-        let mut table = show::table(&["all recordings", "mean |error|, m"]);
-        means.into_iter().for_each(|(name, mean)| {
-            table.add_row([name, format!("{mean:.3}")]);
-        });
-        let _ = writeln!(text, "{table}");
+        let _ = writeln!(text, "{}", show::table_of(&MEANS, means));
     }
     text
 }
@@ -165,16 +157,12 @@ pub(super) fn report(runs: &[Run], plots: &[(String, Picture)]) -> Report {
     let mut report = Report::new("Dead reckoning").warnings(&show::folded(&warnings));
     let means = means(runs);
     if !means.is_empty() {
-        let mut table = ReportTable::new(["all recordings", "mean |error|, m"]);
-        means
-            .into_iter()
-            .for_each(|(name, mean)| table.row([name, format!("{mean:.3}")]));
+        let table = ReportTable::of(MEANS, means);
         report = report.section("All recordings").table(table);
     }
     for (run, plots) in runs.iter().zip(plots.chunks(3)) {
         let (header, rows) = table(run);
-        let mut table = ReportTable::new(header);
-        rows.into_iter().for_each(|row| table.row(row));
+        let table = ReportTable::of(header, rows);
         report = report.section(heading(run)).table(table);
         for (_, plot) in plots {
             report = report.plot(plot);

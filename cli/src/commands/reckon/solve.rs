@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 use sensor::Base;
 use serde::Serialize;
 
-use crate::exit::{Failure, USAGE};
+use crate::exit::Failure;
 
 /// A tilt at the end beyond this is no error that has grown on the way, °.
 const LOST: f64 = 10.0;
@@ -262,13 +262,10 @@ pub(super) fn published(
             .iter()
             .map(|named| named.name.as_str())
             .collect();
-        return Err(Failure::new(
-            USAGE,
-            format!(
-                "--picked-by {picked_by}: no such calibration ({})",
-                names.join(", ")
-            ),
-        ));
+        return Err(Failure::usage(format!(
+            "--picked-by {picked_by}: no such calibration ({})",
+            names.join(", ")
+        )));
     };
     let missing = || calib::Error::not_enough(format!("{}: no accelerometer", recording.name));
     let picking = picker.apply(recording)?.accelerometer.ok_or_else(missing)?;

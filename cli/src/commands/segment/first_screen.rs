@@ -4,7 +4,7 @@ use calib::Recording;
 use calib::methods::Choice;
 
 use super::args::Args;
-use crate::commands::shared::first_screen::{Screen, Step};
+use crate::commands::shared::first_screen::{Screen, Step, wrote};
 use crate::commands::shared::names::Names;
 use crate::exit::Failure;
 use crate::pages::coverage::Coverage;
@@ -83,11 +83,7 @@ pub fn screen(
         verdict: vec![verdict],
         tables: vec![lines.join("\n")],
         next,
-        written: args
-            .output
-            .iter()
-            .map(|path| format!("Wrote {}.", show::path(path)))
-            .collect(),
+        written: wrote(args.output.as_deref(), ""),
         remarks: names.all_short(warnings),
         ..Screen::default()
     })

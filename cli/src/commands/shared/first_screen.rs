@@ -3,6 +3,8 @@
 //! The result is on standard output, remarks follow on standard error: so a result that goes into a file or a pipe is free of them,
 //! and a terminal still shows the verdict first. Both are counted together.
 
+use std::path::Path;
+
 use crate::exit::Failure;
 use crate::{show, terminal};
 
@@ -218,8 +220,9 @@ pub fn lines_of_failure(reasons: &[String]) -> usize {
 }
 
 /// The files that were written; `nothing` where there are none.
-pub fn wrote(files: &[String], nothing: &str) -> String {
-    match files {
+pub fn wrote<'a>(files: impl IntoIterator<Item = &'a Path>, nothing: &str) -> String {
+    let files: Vec<String> = files.into_iter().map(show::path).collect();
+    match files.as_slice() {
         [] => nothing.to_owned(),
         files => format!("Wrote {}.", files.join(" and ")),
     }

@@ -14,7 +14,7 @@ use calib::{Calibration, Recording};
 use indicatif::ProgressBar;
 use sensor::EffectRef;
 
-use crate::exit::{Failure, USAGE};
+use crate::exit::Failure;
 use crate::read_args::ReadArgs;
 use crate::show::command_line;
 use crate::{show, terminal};
@@ -119,7 +119,7 @@ fn nowhere(what: NotOnEarth) -> Failure {
             figure(altitude)
         ),
     };
-    Failure::new(USAGE, message)
+    Failure::usage(message)
 }
 
 impl PlaceArgs {
@@ -235,7 +235,7 @@ impl DetectorArgs {
         };
         options.detector().map_err(|name| {
             let flag = name.replace('_', "-");
-            Failure::new(USAGE, format!("--{flag}: a positive number expected"))
+            Failure::usage(format!("--{flag}: a positive number expected"))
         })
     }
 }
@@ -378,6 +378,16 @@ pub fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
         .ok_or_else(|| format!("{N} numbers separated by commas expected"))
 }
 
+/// The effect that `--effects` names, of the catalogue or of `own`.
+pub fn named_effect(name: &str, own: &[EffectRef]) -> Result<EffectRef, Failure> {
+    let found = catalogue_with(own).find(|effect| effect.name() == name);
+    found.ok_or_else(|| {
+        let names: Vec<String> = catalogue_with(own).map(|e| e.name().to_owned()).collect();
+        let names = names.join(", ");
+        Failure::usage(format!("--effects {name}: not in the catalogue ({names})"))
+    })
+}
+
 /// The effects that `--effect-file` defines, each name once.
 pub fn own_effects(files: &[PathBuf]) -> Result<Vec<EffectRef>, Failure> {
     let mut own: Vec<EffectRef> = Vec::new();
@@ -389,7 +399,7 @@ pub fn own_effects(files: &[PathBuf]) -> Result<Vec<EffectRef>, Failure> {
                     "--effect-file {}: `{name}` is defined in another of the files too",
                     show::path(path)
                 );
-                return Err(Failure::new(USAGE, message));
+                return Err(Failure::usage(message));
             }
             own.push(effect);
         }

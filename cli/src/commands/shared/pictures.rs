@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::exit::Failure;
-use crate::output::{Filled, Folder, Output, Replace};
+use crate::output::{Folder, Output, Replace};
 use crate::report::{Picture, Plot, Report};
 
 /// Options of commands that draw.
@@ -37,9 +37,9 @@ struct PlotFiles {
 
 impl PictureArgs {
     /// Returns the paths of the report and the plots, if given.
-    pub fn paths(&self) -> Vec<&Path> {
+    pub fn paths(&self) -> impl Iterator<Item = &Path> {
         let all = self.report.iter().chain(&self.plots);
-        all.map(PathBuf::as_path).collect()
+        all.map(PathBuf::as_path)
     }
 
     /// Claims the report and the files for each of the plots called `names`.
@@ -82,23 +82,20 @@ impl Pictures {
 
     /// Writes the plots whose names were claimed, and the report.
     pub fn write(self, plots: &[(String, Picture)], report: &Report) -> Result<(), Failure> {
-        let mut filled = Vec::new();
-        let mut fill = |output: Output, contents: &[u8]| {
-            filled.push(output.fill(|out| out.write_all(contents))?);
-            Ok::<(), Failure>(())
-        };
+        let mut all = Vec::new();
         for files in self.plots {
             // A plot that there is nothing for leaves no file.
             if let Some((_, plot)) = plots.iter().find(|(name, _)| *name == files.name) {
-                fill(files.svg, plot.svg().as_bytes())?;
-                fill(files.png, &plot.png()?)?;
+                all.extend([
+                    (files.svg, plot.svg().into_bytes()),
+                    (files.png, plot.png()?),
+                ]);
             }
         }
         if let Some(output) = self.report {
-            fill(output, report.html()?.as_bytes())?;
+            all.push((output, report.html()?.into_bytes()));
         }
-        // Nothing is put in place before all of it is on the disk.
-        filled.into_iter().try_for_each(Filled::publish)
+        Output::write_all(all)
     }
 }
 

@@ -10,7 +10,7 @@ use sensor::{Base, Sensor};
 use crate::error::Error;
 use crate::kept::Kept;
 use crate::source::Source;
-use crate::target::{Settings, Target, Written};
+use crate::target::{Form, Settings, Target, Written};
 
 use super::effects::{Effects, ROUNDS};
 
@@ -23,53 +23,44 @@ const PLACES: i32 = 16;
 
 /// `f = T (A − b)` in `float`, as `T A − T b`, and `w = T W − T b − G f`; of raw counts also in integers, mm/s² and µrad/s
 /// by 16 binary places.
-#[derive(Debug)]
-pub struct CHeader;
+pub const TARGET: Target = Target {
+    name: "c",
+    about: "a C99 header: stillpoint_correct_accelerometer(raw, out) in float, in integers of raw counts, and with effects",
+    form: Form::File,
+    keeps: |source| Kept {
+        g_sensitivity: true,
+        formulas: true,
+        ..Kept::sensors_of(source)
+    },
+    write,
+};
 
-impl Target for CHeader {
-    fn name(&self) -> &'static str {
-        "c"
+fn write(source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
+    let mut text = String::from("/*\n");
+    text.push_str(&source.provenance(" *"));
+    text.push_str(
+        " * at rest specific force is +g on the axis that points up; rates are right-handed about each axis\n */\n\
+         #ifndef STILLPOINT_CALIBRATION_H\n#define STILLPOINT_CALIBRATION_H\n\n",
+    );
+    let effects = Effects::of(source, Language::C);
+    text.push_str(match effects {
+        Some(_) => "#include <math.h>\n#include <stdint.h>\n\n",
+        None => "#include <stdint.h>\n\n",
+    });
+    if let Some(base) = &source.accelerometer {
+        text.push_str(&function(source, Sensor::Accelerometer, base)?);
     }
-
-    fn about(&self) -> &'static str {
-        "a C99 header: stillpoint_correct_accelerometer(raw, out) in float, in integers of raw counts, and with effects"
+    if let Some(base) = &source.gyroscope {
+        text.push_str(&function(source, Sensor::Gyroscope, base)?);
     }
-
-    fn keeps(&self, source: &Source<'_>) -> Kept {
-        Kept {
-            g_sensitivity: true,
-            formulas: true,
-            ..Kept::sensors_of(source)
-        }
+    if let Some(base) = &source.magnetometer {
+        text.push_str(&function(source, Sensor::Magnetometer, base)?);
     }
-
-    fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
-        let mut text = String::from("/*\n");
-        text.push_str(&source.provenance(" *"));
-        text.push_str(
-            " * at rest specific force is +g on the axis that points up; rates are right-handed about each axis\n */\n\
-             #ifndef STILLPOINT_CALIBRATION_H\n#define STILLPOINT_CALIBRATION_H\n\n",
-        );
-        let effects = Effects::of(source, Language::C);
-        text.push_str(match effects {
-            Some(_) => "#include <math.h>\n#include <stdint.h>\n\n",
-            None => "#include <stdint.h>\n\n",
-        });
-        if let Some(base) = &source.accelerometer {
-            text.push_str(&function(source, Sensor::Accelerometer, base)?);
-        }
-        if let Some(base) = &source.gyroscope {
-            text.push_str(&function(source, Sensor::Gyroscope, base)?);
-        }
-        if let Some(base) = &source.magnetometer {
-            text.push_str(&function(source, Sensor::Magnetometer, base)?);
-        }
-        if let Some(effects) = effects {
-            text.push_str(&whole(&effects));
-        }
-        text.push_str("#endif\n");
-        Ok(Written::text(text))
+    if let Some(effects) = effects {
+        text.push_str(&whole(&effects));
     }
+    text.push_str("#endif\n");
+    Ok(Written::text(text))
 }
 
 fn function(source: &Source<'_>, sensor: Sensor, base: &Base<f64>) -> Result<String, Error> {

@@ -1,9 +1,7 @@
 //! Targets that are code: functions that correct readings.
 
-mod c_header;
+pub(super) mod c_header;
 mod effects;
-mod rust_module;
+pub(super) mod rust_module;
 
-pub use c_header::CHeader;
 pub use effects::is_code;
-pub use rust_module::RustModule;

@@ -8,51 +8,42 @@ use sensor::{Base, Sensor};
 use crate::error::Error;
 use crate::kept::Kept;
 use crate::source::Source;
-use crate::target::{Settings, Target, Written};
+use crate::target::{Form, Settings, Target, Written};
 
 use super::effects::{Effects, ROUNDS};
 
 /// `f = T (A − b)` and `w = T (W − b) − G f` in `f64`.
-#[derive(Debug)]
-pub struct RustModule;
+pub const TARGET: Target = Target {
+    name: "rust",
+    about: "a Rust module: correct_accelerometer(raw) and correct_gyroscope(raw) in f64, and with effects; no dependencies",
+    form: Form::File,
+    keeps: |source| Kept {
+        g_sensitivity: true,
+        formulas: true,
+        ..Kept::sensors_of(source)
+    },
+    write,
+};
 
-impl Target for RustModule {
-    fn name(&self) -> &'static str {
-        "rust"
-    }
-
-    fn about(&self) -> &'static str {
-        "a Rust module: correct_accelerometer(raw) and correct_gyroscope(raw) in f64, and with effects; no dependencies"
-    }
-
-    fn keeps(&self, source: &Source<'_>) -> Kept {
-        Kept {
-            g_sensitivity: true,
-            formulas: true,
-            ..Kept::sensors_of(source)
+fn write(source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
+    let mut text = source.provenance("//");
+    text.push_str(
+        "// At rest specific force is +g on the axis that points up; rates are right-handed about each axis.\n\n",
+    );
+    let sensors = [
+        (Sensor::Accelerometer, &source.accelerometer),
+        (Sensor::Gyroscope, &source.gyroscope),
+        (Sensor::Magnetometer, &source.magnetometer),
+    ];
+    for (sensor, base) in sensors {
+        if let Some(base) = base {
+            text.push_str(&module(source, sensor, base));
         }
     }
-
-    fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
-        let mut text = source.provenance("//");
-        text.push_str(
-            "// At rest specific force is +g on the axis that points up; rates are right-handed about each axis.\n\n",
-        );
-        let sensors = [
-            (Sensor::Accelerometer, &source.accelerometer),
-            (Sensor::Gyroscope, &source.gyroscope),
-            (Sensor::Magnetometer, &source.magnetometer),
-        ];
-        for (sensor, base) in sensors {
-            if let Some(base) = base {
-                text.push_str(&module(source, sensor, base));
-            }
-        }
-        if let Some(effects) = Effects::of(source, Language::Rust) {
-            text.push_str(&whole(&effects));
-        }
-        Ok(Written::text(text))
+    if let Some(effects) = Effects::of(source, Language::Rust) {
+        text.push_str(&whole(&effects));
     }
+    Ok(Written::text(text))
 }
 
 fn module(source: &Source<'_>, sensor: Sensor, base: &Base<f64>) -> String {

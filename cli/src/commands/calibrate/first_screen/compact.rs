@@ -5,12 +5,11 @@ use calib::calibration::Triad;
 use sensor::{PLACES, Sensor, base_names};
 
 use crate::commands::calibrate::tables::field_unit;
+use crate::pages::parameters::overall;
 use crate::pages::session::short_names;
 use crate::{show, terminal};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
-/// Scale factors of readings in SI units lie in here.
-const NEAR_ONE: std::ops::Range<f64> = 0.5..2.0;
 
 /// A sensor as the table has it.
 struct Shown<'a> {
@@ -93,16 +92,6 @@ fn bias_header(all: &[Shown<'_>]) -> String {
         .collect();
     let last = short_names(&names).pop().unwrap_or_default();
     format!("bias in {last}")
-}
-
-/// The scale factor that all others are shown against: 1 of readings in SI units.
-fn overall(triad: &Triad) -> f64 {
-    let scale = triad.base().scale();
-    if NEAR_ONE.contains(&scale) {
-        1.0
-    } else {
-        scale
-    }
 }
 
 fn of_counts(shown: &Shown<'_>) -> Option<String> {

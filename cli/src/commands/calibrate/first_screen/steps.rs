@@ -28,7 +28,7 @@ pub fn next(
         } else {
             Some(cal.as_str())
         };
-        call::again(more, output)
+        call::again(args.call.as_ref(), more, output)
     };
     let mut steps: Vec<Step> = Vec::new();
     let remedies = || {
