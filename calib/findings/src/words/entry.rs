@@ -69,7 +69,12 @@ pub(super) fn error(text: &'static str, advice: &'static str) -> Entry {
     error_with(text, advice, Vec::new())
 }
 
-/// The words of an error with ways out.
+/// The words of an error whose ways out are the advice.
+pub(super) fn error_by(text: &'static str, remedies: Vec<Remedy>) -> Entry {
+    error_with(text, "", remedies)
+}
+
+/// The words of an error with advice and ways out.
 pub(super) fn error_with(text: &'static str, advice: &'static str, remedies: Vec<Remedy>) -> Entry {
     Entry {
         text,

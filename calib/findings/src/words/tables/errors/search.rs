@@ -3,7 +3,7 @@
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
 
-use crate::words::entry::{Entry, error, error_with, remark};
+use crate::words::entry::{Entry, error, error_by, error_with, remark};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
@@ -51,9 +51,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "check the unit of the recording that was analysed",
             vec![Remedy::AnalyseNoise],
         ),
-        Kind::NotANoiseFile => error_with(
+        Kind::NotANoiseFile => error_by(
             "this is no noise file: {reason}",
-            "",
             vec![Remedy::AnalyseNoise],
         ),
         Kind::OtherSchema => error(

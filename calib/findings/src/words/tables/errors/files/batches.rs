@@ -2,7 +2,7 @@
 
 use crate::kind::Kind;
 use crate::remedy::Remedy;
-use crate::words::entry::{Entry, error, error_with};
+use crate::words::entry::{Entry, error, error_by, error_with};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
@@ -56,28 +56,24 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "leave it out of the call if it is another file",
             vec![Remedy::RunShard { shard: None }],
         ),
-        Kind::PartIncomplete => error_with(
+        Kind::PartIncomplete => error_by(
             "this part of the batch is incomplete: its last line is missing, so the run that wrote it was stopped",
-            "",
             vec![Remedy::RunShard { shard: None }],
         ),
-        Kind::PartChanged => error_with(
+        Kind::PartChanged => error_by(
             "this part of the batch is damaged: its content is not what was written (its hash is another)",
-            "",
             vec![Remedy::RunShard { shard: None }],
         ),
-        Kind::PartOfOtherVersion => error_with(
+        Kind::PartOfOtherVersion => error_by(
             "this part of the batch was written by another version of the program: {reason}",
-            "",
             vec![Remedy::RunShard { shard: None }],
         ),
         Kind::PartForeign => error(
             "this part is of another run of the batch than the others. It is of run {found} ({devices:device} in {shards:part}, by {program}), the others of run {expected} ({expected_devices:device} in {expected_shards:part}, by {expected_program})",
             "name only the parts of one run",
         ),
-        Kind::BatchPartMissing => error_with(
+        Kind::BatchPartMissing => error_by(
             "part {part} of the batch is missing",
-            "",
             vec![Remedy::RunShard { shard: None }],
         ),
         Kind::DeviceInNoPart => error(

@@ -2,7 +2,7 @@
 
 use crate::kind::Kind;
 use crate::remedy::Remedy;
-use crate::words::entry::{Entry, error, error_with};
+use crate::words::entry::{Entry, error, error_by};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
@@ -10,14 +10,12 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "the file is damaged: its {part}[ of the {whole}] cannot be read",
             "copy or export the file again",
         ),
-        Kind::PartCut => error_with(
+        Kind::PartCut => error_by(
             "the file is cut short within the {part} of the {whole}",
-            "",
             vec![Remedy::CopyAgain],
         ),
-        Kind::PartUnpacksNot => error_with(
+        Kind::PartUnpacksNot => error_by(
             "the file is damaged: its {part} cannot be unpacked ({reason})",
-            "",
             vec![Remedy::CopyAgain],
         ),
         Kind::LengthContradicted => error(

@@ -2,7 +2,7 @@
 
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
-use crate::words::entry::{Entry, error, error_with};
+use crate::words::entry::{Entry, error, error_by, error_with};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
@@ -24,9 +24,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "compare the axes of the {of} with those in the data sheet; where one points the other way, correct its sign in the recording and calibrate again",
             vec![Remedy::set(OptionName::Flip)],
         ),
-        Kind::SignNotKept => error_with(
+        Kind::SignNotKept => error_by(
             "{target} has no negative scale factors, and the {of}'s scale factor of {axis} is {value}: this axis has to be read with the other sign",
-            "",
             vec![Remedy::such_as(OptionName::Flip, "az")],
         ),
         Kind::CorrectedInForce => error_with(
@@ -39,9 +38,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "{system} had corrected some recordings of the calibration ({corrected}) and not others ({others})",
             "calibrate the corrected recordings and the others apart",
         ),
-        Kind::CorrectionTakenOff => error_with(
+        Kind::CorrectionTakenOff => error_by(
             "the log holds the parameters that {system} had applied to the readings of the {of}, and the program has taken them off already",
-            "",
             vec![Remedy::Omit {
                 option: OptionName::LoggedWith,
             }],
@@ -58,9 +56,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "the file of the vehicle's parameters, line {line}: a parameter's name and a number expected, as in INS_ACCOFFS_X,0.12",
             "correct the line",
         ),
-        Kind::InstanceBeyond => error_with(
+        Kind::InstanceBeyond => error_by(
             "the calibration is of sensor {instance}, and {system} has parameters for 0 to {most} only",
-            "",
             vec![Remedy::such_as(OptionName::Instance, "0")],
         ),
         Kind::ScaleZero => error(

@@ -2,7 +2,7 @@
 
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
-use crate::words::entry::{Entry, error, error_with};
+use crate::words::entry::{Entry, error, error_by};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
@@ -10,9 +10,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "reading stopped in the middle of the file: {reason}",
             "copy the file again, for it may be incomplete",
         ),
-        Kind::ReaderGaveUp => error_with(
+        Kind::ReaderGaveUp => error_by(
             "the reader of this format gave up: the file is damaged in a way that it does not understand",
-            "",
             vec![Remedy::ExportAgain],
         ),
         Kind::PieceTooLong => error(
@@ -23,29 +22,24 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "the file or folder holds more than {limit} {things}, as no recording does",
             "export the recording to a file of its own",
         ),
-        Kind::UnpacksTooLarge => error_with(
+        Kind::UnpacksTooLarge => error_by(
             "{what} unpacks to more than {limit:byte}[: {total}]",
-            "",
             vec![Remedy::UnpackFirst, Remedy::set(OptionName::MaxBytes)],
         ),
-        Kind::UnpacksTooMuch => error_with(
+        Kind::UnpacksTooMuch => error_by(
             "{what} unpacks to more than {ratio} times its size, as no recording does; the program refuses it",
-            "",
             vec![Remedy::UnpackFirst],
         ),
-        Kind::ContentTooLarge => error_with(
+        Kind::ContentTooLarge => error_by(
             "the file holds {what} of more than {limit:byte}",
-            "",
             vec![Remedy::set(OptionName::MaxBytes)],
         ),
-        Kind::SamplesTooMany => error_with(
+        Kind::SamplesTooMany => error_by(
             "the recording has more than {limit:sample} of {stream}",
-            "",
             vec![Remedy::set(OptionName::MaxRows)],
         ),
-        Kind::TableTooLong => error_with(
+        Kind::TableTooLong => error_by(
             "the file has a table of {rows:row}, and the limit is {limit}",
-            "",
             vec![Remedy::set(OptionName::MaxRows)],
         ),
         Kind::CellsTooMany => error(

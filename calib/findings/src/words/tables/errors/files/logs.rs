@@ -2,7 +2,7 @@
 
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
-use crate::words::entry::{Entry, error, error_with};
+use crate::words::entry::{Entry, error, error_by, error_with};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
@@ -33,9 +33,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "the database is damaged: it announces pages of {bytes:byte}, as no database has",
             "copy or export the file again",
         ),
-        Kind::PageMissing => error_with(
+        Kind::PageMissing => error_by(
             "page {page} of the database is missing",
-            "",
             vec![Remedy::CopyAgain],
         ),
         Kind::PageDamaged => error(

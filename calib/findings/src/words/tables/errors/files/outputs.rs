@@ -2,33 +2,27 @@
 
 use crate::kind::Kind;
 use crate::remedy::Remedy;
-use crate::words::entry::{Entry, error, error_with};
+use crate::words::entry::{Entry, error, error_by};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
-        Kind::OutputIsInput => error_with(
+        Kind::OutputIsInput => error_by(
             "the output is the input {input} or a file of it, and would overwrite it",
-            "",
             vec![Remedy::OtherName],
         ),
-        Kind::OutputTwice => error_with(
+        Kind::OutputTwice => error_by(
             "the same file is given for two outputs",
-            "",
             vec![Remedy::OtherName],
         ),
-        Kind::OutputExists => error_with(
+        Kind::OutputExists => error_by(
             "the output exists already",
-            "",
             vec![Remedy::Replace, Remedy::KeepExisting],
         ),
-        Kind::OutputAppeared => error_with(
+        Kind::OutputAppeared => error_by(
             "the output was written by something else meanwhile, and the program left it as it is",
-            "",
             vec![Remedy::Replace],
         ),
-        Kind::OutputNoFile => {
-            error_with("the output is no regular file", "", vec![Remedy::OtherName])
-        }
+        Kind::OutputNoFile => error_by("the output is no regular file", vec![Remedy::OtherName]),
         Kind::OutputProtected => error(
             "the output is write-protected",
             "choose another name, or allow writing to it",
@@ -47,9 +41,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "the output is being written by another run (process {process})",
             "wait until that run has ended",
         ),
-        Kind::FolderRefused => error_with(
+        Kind::FolderRefused => error_by(
             "the folder cannot be made: {reason}",
-            "",
             vec![Remedy::OtherFolder],
         ),
         _ => return None,

@@ -2,13 +2,12 @@
 
 use crate::kind::Kind;
 use crate::remedy::Remedy;
-use crate::words::entry::{Entry, error, error_with};
+use crate::words::entry::{Entry, error, error_by, error_with};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
-        Kind::NotInBuild => error_with(
+        Kind::NotInBuild => error_by(
             "this is {format}, which this build of the program does not read",
-            "",
             vec![Remedy::ExportAs {
                 format: "CSV".into(),
             }],
@@ -82,9 +81,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "the dataset {dataset} has {count:number} where {expected} were expected",
             "write the datasets of a sensor with equal lengths",
         ),
-        Kind::NoSheet => error_with(
+        Kind::NoSheet => error_by(
             "the workbook has no visible sheet with cells",
-            "",
             vec![Remedy::SaveAsCsv],
         ),
         Kind::WordsTooMany => error_with(

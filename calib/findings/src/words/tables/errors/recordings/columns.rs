@@ -2,7 +2,7 @@
 
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
-use crate::words::entry::{Entry, error, error_with};
+use crate::words::entry::{Entry, error, error_by, error_with};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
@@ -15,9 +15,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
                 "t=1,ax=2,ay=3,az=4,gx=5,gy=6,gz=7",
             )],
         ),
-        Kind::ColumnsAlike => error_with(
+        Kind::ColumnsAlike => error_by(
             "the program cannot tell which column is {role}: column {first} (`{first_name}`) or column {second} (`{second_name}`)",
-            "",
             vec![Remedy::such_as(OptionName::Columns, "ax=2")],
         ),
         Kind::ColumnForTwo => error(
@@ -28,22 +27,19 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "{role}={wanted}: no such column among {count}[; nearest: `{nearest}`]",
             "name a column that is there, by its name or its number",
         ),
-        Kind::ColumnsUnclear => error_with(
+        Kind::ColumnsUnclear => error_by(
             "the program cannot tell from the names of the columns which are the accelerometer's and which the gyroscope's. The columns {columns} may be theirs",
-            "",
             vec![Remedy::such_as(
                 OptionName::Columns,
                 "t=1,ax=2,ay=3,az=4,gx=5,gy=6,gz=7",
             )],
         ),
-        Kind::SensorUnclear => error_with(
+        Kind::SensorUnclear => error_by(
             "the names of the columns tell no {sensor}, but the columns {columns} change and are not used. If they hold the {sensor}, name them. If they do not, only one sensor was recorded",
-            "",
             vec![Remedy::OneSensor],
         ),
-        Kind::SensorTwice => error_with(
+        Kind::SensorTwice => error_by(
             "the table has the columns of more than one {sensor}, and the program cannot tell which are meant. The further ones are {columns}",
-            "",
             vec![Remedy::such_as(OptionName::Columns, "ax=2,ay=3,az=4")],
         ),
         Kind::ColumnsWithoutGravity => error_with(
@@ -87,9 +83,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
                 "t=1,ax=2,ay=3,az=4,gx=5,gy=6,gz=7",
             )],
         ),
-        Kind::NoHeaderSlow => error_with(
+        Kind::NoHeaderSlow => error_by(
             "the table has {width:column} without a header (a row of names). Column {slow} hardly changes beside the others, so it may be a temperature",
-            "",
             vec![Remedy::such_as(
                 OptionName::Columns,
                 "t=1,ax=2,ay=3,az=4,gx=5,gy=6,gz=7,temp=8",

@@ -2,7 +2,7 @@
 
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
-use crate::words::entry::{Entry, error, error_with};
+use crate::words::entry::{Entry, error, error_by, error_with};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
@@ -15,38 +15,32 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "the folder or archive has no file `{entry}`; it holds {listed}",
             "name one of these files, or add the one that is missing",
         ),
-        Kind::NoRecordingInFolder => error_with(
+        Kind::NoRecordingInFolder => error_by(
             "this is {holder} without a recording: it has neither acc.csv (t,ax,ay,az) nor gyro.csv (t,gx,gy,gz) nor any other; found {listed}",
-            "",
             vec![Remedy::FilePerSensor],
         ),
-        Kind::EntryOpen => error_with(
+        Kind::EntryOpen => error_by(
             "the folder or archive holds {count:recording}, and the program cannot tell which is meant: {listed}",
-            "",
             vec![Remedy::such_as(OptionName::Entry, "session1.csv")],
         ),
-        Kind::FilesOfOneSensor => error_with(
+        Kind::FilesOfOneSensor => error_by(
             "the files {first} and {second} are of one sensor, and the program cannot tell which is meant",
-            "",
             vec![Remedy::FilePerSensor],
         ),
-        Kind::EntryOfOneFile => error_with(
+        Kind::EntryOfOneFile => error_by(
             "a file within a folder or an archive was chosen, and this is one file",
-            "",
             vec![Remedy::Omit {
                 option: OptionName::Entry,
             }],
         ),
-        Kind::TopicOfText => error_with(
+        Kind::TopicOfText => error_by(
             "a topic was chosen, as logs and bags have, and this file is a text",
-            "",
             vec![Remedy::Omit {
                 option: OptionName::Topic,
             }],
         ),
-        Kind::ColumnsOfLog => error_with(
+        Kind::ColumnsOfLog => error_by(
             "columns were given, but this file is a log. It has named streams of messages (topics) and no columns",
-            "",
             vec![
                 Remedy::Omit {
                     option: OptionName::Columns,
@@ -54,9 +48,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
                 Remedy::any_of([OptionName::Topic, OptionName::Instance]),
             ],
         ),
-        Kind::InstanceNotNumber => error_with(
+        Kind::InstanceNotNumber => error_by(
             "a sensor in this file is chosen by its number, and `{instance}` is none",
-            "",
             vec![Remedy::such_as(OptionName::Instance, "0")],
         ),
         Kind::PhyphoxLinear => error(
@@ -80,9 +73,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "rename it after its sensor if it is the {sensor}; if it is not, record the {sensor} too",
             vec![Remedy::set(OptionName::Topic)],
         ),
-        Kind::LogSensorsOpen => error_with(
+        Kind::LogSensorsOpen => error_by(
             "the file has {count} {sensor}s, and the program cannot tell which is meant: {listed}",
-            "",
             vec![Remedy::examples([
                 (OptionName::Topic, "/imu"),
                 (OptionName::Instance, "0"),

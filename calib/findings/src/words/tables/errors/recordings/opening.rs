@@ -2,7 +2,7 @@
 
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
-use crate::words::entry::{Entry, error, error_with};
+use crate::words::entry::{Entry, error, error_by, error_with};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
@@ -20,9 +20,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "`-` is standard input, and that is a terminal",
             "pipe a recording into it",
         ),
-        Kind::FileTooLarge => error_with(
+        Kind::FileTooLarge => error_by(
             "the file has {size}, more than the limit of {limit}. Its rows (about {rows}) need {memory} of memory",
-            "",
             vec![Remedy::set(OptionName::MaxBytes)],
         ),
         Kind::TooManyBytes => error_with(
@@ -46,9 +45,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "there is no format `{format}`; known: {known}",
             "choose one of these",
         ),
-        Kind::OtherFormat => error_with(
+        Kind::OtherFormat => error_by(
             "the format {format} was asked for, which reads {expected}, and this file is none",
-            "",
             vec![Remedy::Omit {
                 option: OptionName::Format,
             }],

@@ -2,7 +2,7 @@
 
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
-use crate::words::entry::{Entry, error, error_with};
+use crate::words::entry::{Entry, error, error_by, error_with};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
@@ -30,9 +30,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "the length of the accelerometer's readings is {before} up to here and {after} from here on: another unit, another range or other columns",
             "split the file here, or record again",
         ),
-        Kind::Overflow => error_with(
+        Kind::Overflow => error_by(
             "{sensor} {axis} jumps from {from} to {to}: the true value grew beyond what 16 bits hold, and the number wrapped round",
-            "",
             vec![Remedy::LargerRange],
         ),
         Kind::SignLost => error(
@@ -52,18 +51,16 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "the readings of the {sensor} repeat every {devices} rows and differ in between: rows of {devices} devices by turns, and no column tells them apart",
             "export each device by itself",
         ),
-        Kind::DevicesInTable => error_with(
+        Kind::DevicesInTable => error_by(
             "the table has rows of {count:device}, told apart by {column}: {listed}",
-            "",
             vec![Remedy::such_as(OptionName::Instance, "1")],
         ),
         Kind::DeviceMissing => error(
             "the table has no device {wanted} among rows of {count} devices, told apart by {column}: {listed}",
             "choose one of these",
         ),
-        Kind::DeviceNotTold => error_with(
+        Kind::DeviceNotTold => error_by(
             "device {wanted} is asked for, and no column tells devices apart",
-            "",
             vec![
                 Remedy::Omit {
                     option: OptionName::Instance,

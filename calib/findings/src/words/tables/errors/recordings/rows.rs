@@ -2,7 +2,7 @@
 
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
-use crate::words::entry::{Entry, error, error_with};
+use crate::words::entry::{Entry, error, error_by};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
@@ -10,14 +10,12 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "the header of line {header_line} comes again: two tables are in one file",
             "split the file here",
         ),
-        Kind::RowEmpty => error_with(
+        Kind::RowEmpty => error_by(
             "every cell of the sensors is empty in this row",
-            "",
             vec![Remedy::set_to(OptionName::Na, "drop")],
         ),
-        Kind::RowRagged => error_with(
+        Kind::RowRagged => error_by(
             "this row has {found} cells, {expected} expected",
-            "",
             vec![Remedy::set_to(OptionName::SkipBadRows, "20")],
         ),
         Kind::RowShort => error(
@@ -36,14 +34,12 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "`{cell}` in {column}: the text ends here, within a number that has {digits} characters from its decimal mark on in every other row",
             "copy the file again, or delete this row",
         ),
-        Kind::NumberMissing => error_with(
+        Kind::NumberMissing => error_by(
             "`{cell}` in {column} is no number but stands for a missing value",
-            "",
             vec![Remedy::set_to(OptionName::Na, "drop")],
         ),
-        Kind::NumberNotFinite => error_with(
+        Kind::NumberNotFinite => error_by(
             "`{cell}` in {column} is not finite",
-            "",
             vec![Remedy::set_to(OptionName::Na, "drop")],
         ),
         Kind::ThousandsSeparators => error(
@@ -62,34 +58,30 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "`{cell}` in {column}: nothing reads that: wrong column, wrong unit or damaged row",
             "delete the row, or name the right column",
         ),
-        Kind::DateUnknown => error_with(
+        Kind::DateUnknown => error_by(
             "`{cell}` in {column} is not an ISO 8601 date (2026-11-21T03:04:05.123Z)",
-            "",
             vec![Remedy::such_as(
                 OptionName::TimeFormat,
                 "%d.%m.%Y %H:%M:%S%.f",
             )],
         ),
-        Kind::DateOther => error_with(
+        Kind::DateOther => error_by(
             "`{cell}` in {column} does not fit the date format that was given",
-            "",
             vec![Remedy::such_as(
                 OptionName::TimeFormat,
                 "%d.%m.%Y %H:%M:%S%.f",
             )],
         ),
-        Kind::NotANumber => error_with(
+        Kind::NotANumber => error_by(
             "`{cell}` in {column} is not a number",
-            "",
             vec![Remedy::set_to(OptionName::SkipBadRows, "20")],
         ),
         Kind::NumberExpected => error(
             "`{cell}` in column {column}, a number expected",
             "correct the cell",
         ),
-        Kind::RecordNotFinite => error_with(
+        Kind::RecordNotFinite => error_by(
             "record {record} of the log holds a number that is not finite",
-            "",
             vec![Remedy::set_to(OptionName::Na, "drop")],
         ),
         _ => return None,

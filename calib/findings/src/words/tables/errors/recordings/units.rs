@@ -2,7 +2,7 @@
 
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
-use crate::words::entry::{Entry, error, error_with};
+use crate::words::entry::{Entry, error, error_by, error_with};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
@@ -10,17 +10,15 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "this unit is unknown; known: {known}",
             "choose one of these",
         ),
-        Kind::GravityOfNoUnit => error_with(
+        Kind::GravityOfNoUnit => error_by(
             "at rest the accelerometer's readings have the length {radius}, which is gravity in no unit that the program knows. They may be raw whole numbers (counts)",
-            "",
             vec![Remedy::examples([
                 (OptionName::AccelUnit, "counts"),
                 (OptionName::AccelUnit, "m/s^2"),
             ])],
         ),
-        Kind::UnitStrange => error_with(
+        Kind::UnitStrange => error_by(
             "the file states {unit} for the {sensor}, which is no unit that the program knows. The readings do not show their unit either",
-            "",
             vec![Remedy::examples([
                 (OptionName::AccelUnit, "m/s^2"),
                 (OptionName::GyroUnit, "deg/s"),
@@ -44,27 +42,23 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "the accelerometer's readings have the same length, {length}, in every row, while the device turns too: they were normalised to a direction, and no force is left in them",
             "record the accelerometer before it is normalised (\"raw\" or \"uncalibrated\")",
         ),
-        Kind::GravityInOtherUnit => error_with(
+        Kind::GravityInOtherUnit => error_by(
             "at rest the accelerometer reads {radius} in all orientations. That is gravity in {right}, and {by} says {unit}",
-            "",
             vec![Remedy::set_to(OptionName::AccelUnit, "g")],
         ),
-        Kind::GravityOff => error_with(
+        Kind::GravityOff => error_by(
             "at rest the accelerometer reads {radius} in all orientations, which is {ratio} times gravity in {unit}, as {by} says. They may be raw whole numbers (counts)",
-            "",
             vec![Remedy::set_to(OptionName::AccelUnit, "counts")],
         ),
-        Kind::TurnsImpossible => error_with(
+        Kind::TurnsImpossible => error_by(
             "the file states {unit} for the gyroscope. In that unit the device would often turn faster than {fastest}, as no hand turns it",
-            "",
             vec![Remedy::examples([
                 (OptionName::GyroUnit, "deg/s"),
                 (OptionName::GyroUnit, "counts"),
             ])],
         ),
-        Kind::TurnsInOtherUnit => error_with(
+        Kind::TurnsInOtherUnit => error_by(
             "{by} {unit} for the gyroscope. But its turns agree with those that the accelerometer saw only in {told}",
-            "",
             vec![Remedy::such_as(OptionName::GyroUnit, "deg/s")],
         ),
         Kind::TurnsOff => error_with(
@@ -76,9 +70,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
                 (OptionName::Columns, "t=NAME"),
             ])],
         ),
-        Kind::RestlessRest => error_with(
+        Kind::RestlessRest => error_by(
             "the device never turns, so that no turn shows the gyroscope's unit. In {unit} its noise would be {noise} and its bias (mean at rest) {bias}, as no gyroscope has",
-            "",
             vec![Remedy::such_as(OptionName::GyroUnit, "deg/s")],
         ),
         Kind::SensorsSwapped => error(

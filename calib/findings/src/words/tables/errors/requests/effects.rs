@@ -2,7 +2,7 @@
 
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
-use crate::words::entry::{Entry, error, error_with};
+use crate::words::entry::{Entry, error, error_by, error_with};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
@@ -53,9 +53,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "leave the effect out",
             vec![Remedy::Discover],
         ),
-        Kind::EffectsAlike => error_with(
+        Kind::EffectsAlike => error_by(
             "the stepwise method cannot tell {parameters} apart: at rest it looks only at the length of the accelerometer's reading, not at its direction",
-            "",
             vec![Remedy::set_to(OptionName::Method, "joint")],
         ),
         Kind::EffectCostly => error(

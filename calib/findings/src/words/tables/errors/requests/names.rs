@@ -2,13 +2,12 @@
 
 use crate::kind::Kind;
 use crate::remedy::Remedy;
-use crate::words::entry::{Entry, error, error_with};
+use crate::words::entry::{Entry, error, error_by};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
-        Kind::EffectUnknown => error_with(
+        Kind::EffectUnknown => error_by(
             "[{key}: ]there is no such effect (source of error)[: {effect} is not in the list of known ones]",
-            "",
             vec![Remedy::ListEffects],
         ),
         Kind::ParameterUnknown => error(

@@ -2,7 +2,7 @@
 
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
-use crate::words::entry::{Entry, error, error_with};
+use crate::words::entry::{Entry, error, error_by, error_with};
 
 /// How turns come out that can be used.
 fn whole_turns() -> Vec<Remedy> {
@@ -20,29 +20,24 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "record at least {least} placements in all ({advised} are better), with each face up once and down once. Hold the device still for {rest} in each, and turn no faster than {fastest}",
             "",
         ),
-        Kind::PlacementsLeaveOpen => error_with(
+        Kind::PlacementsLeaveOpen => error_by(
             "{count:placement}, {distinct} of which differ by more than 20°: {parameters} cannot be found from them[; no placement has {missing}]",
-            "",
             vec![Remedy::Plan],
         ),
-        Kind::PlacementsTooFew => error_with(
+        Kind::PlacementsTooFew => error_by(
             "{count:placement}, {distinct} of which differ by more than 20°: with {free} unknowns nothing is left to check the result with[; {weakest} is known to {error} only][; {unknown} is not known][; no placement has {missing}]",
-            "",
             vec![Remedy::Plan],
         ),
-        Kind::PlacementsTellLittle => error_with(
+        Kind::PlacementsTellLittle => error_by(
             "{count:placement}, {distinct} of which differ by more than 20°: they do not determine {parameters} well enough[; {weakest} is known to {error} only][; {unknown} is not known][; no placement has {missing}]",
-            "",
             vec![Remedy::Plan],
         ),
-        Kind::PlacementsInPlane => error_with(
+        Kind::PlacementsInPlane => error_by(
             "{count:placement}, {distinct} of which differ by more than 20°: all lie near one plane, so that errors across it cannot be found[; no placement has {missing}]",
-            "",
             vec![Remedy::Plan],
         ),
-        Kind::DirectionsTooFew => error_with(
+        Kind::DirectionsTooFew => error_by(
             "{count:placement}, {distinct} of which differ by more than 20°: from only {directions} directions, however often recorded, {parameters} cannot be found[; no placement has {missing}]",
-            "",
             vec![Remedy::Plan],
         ),
         Kind::TurnsLeaveOpen => error(
@@ -57,19 +52,16 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "{count:turn} do not determine {parameters} well enough",
             "turn the device about its {axes} too, by half a turn or more while that axis lies level",
         ),
-        Kind::TurnsMissing => error_with(
+        Kind::TurnsMissing => error_by(
             "the recording has no turn between two static intervals",
-            "",
             vec![Remedy::TurnEachAxis],
         ),
-        Kind::TurnsUnusable => error_with(
+        Kind::TurnsUnusable => error_by(
             "none of {count:turn} can be used[; {gaps} with samples missing][; {frozen} with one reading repeated][; {saturated} faster than the gyroscope can read][; {empty} without samples]",
-            "",
             whole_turns(),
         ),
-        Kind::TurnsUsableFew => error_with(
+        Kind::TurnsUsableFew => error_by(
             "{usable} of {count:turn} can be used[, and {least} or more are needed][; {gaps} with samples missing][; {frozen} with one reading repeated][; {saturated} faster than the gyroscope can read][; {empty} without samples]",
-            "",
             vec![
                 Remedy::TurnEachAxis,
                 Remedy::TurnSlower,
@@ -78,9 +70,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
                 Remedy::BothSensors,
             ],
         ),
-        Kind::TurnsUsableOpen => error_with(
+        Kind::TurnsUsableOpen => error_by(
             "{usable} of {count:turn} can be used, and they do not determine all unknowns of the gyroscope[; {gaps} with samples missing][; {frozen} with one reading repeated][; {saturated} faster than the gyroscope can read][; {empty} without samples]",
-            "",
             whole_turns(),
         ),
         Kind::NeverStill => error_with(
@@ -100,9 +91,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "the program found {found:static interval}, too few for a calibration, and {count:quiet stretch} that it cannot use. The first: {first}",
             "record again and lay the device on a firm support in every placement instead of holding it",
         ),
-        Kind::AllStatic => error_with(
+        Kind::AllStatic => error_by(
             "the recording is all static: one rest of {length} and no turn",
-            "",
             vec![Remedy::Plan],
         ),
         Kind::NoSphere => error(

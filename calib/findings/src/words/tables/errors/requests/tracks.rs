@@ -2,13 +2,12 @@
 
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
-use crate::words::entry::{Entry, error, error_with};
+use crate::words::entry::{Entry, error, error_by, error_with};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
-        Kind::MotionMissing => error_with(
+        Kind::MotionMissing => error_by(
             "no motion was found after a rest of {rest}",
-            "",
             vec![Remedy::set(OptionName::Motion)],
         ),
         Kind::MotionOutside => error(

@@ -2,7 +2,7 @@
 
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
-use crate::words::entry::{Entry, error, error_with};
+use crate::words::entry::{Entry, error, error_by};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
@@ -22,9 +22,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "{setting} means nothing to the {method} method",
             "leave it out",
         ),
-        Kind::MethodNeedsForce => error_with(
+        Kind::MethodNeedsForce => error_by(
             "the joint method needs recordings with an accelerometer",
-            "",
             vec![Remedy::set_to(OptionName::Method, "stepwise")],
         ),
         Kind::RecordingsMissing => error("no recording is given", "give one or more"),
