@@ -68,24 +68,27 @@ impl<'a> Source<'a> {
         field.map_or("uT", |field| field.unit.as_str())
     }
 
-    /// The accelerometer of a target that cannot do without.
-    ///
-    /// # Errors
-    /// [`Error::Lacks`].
-    pub fn needs_accelerometer(&self, target: &'static str) -> Result<&Base<f64>, Error> {
-        let what = "accelerometer";
-        self.accelerometer
-            .as_ref()
-            .ok_or(Error::Lacks { target, what })
+    /// The sensors that are calibrated.
+    pub fn bases(&self) -> impl Iterator<Item = (Sensor, &Base<f64>)> {
+        let all = Sensor::ALL.into_iter();
+        all.filter_map(|sensor| Some((sensor, self.base(sensor)?)))
     }
 
-    /// The gyroscope of a target that cannot do without.
+    fn base(&self, sensor: Sensor) -> Option<&Base<f64>> {
+        match sensor {
+            Sensor::Accelerometer => self.accelerometer.as_ref(),
+            Sensor::Gyroscope => self.gyroscope.as_ref(),
+            Sensor::Magnetometer => self.magnetometer.as_ref(),
+        }
+    }
+
+    /// A sensor of a target that cannot do without.
     ///
     /// # Errors
     /// [`Error::Lacks`].
-    pub fn needs_gyroscope(&self, target: &'static str) -> Result<&Base<f64>, Error> {
-        let what = "gyroscope";
-        self.gyroscope.as_ref().ok_or(Error::Lacks { target, what })
+    pub fn needs(&self, sensor: Sensor, target: &'static str) -> Result<&Base<f64>, Error> {
+        let what = sensor.name();
+        self.base(sensor).ok_or(Error::Lacks { target, what })
     }
 
     /// Refuses readings in another unit than m/s² and rad/s: the target corrects those.

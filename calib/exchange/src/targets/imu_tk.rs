@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use findings::{Finding, Kind};
-use sensor::Base;
+use sensor::{Base, Sensor};
 
 use crate::error::Error;
 use crate::kept::Kept;
@@ -23,8 +23,8 @@ pub const TARGET: Target = Target {
 };
 
 fn write(source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
-    let accelerometer = source.needs_accelerometer("imu_tk")?;
-    let gyroscope = source.needs_gyroscope("imu_tk")?;
+    let accelerometer = source.needs(Sensor::Accelerometer, "imu_tk")?;
+    let gyroscope = source.needs(Sensor::Gyroscope, "imu_tk")?;
     Ok(Written {
         files: vec![text(accelerometer)?, text(gyroscope)?],
         notes: Vec::new(),

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use calib::noise::{NoiseTerm, SensorNoise};
 use findings::{Finding, Kind};
 use nalgebra::{Matrix3, Rotation3};
+use sensor::Sensor;
 
 use crate::error::Error;
 use crate::kept::Kept;
@@ -31,8 +32,8 @@ pub const TARGET: Target = Target {
 
 fn write(source: &Source<'_>, settings: &Settings) -> Result<Written, Error> {
     source.needs_si("kalibr")?;
-    let accelerometer = source.needs_accelerometer("kalibr")?;
-    let gyroscope = source.needs_gyroscope("kalibr")?;
+    let accelerometer = source.needs(Sensor::Accelerometer, "kalibr")?;
+    let gyroscope = source.needs(Sensor::Gyroscope, "kalibr")?;
     let (m_a, q) = lower_times_rotation(&inverse(&accelerometer.t)?, "accelerometer")?;
     let of_rate = inverse(&gyroscope.t)?;
     let (m_g, c) = lower_times_rotation(&(of_rate * q.transpose()), "gyroscope")?;

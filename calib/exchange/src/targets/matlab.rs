@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use nalgebra::Matrix3;
+use sensor::Sensor;
 use serde_json::Value;
 
 use super::document::{document, matrix, not_applied, numbers};
@@ -24,22 +25,16 @@ pub const TARGET: Target = Target {
 fn write(source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
     let mut text = source.provenance("%");
     let _ = writeln!(text, "cal = {};", literal(&document(source)?));
-    let sensors = [
-        ("accelerometer", source.accelerometer.is_some()),
-        ("gyroscope", source.gyroscope.is_some()),
-        ("magnetometer", source.magnetometer.is_some()),
-    ];
-    for (name, there) in sensors {
-        if there {
-            let g = source.g_sensitivity.filter(|_| name == "gyroscope");
-            let argument = if g.is_some() { ", force" } else { "" };
-            let term = g.map(|g| format!(" - force * {}'", matrix_of(&g)));
-            let _ = writeln!(
-                text,
-                "cal_{name} = @(raw{argument}) (raw - cal.{name}.bias) * cal.{name}.T'{};",
-                term.unwrap_or_default()
-            );
-        }
+    for (sensor, _) in source.bases() {
+        let name = sensor.name();
+        let g = source.g_sensitivity.filter(|_| sensor == Sensor::Gyroscope);
+        let argument = if g.is_some() { ", force" } else { "" };
+        let term = g.map(|g| format!(" - force * {}'", matrix_of(&g)));
+        let _ = writeln!(
+            text,
+            "cal_{name} = @(raw{argument}) (raw - cal.{name}.bias) * cal.{name}.T'{};",
+            term.unwrap_or_default()
+        );
     }
     Ok(Written {
         notes: not_applied(source),

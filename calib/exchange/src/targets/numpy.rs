@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use sensor::Sensor;
 use serde_json::Value;
 
 use super::document::{document, matrix, not_applied, numbers};
@@ -24,30 +25,24 @@ fn write(source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
     let mut text = source.provenance("#");
     text.push_str("import numpy as np\n\n");
     let _ = writeln!(text, "calibration = {}", literal(&document(source)?));
-    let sensors = [
-        ("accelerometer", source.accelerometer.is_some()),
-        ("gyroscope", source.gyroscope.is_some()),
-        ("magnetometer", source.magnetometer.is_some()),
-    ];
-    for (name, there) in sensors {
-        if there {
-            let g = source.g_sensitivity.filter(|_| name == "gyroscope");
-            let (argument, rule) = match g {
-                Some(_) => (", force", "T (raw - b) - G force"),
-                None => ("", "T (raw - b)"),
-            };
-            let term = g.map(|g| {
-                let rows = g.row_iter().map(|row| list(&[row[0], row[1], row[2]]));
-                let rows: Vec<String> = rows.collect();
-                format!(" - np.asarray(force) @ np.array([{}]).T", rows.join(", "))
-            });
-            let _ = write!(
-                text,
-                "\n\ndef {name}(raw{argument}):\n    \"\"\"{rule} of readings in rows.\"\"\"\n    own = calibration[\"{name}\"]\n    \
-                 return (np.asarray(raw) - own[\"bias\"]) @ own[\"T\"].T{}\n",
-                term.unwrap_or_default()
-            );
-        }
+    for (sensor, _) in source.bases() {
+        let name = sensor.name();
+        let g = source.g_sensitivity.filter(|_| sensor == Sensor::Gyroscope);
+        let (argument, rule) = match g {
+            Some(_) => (", force", "T (raw - b) - G force"),
+            None => ("", "T (raw - b)"),
+        };
+        let term = g.map(|g| {
+            let rows = g.row_iter().map(|row| list(&[row[0], row[1], row[2]]));
+            let rows: Vec<String> = rows.collect();
+            format!(" - np.asarray(force) @ np.array([{}]).T", rows.join(", "))
+        });
+        let _ = write!(
+            text,
+            "\n\ndef {name}(raw{argument}):\n    \"\"\"{rule} of readings in rows.\"\"\"\n    own = calibration[\"{name}\"]\n    \
+             return (np.asarray(raw) - own[\"bias\"]) @ own[\"T\"].T{}\n",
+            term.unwrap_or_default()
+        );
     }
     Ok(Written {
         notes: not_applied(source),

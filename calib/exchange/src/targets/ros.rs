@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use findings::{Finding, Kind};
+use sensor::Sensor;
 
 use crate::error::Error;
 use crate::kept::Kept;
@@ -24,7 +25,7 @@ pub const TARGET: Target = Target {
 
 fn write(source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
     source.needs_si("ros")?;
-    let base = source.needs_accelerometer("ros")?;
+    let base = source.needs(Sensor::Accelerometer, "ros")?;
     let mut text = source.provenance("#");
     let sequence = |text: &mut String, key: &str, values: &[f64]| {
         let _ = writeln!(text, "{key}:");

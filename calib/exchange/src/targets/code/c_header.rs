@@ -47,14 +47,8 @@ fn write(source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
         Some(_) => "#include <math.h>\n#include <stdint.h>\n\n",
         None => "#include <stdint.h>\n\n",
     });
-    if let Some(base) = &source.accelerometer {
-        text.push_str(&function(source, Sensor::Accelerometer, base)?);
-    }
-    if let Some(base) = &source.gyroscope {
-        text.push_str(&function(source, Sensor::Gyroscope, base)?);
-    }
-    if let Some(base) = &source.magnetometer {
-        text.push_str(&function(source, Sensor::Magnetometer, base)?);
+    for (sensor, base) in source.bases() {
+        text.push_str(&function(source, sensor, base)?);
     }
     if let Some(effects) = effects {
         text.push_str(&whole(&effects));

@@ -30,15 +30,8 @@ fn write(source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
     text.push_str(
         "// At rest specific force is +g on the axis that points up; rates are right-handed about each axis.\n\n",
     );
-    let sensors = [
-        (Sensor::Accelerometer, &source.accelerometer),
-        (Sensor::Gyroscope, &source.gyroscope),
-        (Sensor::Magnetometer, &source.magnetometer),
-    ];
-    for (sensor, base) in sensors {
-        if let Some(base) = base {
-            text.push_str(&module(source, sensor, base));
-        }
+    for (sensor, base) in source.bases() {
+        text.push_str(&module(source, sensor, base));
     }
     if let Some(effects) = Effects::of(source, Language::Rust) {
         text.push_str(&whole(&effects));
