@@ -157,37 +157,50 @@ impl SensorAccumulator {
 /// What is made of samples that are no outliers.
 #[derive(Debug, Default)]
 struct Cleaned {
-    axes: [AllanAccumulator; 3],
     regular: Regular,
+    sums: Sums,
     spreads: Spreads,
     repeats: Repeats,
+}
+
+/// What is added up of evenly spaced samples.
+#[derive(Debug, Default)]
+struct Sums {
+    axes: [AllanAccumulator; 3],
     gaps: usize,
     bridged: usize,
+}
+
+impl Sums {
+    fn add(&mut self, piece: Piece) {
+        let value = match piece {
+            Piece::Read(value) => value,
+            Piece::Bridge(value) => {
+                self.bridged += 1;
+                value
+            }
+            Piece::Gap => {
+                self.axes.iter_mut().for_each(AllanAccumulator::gap);
+                self.gaps += 1;
+                return;
+            }
+        };
+        let axes = self.axes.iter_mut().zip(value.iter());
+        axes.for_each(|(axis, y)| axis.push(*y));
+    }
 }
 
 impl Cleaned {
     fn push(&mut self, t: f64, value: Vector3<f64>) {
         self.spreads.push(t, &value);
         self.repeats.push(t, &value);
-        let Self {
-            axes,
-            regular,
-            gaps,
-            bridged,
-            ..
-        } = self;
-        regular.push(t, value, &mut |piece| add(axes, gaps, bridged, piece));
+        let sums = &mut self.sums;
+        self.regular.push(t, value, &mut |piece| sums.add(piece));
     }
 
     fn finish(mut self, outliers: Outliers) -> Option<SensorCurves> {
-        let Self {
-            axes,
-            regular,
-            gaps,
-            bridged,
-            ..
-        } = &mut self;
-        let step = regular.finish(&mut |piece| add(axes, gaps, bridged, piece))?;
+        let sums = &mut self.sums;
+        let step = self.regular.finish(&mut |piece| sums.add(piece))?;
         let covered = self.spreads.covered()?;
         let coarse = self.spreads.coarse();
         let means = self.spreads.means();
@@ -208,9 +221,9 @@ impl Cleaned {
             false => self.repeats.held(),
         };
         Some(SensorCurves {
-            axes: self.axes.map(|axis| axis.finish(step)),
-            gaps: self.gaps,
-            bridged: self.bridged,
+            axes: self.sums.axes.map(|axis| axis.finish(step)),
+            gaps: self.sums.gaps,
+            bridged: self.sums.bridged,
             outliers,
             coarse,
             steps,
@@ -220,24 +233,6 @@ impl Cleaned {
             in_counts: false,
         })
     }
-}
-
-fn add(axes: &mut [AllanAccumulator; 3], gaps: &mut usize, bridged: &mut usize, piece: Piece) {
-    let value = match piece {
-        Piece::Read(value) => value,
-        Piece::Bridge(value) => {
-            *bridged += 1;
-            value
-        }
-        Piece::Gap => {
-            axes.iter_mut().for_each(AllanAccumulator::gap);
-            *gaps += 1;
-            return;
-        }
-    };
-    axes.iter_mut()
-        .zip(value.iter())
-        .for_each(|(axis, y)| axis.push(*y));
 }
 
 #[cfg(test)]
