@@ -33,17 +33,17 @@ pub fn shown<'a>(words: impl IntoIterator<Item = &'a OsString>) -> Vec<String> {
         .collect()
 }
 
-/// The call of this process, or the part of it that is `call`, with `more` behind it; `output` is where it writes, which is
-/// there already if it was given.
-pub fn again(call: Option<&Vec<String>>, more: &str, output: Option<&str>) -> String {
+/// The call of this process, or the part of it that is `call`, with `more` behind it. What it writes is there already if it
+/// was `given` a place; else it is called `output`.
+pub fn again(call: Option<&Vec<String>>, more: &str, given: bool, output: &str) -> String {
     let words = call.or(WORDS.get()).map_or(&[][..], Vec::as_slice);
     let words = words
         .iter()
         .filter(|word| !NOT_AGAIN.contains(&word.as_str()));
     let words: Vec<String> = words.map(|word| quoted(word)).collect();
-    let end = match output {
-        Some(output) => format!("-o {output}"),
-        None => "--force".to_owned(),
+    let end = match given {
+        true => "--force".to_owned(),
+        false => format!("-o {output}"),
     };
     let more = if more.is_empty() {
         String::new()

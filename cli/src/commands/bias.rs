@@ -139,13 +139,7 @@ fn screen(args: &Args, new: &Calibration, remarks: &[String]) -> Screen {
     let moved: Vec<String> = gyroscope.into_iter().chain(accelerometer).collect();
     let recording = command_line(&args.recording);
     let next = match &args.output {
-        Some(path) => Step::new(
-            "correct a recording",
-            format!(
-                "stillpoint apply {} {recording} -o corrected.csv",
-                command_line(path)
-            ),
-        ),
+        Some(path) => Step::apply(&command_line(path), &recording),
         None => Step::new(
             "keep the calibration",
             format!(

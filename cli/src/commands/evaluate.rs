@@ -1,7 +1,7 @@
 //! `evaluate`: calibrations side by side on a recording that they have not seen.
 
 use ::findings::{Finding, Front};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use calib::calibrate::{STANDARD_GRAVITY, changes_part_way, implausible};
 use calib::limits::{LimitLine, judge_on};
@@ -14,7 +14,7 @@ use serde_json::json;
 use crate::commands::calibrate::limits::{self, LimitArgs};
 use crate::commands::shared::first_screen::{Screen, Step};
 use crate::commands::shared::inputs::{
-    DetectorArgs, DeviceArgs, as_paths, check_gravity, gates_of, load, read, spinner,
+    DetectorArgs, DeviceArgs, check_gravity, gates_of, load, named_file, read, spinner,
 };
 use crate::commands::shared::names::Names;
 use crate::commands::shared::pictures::PictureArgs;
@@ -64,12 +64,11 @@ pub struct Args {
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
-    let mut calibrations = Vec::new();
+    let (mut files, mut calibrations) = (Vec::new(), Vec::new());
     for named in &args.calibration {
-        let (name, path) = named
-            .split_once('=')
-            .ok_or_else(|| Failure::usage(format!("--calibration {named}: NAME=FILE expected")))?;
-        calibrations.push((name.to_owned(), load(path.as_ref())?));
+        let (name, path) = named_file(named)?;
+        files.push((name, path));
+        calibrations.push((name.to_owned(), load(path)?));
     }
     let limits = args.limits.read()?;
     if limits.is_some() && calibrations.is_empty() {
@@ -78,16 +77,12 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     }
     args.gravity.map_or(Ok(()), check_gravity)?;
     let gravities = Gravities::of(args.gravity, &calibrations);
-    let named = args
-        .calibration
-        .iter()
-        .filter_map(|named| named.split_once('='));
-    let mut inputs = vec![args.recording.clone()];
-    inputs.extend(named.map(|(_, path)| PathBuf::from(path)));
-    inputs.extend(args.limits.limits.clone());
+    let mut inputs = vec![args.recording.as_path()];
+    inputs.extend(files.iter().map(|(_, path)| *path));
+    inputs.extend(args.limits.limits.as_deref());
     let pictures = args
         .pictures
-        .claim(&evaluation::PLOTS, args.replace, &as_paths(&inputs))?;
+        .claim(&evaluation::PLOTS, args.replace, &inputs)?;
     args.replace.end_if_all_exist()?;
     let (detector, choose) = args.detector.detector()?;
     let recording = read(&args.recording, &args.read)?.decimated();
@@ -178,11 +173,6 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         let names = Names::of([&recording]);
         let (_, sentence, next) =
             evaluation::judged(&rows, &doubts, (&choice.segmentation, &warnings));
-        let named = args
-            .calibration
-            .iter()
-            .filter_map(|named| named.split_once('='));
-        let files: Vec<(&str, &str)> = named.collect();
         let screen = Screen {
             verdict: vec![sentence],
             tables: [verdicts, table(&rows).to_string(), fields(&rows)]
@@ -204,7 +194,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
 }
 
 /// The commands behind what is said to be done next.
-fn steps(args: &Args, files: &[(&str, &str)], next: &[String]) -> Vec<Step> {
+fn steps(args: &Args, files: &[(&str, &Path)], next: &[String]) -> Vec<Step> {
     let recording = command_line(&args.recording) + &args.read.command_line();
     let step = |words: &String| {
         if words.starts_with("Name a calibration") {
@@ -216,12 +206,12 @@ fn steps(args: &Args, files: &[(&str, &str)], next: &[String]) -> Vec<Step> {
             .and_then(|rest| rest.split_once(':'));
         let file = |name: &str| files.iter().find(|(own, _)| show::name(own) == name);
         if let Some((name, file)) = used.and_then(|(name, _)| Some((name, file(name)?.1))) {
-            let file = command_line(file.as_ref());
+            let file = command_line(file);
             let command = format!("stillpoint apply {file} {recording} -o corrected.csv");
             return Step::new(format!("use {name}"), command);
         }
         if let (true, Some((_, file))) = (words.contains("stillpoint bias"), files.first()) {
-            let file = command_line(file.as_ref());
+            let file = command_line(file);
             let command = format!("stillpoint bias {file} {recording} -o today.json");
             return Step::new("renew the gyroscope's bias", command);
         }

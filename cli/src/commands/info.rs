@@ -106,6 +106,13 @@ fn names(columns: &[(&'static str, String)]) -> serde_json::Map<String, Value> {
     columns.iter().map(of).collect()
 }
 
+/// Columns by role as words: `ax=acc_x, ay=acc_y`.
+fn assigned(sensor: &Described) -> String {
+    let columns = sensor.columns.iter();
+    let words = columns.map(|(role, column)| format!("{role}={}", show::name(column)));
+    words.collect::<Vec<_>>().join(", ")
+}
+
 fn sign(sensor: &Described) -> Option<&'static str> {
     (sensor.sensor == Sensor::Accelerometer).then_some(match sensor.turned {
         true => "turned to +g on the axis that points up",
@@ -269,10 +276,6 @@ impl<'a> Facts<'a> {
         let mut text = format!("{}\n\n{}\n", self.headline(), self.sensors());
         let names = Names::of([self.recording]);
         for sensor in &self.recording.description.sensors {
-            let columns = sensor
-                .columns
-                .iter()
-                .map(|(role, column)| format!("{role}={}", show::name(column)));
             let turned = if sensor.turned {
                 ", turned to +g up"
             } else {
@@ -282,7 +285,7 @@ impl<'a> Facts<'a> {
                 text,
                 "{}: {}; unit by {}{turned}",
                 sensor.sensor.name(),
-                columns.collect::<Vec<_>>().join(", "),
+                assigned(sensor),
                 decided(sensor.unit_by)
             );
         }
@@ -310,16 +313,11 @@ impl<'a> Facts<'a> {
         );
         let _ = writeln!(text, "{}\n", self.sensors());
         for sensor in &description.sensors {
-            let columns: Vec<String> = sensor
-                .columns
-                .iter()
-                .map(|(role, column)| format!("{role}={}", show::name(column)))
-                .collect();
             let _ = writeln!(
                 text,
                 "{}: {} from {}, {} by {}",
                 sensor.sensor.name(),
-                columns.join(", "),
+                assigned(sensor),
                 show::name(&sensor.source),
                 sensor.unit,
                 decided(sensor.unit_by)

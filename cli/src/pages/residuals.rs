@@ -100,11 +100,11 @@ pub fn against(session: &Session<'_>, noise: [Option<f64>; 2]) -> Vec<Picture> {
     };
     let middle = |rest: &Rest| Some(0.5 * (rest.span.0 + rest.span.1));
     let time = norm("What is left against time", "time, s");
-    all.push(one_panel(time, session, rests(&middle), band).into());
+    all.push(filled(time, session, &rests(&middle), band).into());
     let warm = rests(&|rest| rest.temperature);
     if spread(&warm) > WARMED {
         let plot = norm("What is left against temperature", "temperature, °C");
-        all.push(one_panel(plot, session, warm, band).into());
+        all.push(filled(plot, session, &warm, band).into());
     }
     let turns = session.turns.iter();
     let turns: Vec<Point> = turns.filter_map(|t| Some(of_turn(t, t.rate?))).collect();
@@ -113,7 +113,7 @@ pub fn against(session: &Session<'_>, noise: [Option<f64>; 2]) -> Vec<Picture> {
         Axis::linear("largest rate in the turn, °/s"),
         Axis::linear("angle, °"),
     );
-    all.push(one_panel(plot, session, turns, noise[1].map(|n| (0.0, 2.0 * n))).into());
+    all.push(filled(plot, session, &turns, noise[1].map(|n| (0.0, 2.0 * n))).into());
     all.retain(|picture: &Picture| !matches!(picture, Picture::Plot(plot) if plot.is_empty()));
     all
 }
@@ -139,13 +139,7 @@ fn orientation(session: &Session<'_>, noise: Option<f64>) -> Plot {
         let points = points
             .filter_map(|rest| Some(of_rest(rest, rest.up?[k])))
             .collect::<Vec<_>>();
-        plot = filled(
-            plot,
-            session,
-            &points,
-            noise.map(|n| (-2.0 * n, 2.0 * n)),
-            |p| p.left,
-        );
+        plot = filled(plot, session, &points, noise.map(|n| (-2.0 * n, 2.0 * n)));
     }
     plot
 }
@@ -204,16 +198,7 @@ fn two_panels(
         // Counts have nothing above.
         plot.labelled(Axis::linear(label))
     };
-    filled(plot, session, &points, band, |p| p.left)
-}
-
-fn one_panel(
-    plot: Plot,
-    session: &Session<'_>,
-    points: Vec<Point>,
-    band: Option<(f64, f64)>,
-) -> Plot {
-    filled(plot, session, &points, band, |p| p.left)
+    filled(plot, session, &points, band)
 }
 
 /// The points of each recording with two standard errors, over what the noise allows.
@@ -222,16 +207,15 @@ fn filled(
     session: &Session<'_>,
     points: &[Point],
     band: Option<(f64, f64)>,
-    value: fn(&Point) -> Option<f64>,
 ) -> Plot {
-    if let Some((low, high)) = band.filter(|_| points.iter().any(|p| value(p).is_some())) {
+    if let Some((low, high)) = band.filter(|_| points.iter().any(|p| p.left.is_some())) {
         plot = plot.with(Series::band("2σ of the measured noise", NOISE, low, high));
     }
     for (number, part) in session.parts.iter().enumerate() {
         let own = points.iter().filter(|p| p.part == number);
         let (mut bars, mut keys) = (Vec::new(), Vec::new());
         for point in own {
-            if let Some(y) = value(point) {
+            if let Some(y) = point.left {
                 bars.push((point.x, y, y - 2.0 * point.std, y + 2.0 * point.std));
                 keys.push(point.key.clone());
             }

@@ -267,10 +267,8 @@ fn next(args: &Args, findings: &Findings) -> Vec<Step> {
     let place = args.place.command_line();
     let mut steps = Vec::new();
     if given.is_none() {
-        steps.push(Step::new(
-            "keep the findings",
-            call::again(None, "", Some(&document)),
-        ));
+        let again = call::again(None, "", false, &document);
+        steps.push(Step::new("keep the findings", again));
     }
     let tied = |effect: &&EffectFinding| effect.told_apart_by.is_some();
     if findings.effects.iter().any(|effect| tied(&effect)) {
@@ -309,23 +307,11 @@ fn next(args: &Args, findings: &Findings) -> Vec<Step> {
     }
     let calibration = &findings.calibration;
     if calibration.failed_gates.is_empty() {
-        let one = args.recordings.recordings.first();
-        let one = one.map_or("RECORDING".into(), |path| command_line(path));
-        let read = args.read.command_line();
-        steps.push(Step::new(
-            "correct a recording",
-            format!("stillpoint apply {document} {one}{read} -o corrected.csv"),
-        ));
+        let one = args.recordings.first() + &args.read.command_line();
+        steps.push(Step::apply(&document, &one));
         if calibration.gravity_source == GravitySource::Assumed {
-            let output = if given.is_some() {
-                None
-            } else {
-                Some(document.as_str())
-            };
-            steps.push(Step::new(
-                "give the place",
-                call::again(None, "--latitude DEG", output),
-            ));
+            let again = call::again(None, "--latitude DEG", given.is_some(), &document);
+            steps.push(Step::new("give the place", again));
         }
     }
     steps

@@ -15,7 +15,7 @@ use nalgebra::Vector3;
 use solve::{Known, Named, Run};
 
 use crate::commands::shared::first_screen::wrote;
-use crate::commands::shared::inputs::{DeviceArgs, as_paths, load, numbers, read};
+use crate::commands::shared::inputs::{DeviceArgs, as_paths, load, named_file, numbers, read};
 use crate::commands::shared::pictures::{PictureArgs, named};
 use crate::exit::{Failure, NOT_ENOUGH};
 use crate::output::{Output, Replace};
@@ -184,13 +184,10 @@ enum AxisArg {
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
     refuse_other_procedure(args)?;
-    let files = args
-        .calibration
-        .iter()
-        .filter_map(|named| named.split_once('='));
-    let mut inputs = args.recordings.clone();
-    inputs.extend(files.map(|(_, file)| PathBuf::from(file)));
-    let inputs = as_paths(&inputs);
+    let files = args.calibration.iter();
+    let files = files.filter_map(|named| named_file(named).ok());
+    let mut inputs = as_paths(&args.recordings);
+    inputs.extend(files.map(|(_, file)| file));
     let output = Output::claim_given(args.output.as_deref(), args.replace, &inputs)?;
     let names = show_runs::plot_names(&args.recordings);
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
@@ -293,15 +290,13 @@ fn calibrations(args: &Args) -> Result<Vec<Named>, Failure> {
         all.extend(Named::authors());
     }
     for named in &args.calibration {
-        let (name, path) = named
-            .split_once('=')
-            .ok_or_else(|| Failure::usage(format!("--calibration {named}: NAME=FILE expected")))?;
+        let (name, path) = named_file(named)?;
         if all.iter().any(|other| other.name == name) {
             return Err(Failure::usage(format!(
                 "--calibration {named}: there is a \"{name}\" already; choose another name"
             )));
         }
-        let calibration = load(path.as_ref())?;
+        let calibration = load(path)?;
         if let Some(own) = calibration.not_calibrated.first() {
             return Err(Failure::new(
                 NOT_ENOUGH,

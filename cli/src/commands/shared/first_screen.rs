@@ -56,6 +56,12 @@ impl Step {
         }
     }
 
+    /// The use of a calibration on a recording, both as a shell takes them.
+    pub fn apply(calibration: &str, recording: &str) -> Self {
+        let command = format!("stillpoint apply {calibration} {recording} -o corrected.csv");
+        Self::new("correct a recording", command)
+    }
+
     /// Words alone.
     pub fn words(what: impl Into<String>) -> Self {
         Self {

@@ -45,6 +45,12 @@ impl RecordingArgs {
         self.recordings.iter().chain(pair).cloned().collect()
     }
 
+    /// The first of them as a shell takes it.
+    pub fn first(&self) -> String {
+        let first = self.recordings.first();
+        first.map_or("RECORDING".into(), |path| command_line(path))
+    }
+
     /// Them as a shell takes them.
     pub fn command_line(&self) -> String {
         let pair = self.accel_file.iter().map(|path| ("--accel-file ", path));
@@ -376,6 +382,14 @@ pub fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
         .filter(|numbers| numbers.iter().all(|v: &f64| v.is_finite()))
         .and_then(|numbers| numbers.try_into().ok())
         .ok_or_else(|| format!("{N} numbers separated by commas expected"))
+}
+
+/// Name and file of a `--calibration NAME=FILE`.
+pub fn named_file(named: &str) -> Result<(&str, &Path), Failure> {
+    let pair = named
+        .split_once('=')
+        .map(|(name, file)| (name, Path::new(file)));
+    pair.ok_or_else(|| Failure::usage(format!("--calibration {named}: NAME=FILE expected")))
 }
 
 /// The effect that `--effects` names, of the catalogue or of `own`.

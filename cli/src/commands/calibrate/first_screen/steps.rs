@@ -22,14 +22,7 @@ pub fn next(
     let given = args.output.as_deref().map(command_line);
     let cal = given.clone().unwrap_or("cal.json".into());
     let inputs = args.recordings.command_line() + &args.read.command_line();
-    let again = |more: &str| {
-        let output = if given.is_some() {
-            None
-        } else {
-            Some(cal.as_str())
-        };
-        call::again(args.call.as_ref(), more, output)
-    };
+    let again = |more: &str| call::again(args.call.as_ref(), more, given.is_some(), &cal);
     let mut steps: Vec<Step> = Vec::new();
     let remedies = || {
         judgement
@@ -79,15 +72,8 @@ pub fn next(
     if calibration.gravity_source == GravitySource::Assumed && calibration.accelerometer.is_some() {
         steps.extend(gained(calibration).map(|what| Step::new(what, again("--latitude DEG"))));
     }
-    let one = args.recordings.recordings.first();
-    let one = one.map_or("RECORDING".into(), |path| command_line(path));
-    steps.push(Step::new(
-        "correct a recording",
-        format!(
-            "stillpoint apply {cal} {one}{} -o corrected.csv",
-            args.read.command_line()
-        ),
-    ));
+    let one = args.recordings.first() + &args.read.command_line();
+    steps.push(Step::apply(&cal, &one));
     steps.push(Step::new(
         "check on a second recording",
         format!("stillpoint evaluate SECOND --calibration cal={cal}"),
