@@ -18,30 +18,6 @@ pub enum Error {
         /// The sensor.
         what: &'static str,
     },
-    /// The calibration is of readings in another unit.
-    Unit {
-        /// The target.
-        target: &'static str,
-        /// The sensor.
-        sensor: &'static str,
-        /// The calibration's unit.
-        unit: String,
-        /// The target's unit.
-        si: &'static str,
-    },
-    /// A number lies beyond those that the target takes.
-    Range {
-        /// The target.
-        target: &'static str,
-        /// The parameter.
-        name: String,
-        /// Its value.
-        value: f64,
-        /// The least.
-        least: f64,
-        /// The largest.
-        most: f64,
-    },
     /// The axes are left-handed.
     LeftHanded {
         /// The target.
@@ -85,6 +61,21 @@ impl Error {
         Self::Format(Box::new(found))
     }
 
+    /// A parameter lies beyond the range that the target takes.
+    pub(crate) fn outside(
+        target: &'static str,
+        name: String,
+        value: f64,
+        (least, most): (f64, f64),
+    ) -> Self {
+        let found = Finding::of(Kind::ParameterOutside)
+            .detail("target", target)
+            .detail("name", name)
+            .detail("value", value.to_string())
+            .detail("least", least.to_string());
+        Self::format(found.detail("most", most.to_string()))
+    }
+
     /// A writer of another project refuses the calibration.
     pub(crate) fn unwritten(reason: &dyn fmt::Display) -> Self {
         let found = Finding::of(Kind::FormatUnwritable).detail("format", "calibration");
@@ -97,28 +88,6 @@ impl Error {
             Self::Lacks { target, what } => Finding::of(Kind::SensorLacking)
                 .detail("target", *target)
                 .detail("what", *what),
-            Self::Unit {
-                target,
-                sensor,
-                unit,
-                si,
-            } => Finding::of(Kind::ExportUnit)
-                .detail("target", *target)
-                .detail("of", *sensor)
-                .detail("unit", unit)
-                .detail("si", *si),
-            Self::Range {
-                target,
-                name,
-                value,
-                least,
-                most,
-            } => Finding::of(Kind::ParameterOutside)
-                .detail("target", *target)
-                .detail("name", name)
-                .detail("value", value.to_string())
-                .detail("least", least.to_string())
-                .detail("most", most.to_string()),
             Self::LeftHanded { target, sensor } => Finding::of(Kind::ExportLeftHanded)
                 .detail("target", *target)
                 .detail("of", *sensor),

@@ -94,20 +94,19 @@ impl<'a> Source<'a> {
     /// Refuses readings in another unit than m/s² and rad/s: the target corrects those.
     ///
     /// # Errors
-    /// [`Error::Unit`].
+    /// [`Error::Format`].
     pub fn needs_si(&self, target: &'static str) -> Result<(), Error> {
-        for (sensor, name, si) in [
-            (Sensor::Accelerometer, "accelerometer", "m/s^2"),
-            (Sensor::Gyroscope, "gyroscope", "rad/s"),
+        for (sensor, si) in [
+            (Sensor::Accelerometer, "m/s^2"),
+            (Sensor::Gyroscope, "rad/s"),
         ] {
             let unit = self.unit(sensor);
             if let Some(unit) = unit.filter(|unit| unit != si) {
-                return Err(Error::Unit {
-                    target,
-                    sensor: name,
-                    unit,
-                    si,
-                });
+                let found = Finding::of(Kind::ExportUnit)
+                    .detail("target", target)
+                    .detail("of", sensor.name())
+                    .detail("unit", unit);
+                return Err(Error::format(found.detail("si", si)));
             }
         }
         Ok(())

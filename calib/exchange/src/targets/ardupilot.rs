@@ -44,14 +44,8 @@ fn write(source: &Source<'_>, settings: &Settings) -> Result<Written, Error> {
     let mut put = |name: &str, values: Vector3<f64>, limits: Option<(f64, f64)>| {
         for (axis, value) in by_axis(values) {
             let name = format!("{name}_{axis}");
-            if let Some((least, most)) = limits.filter(|(a, b)| !(*a..=*b).contains(&value)) {
-                return Err(Error::Range {
-                    target: "ardupilot",
-                    name,
-                    value,
-                    least,
-                    most,
-                });
+            if let Some(limits) = limits.filter(|(a, b)| !(*a..=*b).contains(&value)) {
+                return Err(Error::outside("ardupilot", name, value, limits));
             }
             let _ = writeln!(text, "{name},{:?}", value as f32);
         }

@@ -71,17 +71,11 @@ fn write(source: &Source<'_>, settings: &Settings) -> Result<Written, Error> {
             }
         }
         for (axis, value) in by_axis(raw.t.diagonal()) {
-            let (least, most) = SCALES;
-            if !(least..=most).contains(&value) {
-                return Err(Error::Range {
-                    target: "px4",
-                    name: format!("CAL_ACC{k}_{axis}SCALE"),
-                    value,
-                    least,
-                    most,
-                });
+            let name = format!("CAL_ACC{k}_{axis}SCALE");
+            if !(SCALES.0..=SCALES.1).contains(&value) {
+                return Err(Error::outside("px4", name, value, SCALES));
             }
-            put(format!("CAL_ACC{k}_{axis}SCALE"), value);
+            put(name, value);
         }
     }
     let gyroscope = source.gyroscope.as_ref();
