@@ -140,10 +140,7 @@ const INTERVALS: &str = "value [interval]; the five intervals of an axis hold to
 fn text(summary: &NoiseSummary) -> String {
     let mut text = String::new();
     for (name, sensor, noise) in sensors(summary) {
-        let mut table = show::table(&HEADER);
-        for row in rows(sensor, noise) {
-            table.add_row(row);
-        }
+        let table = show::table_of(&HEADER, rows(sensor, noise));
         let _ = writeln!(text, "{name}: {}\n{table}\n", extent(noise));
     }
     let _ = writeln!(text, "{INTERVALS}");
@@ -213,10 +210,7 @@ fn report(summary: &NoiseSummary, recording: &Path, plots: &[(String, Picture)])
         .warnings(&show::folded(&summary.warnings.texts(Front::CommandLine)))
         .provenance(provenance(summary, recording));
     for ((name, sensor, noise), (_, plot)) in sensors(summary).zip(plots) {
-        let mut table = ReportTable::new(HEADER);
-        for row in rows(sensor, noise) {
-            table.row(row);
-        }
+        let table = ReportTable::of(HEADER, rows(sensor, noise));
         report = report
             .section(name)
             .text(extent(noise))

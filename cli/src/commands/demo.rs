@@ -11,7 +11,7 @@ use calib::effects::force_sensitivity;
 use calib::simulate::{Session, Spec};
 
 use super::calibrate::residual;
-use super::discover::{gaps, json, look, page_after, plots, verdict};
+use super::discover::{gaps, look, page_after, plots, verdict};
 use crate::commands::shared::first_screen::{Screen, Step};
 use crate::commands::shared::inputs::spinner;
 use crate::exit::Failure;
@@ -80,7 +80,7 @@ impl Files {
         })?;
         let page = page.html()?;
         let csv = calib::recording::to_csv(&mut session.recording);
-        let findings = json(&discovery.findings)?;
+        let findings = show::json(&discovery.findings)?;
         Output::write_all([
             (self.recording, csv),
             (self.calibration, calibration),

@@ -19,7 +19,7 @@ use ::findings::Front;
 
 pub use args::Args;
 use calib::Recording;
-use calib::discover::{Discovery, Findings, Request, discover, noise_in, validate};
+use calib::discover::{Discovery, Request, discover, noise_in, validate};
 use calib::recording::figure;
 use emit::Emit;
 pub use page::{page, page_after};
@@ -83,7 +83,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     })?;
     limits::state(&mut discovery.findings.calibration, None);
     let findings = &discovery.findings;
-    let json = json(findings)?;
+    let json = show::json(findings)?;
     Output::write_given(output, &json)?;
     if let Some(emit) = emit {
         emit.write(findings)?;
@@ -170,9 +170,4 @@ pub fn look(
     }
     spinner.finish_and_clear();
     Ok(discovery)
-}
-
-/// The document that `-o` and `--json` give.
-pub fn json(findings: &Findings) -> Result<String, Failure> {
-    show::json(findings)
 }

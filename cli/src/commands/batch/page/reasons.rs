@@ -21,14 +21,14 @@ pub(super) fn reasons(report: Report, records: &[Record]) -> Result<Report, Fail
     if causes.is_empty() {
         return Ok(report);
     }
-    let mut table = ReportTable::new(["devices", "example", "reason"]);
-    for cause in causes.iter().take(ROWS) {
-        table.row([
+    let rows = causes.iter().take(ROWS).map(|cause| {
+        [
             cause.count.to_string(),
             show::name(&cause.example),
             short(&cause.words, 160),
-        ]);
-    }
+        ]
+    });
+    let table = ReportTable::of(["devices", "example", "reason"], rows);
     let report = report.section("Devices that pass and are to be used with care");
     Ok(report.table(table))
 }
