@@ -53,7 +53,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         table.add_row([
             effect.name().to_owned(),
             effect.sensor().name().to_owned(),
-            effect.equation().to_owned(),
+            effect.equation(),
             parameters(effect.params()),
         ]);
     }

@@ -88,17 +88,11 @@ impl<E: Effect> AnyEffect for E {
     fn sensor(&self) -> Sensor {
         E::SENSOR
     }
-    fn equation(&self) -> &str {
-        E::EQUATION
+    fn equation(&self) -> String {
+        E::EQUATION.to_owned()
     }
     fn formula(&self, axis: Axis) -> Option<String> {
-        let letter = |axis: Axis| axis.letter();
-        let (next, last) = (axis.following(), axis.following().following());
-        let text = E::FORMULA?.replace("{i}", letter(axis));
-        Some(
-            text.replace("{j}", letter(next))
-                .replace("{k}", letter(last)),
-        )
+        E::FORMULA.map(|formula| on_axis(formula, axis))
     }
     fn params(&self) -> &[Param] {
         E::PARAMS
@@ -136,6 +130,14 @@ impl<E: Effect> From<&'static E> for EffectRef {
     fn from(effect: &'static E) -> Self {
         Self::from(effect as &'static dyn AnyEffect)
     }
+}
+
+/// A formula with the letters of an axis, the next one and the one after for `{i}`, `{j}` and `{k}`.
+pub(crate) fn on_axis(formula: &str, axis: Axis) -> String {
+    let (next, last) = (axis.following(), axis.following().following());
+    let text = formula.replace("{i}", axis.letter());
+    text.replace("{j}", next.letter())
+        .replace("{k}", last.letter())
 }
 
 /// A 3 × 3 matrix from its nine elements, row by row.

@@ -40,6 +40,15 @@ impl Sensor {
         }
     }
 
+    /// `f`, `w` or `m`: its true signal in equations.
+    pub fn signal_letter(self) -> &'static str {
+        match self {
+            Self::Accelerometer => "f",
+            Self::Gyroscope => "w",
+            Self::Magnetometer => "m",
+        }
+    }
+
     /// `accel`, `gyro` or `mag`: the prefix of parameter names.
     pub fn prefix(self) -> &'static str {
         match self {
@@ -268,21 +277,6 @@ impl<D: Scalar> Kinematics<D> {
 impl Kinematics<f64> {
     /// The same instant as constants of another scalar.
     pub fn lift<D: Scalar>(&self) -> Kinematics<D> {
-        Kinematics {
-            specific_force: self.specific_force.map(lit),
-            angular_rate: self.angular_rate.map(lit),
-            magnetic_field: self.magnetic_field.map(lit),
-            time: self.time,
-            temperature: self.temperature,
-            angular_acceleration: self.angular_acceleration,
-            specific_force_rate: self.specific_force_rate,
-            last_change: self.last_change,
-            vibration: self.vibration,
-            temperature_rate: self.temperature_rate,
-            warming: self.warming,
-            last_turn: self.last_turn,
-            since_turn: self.since_turn,
-            attitude: self.attitude,
-        }
+        self.cast()
     }
 }

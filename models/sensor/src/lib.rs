@@ -10,9 +10,11 @@
 pub mod attitude;
 mod axis;
 mod base;
+mod common_effect;
 mod covariate;
 mod definition;
 mod effect;
+pub mod effects;
 pub mod expression;
 mod invert;
 mod kinematics;
@@ -23,6 +25,7 @@ mod scalar_sensor;
 
 pub use axis::Axis;
 pub use base::{BASE_PARAMETERS, Base, PLACES, base_names, inverse};
+pub use common_effect::{CommonEffect, On};
 pub use covariate::{Covariate, NoSuchCovariate};
 pub use definition::{
     DefinedParam, Definition, DefinitionError, DefinitionFault, EffectFault, ErrorCode, Factor,
@@ -34,6 +37,6 @@ pub use effect::{
 };
 pub use kinematics::{Kinematics, REFERENCE_TEMPERATURE, Sensor, Since};
 pub use model::Model;
-pub use param::{Param, Role, params};
+pub use param::{Param, Role, axes, params};
 pub use quantity::Quantity;
 pub use scalar_sensor::{AnyScalarSensor, ScalarSensor, ScalarSensorRef};

@@ -113,3 +113,8 @@ pub const fn params<const N: usize>(unit: &'static str, names: [&'static str; N]
     }
     all
 }
+
+/// Parameters `x`, `y` and `z`, one for each axis, as of [`params`].
+pub const fn axes(unit: &'static str) -> [Param; 3] {
+    params(unit, ["x", "y", "z"])
+}

@@ -73,7 +73,6 @@ impl Definition {
         let params: Vec<Param> = self.parameters.iter().map(parameter).collect();
         let defined = Defined {
             definition: self.clone(),
-            equation: self.written_equation(),
             params,
             covariates,
             axes,
@@ -97,7 +96,6 @@ fn parameter(p: &DefinedParam) -> Param {
 #[derive(Debug)]
 struct Defined {
     definition: Definition,
-    equation: String,
     params: Vec<Param>,
     covariates: Vec<Covariate>,
     axes: [Option<Expression>; 3],
@@ -182,8 +180,8 @@ impl AnyEffect for Defined {
     fn sensor(&self) -> Sensor {
         self.definition.sensor
     }
-    fn equation(&self) -> &str {
-        &self.equation
+    fn equation(&self) -> String {
+        self.definition.written_equation()
     }
     fn formula(&self, axis: Axis) -> Option<String> {
         match self.definition.axis(axis).trim() {
@@ -215,7 +213,6 @@ impl AnyEffect for Defined {
     fn granted(&self, samples: usize) -> Option<EffectRef> {
         let defined: Arc<dyn AnyEffect> = Arc::new(Self {
             definition: self.definition.clone(),
-            equation: self.equation.clone(),
             params: self.params.clone(),
             covariates: self.covariates.clone(),
             axes: self.axes.clone(),

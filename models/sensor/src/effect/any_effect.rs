@@ -33,7 +33,7 @@ pub trait AnyEffect: Send + Sync {
     /// The sensor that has it.
     fn sensor(&self) -> Sensor;
     /// The equation as users read it.
-    fn equation(&self) -> &str;
+    fn equation(&self) -> String;
     /// The error on an axis as an expression, where there is one.
     fn formula(&self, axis: Axis) -> Option<String> {
         let _ = axis;

@@ -1,39 +1,46 @@
-//! Relaxation of an accelerometer bias after a turn.
+//! Relaxation of a bias after a turn.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, Quantity, Role, Sensor};
 use solver::Scalar;
+
+use crate::common_effect::CommonEffect;
+use crate::kinematics::Kinematics;
+use crate::param::{Param, Role};
+use crate::quantity::Quantity;
 
 /// A part that yields while the device turns creeps back afterwards: `eᵢ = rᵢ sign(θᵢ) exp(−s/τ)`.
 ///
 /// | symbol | meaning | unit | shape |
 /// |---|---|---|---|
-/// | `e` | accelerometer error | m/s² | 3 |
-/// | `r` | bias right after the turn | m/s² | 3 |
+/// | `e` | error of the sensor | of the signal | 3 |
+/// | `r` | bias right after the turn | of the signal | 3 |
 /// | `τ` | time constant, not 0 | s | 1 |
 /// | `θ` | `Kinematics::last_turn`: rotation vector of the last turn; less than .1 about an axis counts as none | rad | 3 |
 /// | `s` | `Kinematics::since_turn`: time since its end; of a mean, the mean of the decay | s | 1 |
 ///
 /// A recording shows it whose static intervals are longer than `τ`, with turns both ways about each axis.
 #[derive(Clone, Copy, Debug)]
-pub struct AccelRelaxation;
+pub struct Relaxation;
 
-impl Effect for AccelRelaxation {
-    const NAME: &'static str = "accel_relaxation";
-    const SENSOR: Sensor = Sensor::Accelerometer;
-    const EQUATION: &'static str = "A_i += r_i sign(last turn about i) exp(-s/tau)";
-    const PARAMS: &'static [Param] = &[
-        Param::new("x", "m/s^2", 0.0),
-        Param::new("y", "m/s^2", 0.0),
-        Param::new("z", "m/s^2", 0.0),
-        Param::new("tau", "s", 3.0)
-            .in_role(Role::TimeConstant)
-            .tried_at(&[1.0, 2.0, 4.0, 8.0]),
-    ];
-    const TYPICAL: f64 = 5e-3;
-    const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::LastTurn, Quantity::SinceTurn]);
+impl Relaxation {
+    /// Its parameters on a sensor with a signal of this unit.
+    pub const fn params(unit: &'static str) -> [Param; 4] {
+        [
+            Param::new("x", unit, 0.0),
+            Param::new("y", unit, 0.0),
+            Param::new("z", unit, 0.0),
+            Param::new("tau", "s", 3.0)
+                .in_role(Role::TimeConstant)
+                .tried_at(&[1.0, 2.0, 4.0, 8.0]),
+        ]
+    }
+}
 
-    fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
+impl CommonEffect for Relaxation {
+    const EQUATION: &'static str = "{S}_i += r_i sign(last turn about i) exp(-s/tau)";
+    const NEEDS: &'static [Quantity] = &[Quantity::LastTurn, Quantity::SinceTurn];
+
+    fn error<D: Scalar>(_: &Vector3<D>, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let left = truth.since_turn.decayed(p[3]);
         let way = truth.way_of_last_turn();
         Vector3::from_fn(|i, _| p[i] * left * way[i])
@@ -43,7 +50,7 @@ impl Effect for AccelRelaxation {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use sensor::Since;
+    use crate::kinematics::Since;
 
     #[test]
     fn after_one_time_constant_37_percent_are_left_on_the_axes_that_turned() {
@@ -52,7 +59,7 @@ mod tests {
             since_turn: Since::at(2.0),
             ..Kinematics::at_rest(Vector3::zeros())
         };
-        let e = AccelRelaxation.error(&truth, &[1.0, 1.0, 2.0, 2.0]);
+        let e = Relaxation::error(&Vector3::zeros(), &truth, &[1.0, 1.0, 2.0, 2.0]);
         let left = (-1.0_f64).exp();
         assert!((e - Vector3::new(-left, 0.0, 2.0 * left)).norm() < 1e-15);
     }

@@ -1,31 +1,30 @@
-//! Temperature dependence of a gyroscope bias.
+//! Temperature dependence of a bias.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, Quantity, REFERENCE_TEMPERATURE, Sensor, params};
 use solver::Scalar;
+
+use crate::common_effect::CommonEffect;
+use crate::kinematics::{Kinematics, REFERENCE_TEMPERATURE};
+use crate::quantity::Quantity;
 
 /// A bias that moves with temperature: `eᵢ = cᵢ (T − T₀)`.
 ///
 /// | symbol | meaning | unit | shape |
 /// |---|---|---|---|
-/// | `e` | gyroscope error | rad/s | 3 |
-/// | `c` | temperature coefficient of the bias | rad/s/K | 3 |
+/// | `e` | error of the sensor | of the signal | 3 |
+/// | `c` | temperature coefficient of the bias | of the signal, per K | 3 |
 /// | `T` | temperature | °C | 1 |
 /// | `T₀` | `REFERENCE_TEMPERATURE` | °C | 1 |
 #[derive(Clone, Copy, Debug)]
-pub struct GyroTemperature;
+pub struct Temperature;
 
-impl Effect for GyroTemperature {
-    const NAME: &'static str = "gyro_temperature";
-    const SENSOR: Sensor = Sensor::Gyroscope;
-    const EQUATION: &'static str = "W_i += c_i (T - T0)";
+impl CommonEffect for Temperature {
+    const EQUATION: &'static str = "{S}_i += c_i (T - T0)";
     const FORMULA: Option<&'static str> = Some("{i} * dT");
-    const PARAMS: &'static [Param] = &params("rad/s/K", ["x", "y", "z"]);
-    const TYPICAL: f64 = 5e-5;
     const LINEAR: bool = true;
-    const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::Temperature]);
+    const NEEDS: &'static [Quantity] = &[Quantity::Temperature];
 
-    fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
+    fn error<D: Scalar>(_: &Vector3<D>, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let warmer = truth.temperature - REFERENCE_TEMPERATURE;
         Vector3::from_fn(|i, _| p[i] * warmer)
     }
@@ -41,7 +40,7 @@ mod tests {
             temperature: 35.0,
             ..Kinematics::at_rest(Vector3::zeros())
         };
-        let e = GyroTemperature.error(&truth, &[1e-3, 0.0, -2e-3]);
+        let e = Temperature::error(&Vector3::zeros(), &truth, &[1e-3, 0.0, -2e-3]);
         assert!((e - Vector3::new(1e-2, 0.0, -2e-2)).norm() < 1e-15);
     }
 }
