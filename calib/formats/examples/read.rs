@@ -41,7 +41,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
             println!(
                 "{}: {:.2} MB of columns, {:.2} MB of memory more than before",
-                format.name(),
+                format.name,
                 samples as f64 * 32e-6,
                 peak() - before
             );

@@ -5,75 +5,59 @@ use std::collections::HashMap;
 use std::io::Read;
 
 use crate::bytes::{Bytes, Fields};
-use crate::format::Format;
+use crate::format::{Format, Reads};
 use crate::stream::Recorder;
-use crate::stream::cut_at;
 use crate::{Content, Correction, Error, Limits, Quantity, Wanted};
 
 /// `.BIN` logs: raw batches `ACC` and `GYR` where they are, else `IMU`, which is corrected.
-#[derive(Debug)]
-pub(crate) struct ArduPilot;
+pub(crate) static ARDUPILOT: Format = Format {
+    name: "ardupilot",
+    about: "an ArduPilot dataflash log (.BIN) with IMU, or ACC and GYR",
+    begins: |head| head.starts_with(&MAGIC) && head.get(2) == Some(&FORMAT),
+    reads: Reads::Forward(read),
+};
 
 const MAGIC: [u8; 2] = [0xa3, 0x95];
 const FORMAT: u8 = 128;
 /// Bytes of a message that describes others, with its head.
 const FORMAT_SIZE: usize = 89;
 
-impl Format for ArduPilot {
-    fn name(&self) -> &'static str {
-        "ardupilot"
-    }
-
-    fn about(&self) -> &'static str {
-        "an ArduPilot dataflash log (.BIN) with IMU, or ACC and GYR"
-    }
-
-    fn recognises(&self, head: &[u8]) -> bool {
-        head.starts_with(&MAGIC) && head.get(2) == Some(&FORMAT)
-    }
-
-    fn read(
-        &self,
-        reader: &mut dyn Read,
-        wanted: &Wanted,
-        limits: Limits,
-    ) -> Result<Content, Error> {
-        let mut bytes = Bytes::new(reader, limits);
-        let mut file = File {
-            recorder: Recorder::new(wanted, limits),
-            kinds: HashMap::new(),
-            parameters: HashMap::new(),
-            last: 0,
-            backwards: 0,
+fn read(reader: &mut dyn Read, wanted: &Wanted, limits: Limits) -> Result<Content, Error> {
+    let mut bytes = Bytes::new(reader, limits);
+    let mut file = File {
+        recorder: Recorder::new(wanted, limits),
+        kinds: HashMap::new(),
+        parameters: HashMap::new(),
+        last: 0,
+        backwards: 0,
+    };
+    let mut skipped: u64 = 0;
+    let mut first_skipped = None;
+    loop {
+        let at = bytes.at();
+        let (known, length) = match bytes.peek(3)? {
+            [] => break,
+            [a, b, kind] if [*a, *b] == MAGIC => (Some(*kind), file.length(*kind)),
+            _ => (None, None),
         };
-        let mut skipped: u64 = 0;
-        let mut first_skipped = None;
-        loop {
-            let at = bytes.at();
-            let (known, length) = match bytes.peek(3)? {
-                [] => break,
-                [a, b, kind] if [*a, *b] == MAGIC => (Some(*kind), file.length(*kind)),
-                _ => (None, None),
-            };
-            let (Some(kind), Some(length)) = (known, length) else {
-                skipped += 1;
-                first_skipped.get_or_insert(at);
-                bytes.take(1)?;
-                continue;
-            };
-            let Some(message) = bytes.take(length as u64)? else {
-                file.recorder.content.cut = Some(cut_at(at, "a message"));
-                break;
-            };
-            file.message(kind, &message[3..])?;
-        }
-        if let Some(first) = first_skipped {
-            let skipped = Finding::of(Cause::BytesSkipped).count("count", skipped as usize);
-            let skipped = skipped.count("byte", first as usize);
-            file.recorder.content.warnings.push(skipped);
-        }
-        Ok(file.finish())
+        let (Some(kind), Some(length)) = (known, length) else {
+            skipped += 1;
+            first_skipped.get_or_insert(at);
+            bytes.take(1)?;
+            continue;
+        };
+        let Some(message) = bytes.take(length as u64)? else {
+            file.recorder.cut(at, "a message");
+            break;
+        };
+        file.message(kind, &message[3..])?;
     }
+    if let Some(first) = first_skipped {
+        let skipped = Finding::of(Cause::BytesSkipped).count("count", skipped as usize);
+        let skipped = skipped.count("byte", first as usize);
+        file.recorder.content.warnings.push(skipped);
+    }
+    Ok(file.finish())
 }
 
 /// A kind of message.

@@ -156,7 +156,7 @@ fn whole_files_of_every_format_give_every_sample() {
     // What is only known, to name its decoder, has no samples.
     let read = FORMATS
         .iter()
-        .filter(|format| format.name() != "blackbox")
+        .filter(|format| format.name != "blackbox")
         .count();
     assert_eq!(read, 7);
 }
@@ -338,7 +338,7 @@ fn random_changes_of_every_format_never_panic() {
         }
         println!(
             "{}: {count} changed files, {read} of them read",
-            format.name()
+            format.name
         );
     }
 }

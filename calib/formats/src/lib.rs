@@ -2,11 +2,11 @@
 //!
 //! ```text
 //! folder, zip ── Container ── entries ─┐
-//!                                      ├─ Format::recognises(first bytes)
+//!                                      ├─ Format::begins(first bytes)
 //! file ────────────────────────────────┘        │
 //!                                        Format::read ── Recorder ── streams: int64 ns, three values in SI units
 //! ```
-//! A format is one file behind one trait. It is recognised by content, reads forward, names byte and record where
+//! A format is one file and one value. It is recognised by content, reads forward, names byte and record where
 //! something is wrong, and holds no more in memory than it has read. What the streams mean to a calibration is not
 //! known here.
 

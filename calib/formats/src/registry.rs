@@ -3,21 +3,18 @@
 use crate::format::Format;
 
 /// Every format.
-pub static FORMATS: &[&dyn Format] = &[
-    &crate::mat::Mat,
-    &crate::ulog::Ulog,
-    &crate::ardupilot::ArduPilot,
-    &crate::ros::mcap::Mcap,
-    &crate::ros::bag::Bag,
-    &crate::ros::db3::Db3,
-    &crate::blackbox::Blackbox,
-    &crate::sensor_logger_json::SensorLoggerJson,
+pub static FORMATS: &[&Format] = &[
+    &crate::mat::MAT,
+    &crate::ulog::ULOG,
+    &crate::ardupilot::ARDUPILOT,
+    &crate::ros::mcap::MCAP,
+    &crate::ros::bag::BAG,
+    &crate::ros::db3::DB3,
+    &crate::blackbox::BLACKBOX,
+    &crate::sensor_logger_json::SENSOR_LOGGER_JSON,
 ];
 
 /// The format of a file that begins with `head`.
-pub fn recognise(head: &[u8]) -> Option<&'static dyn Format> {
-    FORMATS
-        .iter()
-        .copied()
-        .find(|format| format.recognises(head))
+pub fn recognise(head: &[u8]) -> Option<&'static Format> {
+    FORMATS.iter().copied().find(|format| (format.begins)(head))
 }

@@ -11,59 +11,46 @@ use std::io::{BufReader, Read};
 use serde::de::{Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 
 use crate::error::no_json;
-use crate::format::Format;
+use crate::format::{Format, Reads};
 use crate::stream::Recorder;
 use crate::{Content, Error, Limits, Quantity, Wanted};
 
 /// Sensor Logger's JSON export.
-#[derive(Debug)]
-pub(crate) struct SensorLoggerJson;
-
-impl Format for SensorLoggerJson {
-    fn name(&self) -> &'static str {
-        "sensor_logger_json"
-    }
-
-    fn about(&self) -> &'static str {
-        "the JSON of the app Sensor Logger: an array of {sensor, time, x, y, z}"
-    }
-
-    fn recognises(&self, head: &[u8]) -> bool {
+pub(crate) static SENSOR_LOGGER_JSON: Format = Format {
+    name: "sensor_logger_json",
+    about: "the JSON of the app Sensor Logger: an array of {sensor, time, x, y, z}",
+    begins: |head| {
         let mut text = head.iter().filter(|byte| !byte.is_ascii_whitespace());
         text.next() == Some(&b'[')
             && text.next() == Some(&b'{')
             && [b"\"sensor\"".as_slice(), b"\"time\""]
                 .iter()
                 .all(|name| memchr::memmem::find(head, name).is_some())
-    }
+    },
+    reads: Reads::Forward(read),
+};
 
-    fn read(
-        &self,
-        reader: &mut dyn Read,
-        wanted: &Wanted,
-        limits: Limits,
-    ) -> Result<Content, Error> {
-        let reader = BufReader::new(reader.take(limits.bytes));
-        let mut json = serde_json::Deserializer::from_reader(reader);
-        let mut file = File {
-            recorder: Recorder::new(wanted, limits),
-            counts: BTreeMap::new(),
-            settings: BTreeMap::new(),
-            refused: None,
-        };
-        let read = json.deserialize_seq(Rows(&mut file));
-        if let Some(error) = file.refused.take() {
-            return Err(error);
-        }
-        if let Err(error) = read {
-            if !error.is_eof() || file.counts.is_empty() {
-                return Err(no_json(&error));
-            }
-            let cut = Finding::of(Kind::FileCut).detail("within", "an entry");
-            file.recorder.content.cut = Some(cut.count("line", error.line()));
-        }
-        file.finish()
+fn read(reader: &mut dyn Read, wanted: &Wanted, limits: Limits) -> Result<Content, Error> {
+    let reader = BufReader::new(reader.take(limits.bytes));
+    let mut json = serde_json::Deserializer::from_reader(reader);
+    let mut file = File {
+        recorder: Recorder::new(wanted, limits),
+        counts: BTreeMap::new(),
+        settings: BTreeMap::new(),
+        refused: None,
+    };
+    let read = json.deserialize_seq(Rows(&mut file));
+    if let Some(error) = file.refused.take() {
+        return Err(error);
     }
+    if let Err(error) = read {
+        if !error.is_eof() || file.counts.is_empty() {
+            return Err(no_json(&error));
+        }
+        let cut = Finding::of(Kind::FileCut).detail("within", "an entry");
+        file.recorder.content.cut = Some(cut.count("line", error.line()));
+    }
+    file.finish()
 }
 
 struct File {

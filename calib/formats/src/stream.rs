@@ -220,6 +220,11 @@ impl Recorder {
         Ok(())
     }
 
+    /// The file ends at byte `at`, within something.
+    pub fn cut(&mut self, at: u64, within: &str) {
+        self.content.cut = Some(cut_at(at, within));
+    }
+
     /// The streams that have samples.
     pub fn finish(self) -> Content {
         let mut content = self.content;

@@ -48,7 +48,7 @@ const LIMITS: Limits = Limits {
 /// # Panics
 /// Where a stream has not a stamp for every sample.
 fn binary(name: &str, bytes: &[u8]) {
-    let format = file_formats::FORMATS.iter().find(|f| f.name() == name);
+    let format = file_formats::FORMATS.iter().find(|f| f.name == name);
     let Some(format) = format else { return };
     match format.read(&mut &bytes[..], &Wanted::default(), LIMITS) {
         Ok(content) => {

@@ -21,60 +21,45 @@ use variables::Variables;
 
 use crate::bytes::Bytes;
 use crate::error::cut;
-use crate::format::Format;
+use crate::format::{Format, Reads};
 use crate::stream::cut_at;
 use crate::{Content, Error, Limits, Wanted};
 #[cfg(feature = "hdf5")]
 pub(crate) use named_after::quantity;
 
 /// MAT files with an accelerometer and a gyroscope.
-#[derive(Debug)]
-pub(crate) struct Mat;
+pub(crate) static MAT: Format = Format {
+    name: "mat",
+    about: "a MATLAB file (v5 to v7): timetables of MATLAB Mobile, or matrices named after a sensor (t, x, y, z)",
+    begins: |head| head.starts_with(MAGIC),
+    reads: Reads::Forward(read),
+};
 
 const MAGIC: &[u8] = b"MATLAB 5.0 MAT-file";
 const HEADER: u64 = 128;
 
-impl Format for Mat {
-    fn name(&self) -> &'static str {
-        "mat"
+fn read(reader: &mut dyn Read, wanted: &Wanted, limits: Limits) -> Result<Content, Error> {
+    let mut bytes = Bytes::new(reader, limits);
+    let header = bytes
+        .take(HEADER)?
+        .ok_or_else(|| Error::at(0, cut("header", "MATLAB file")))?;
+    if header.get(126..128) == Some(b"MI") {
+        return Err(Error::refused(Finding::of(Kind::MatlabBigEndian)));
     }
-
-    fn about(&self) -> &'static str {
-        "a MATLAB file (v5 to v7): timetables of MATLAB Mobile, or matrices named after a sensor (t, x, y, z)"
-    }
-
-    fn recognises(&self, head: &[u8]) -> bool {
-        head.starts_with(MAGIC)
-    }
-
-    fn read(
-        &self,
-        reader: &mut dyn Read,
-        wanted: &Wanted,
-        limits: Limits,
-    ) -> Result<Content, Error> {
-        let mut bytes = Bytes::new(reader, limits);
-        let header = bytes
-            .take(HEADER)?
-            .ok_or_else(|| Error::at(0, cut("header", "MATLAB file")))?;
-        if header.get(126..128) == Some(b"MI") {
-            return Err(Error::refused(Finding::of(Kind::MatlabBigEndian)));
-        }
-        let offset = header
-            .get(116..124)
-            .and_then(|bytes| bytes.try_into().ok())
-            .map_or(0, u64::from_le_bytes);
-        let mut file = File {
-            variables: Variables::new(wanted, limits),
-            references: Vec::new(),
-            objects: None,
-            subsystem: offset,
-            limits,
-            unpacked: 0,
-        };
-        while file.element(&mut bytes)? {}
-        file.finish()
-    }
+    let offset = header
+        .get(116..124)
+        .and_then(|bytes| bytes.try_into().ok())
+        .map_or(0, u64::from_le_bytes);
+    let mut file = File {
+        variables: Variables::new(wanted, limits),
+        references: Vec::new(),
+        objects: None,
+        subsystem: offset,
+        limits,
+        unpacked: 0,
+    };
+    while file.element(&mut bytes)? {}
+    file.finish()
 }
 
 /// The file while it is read.

@@ -5,67 +5,51 @@ use std::io::Read;
 
 use crate::bytes::{Bytes, Fields};
 use crate::error::damaged;
-use crate::format::Format;
+use crate::format::{Format, Reads};
 use crate::ros::imu::{Encoding, Topics};
-use crate::stream::Recorder;
-use crate::stream::{chunk_damaged, cut_at};
+use crate::stream::{Recorder, chunk_damaged};
 use crate::unpack::Chunks;
 use crate::{Content, Error, Limits, Wanted};
 
 /// ROS 1 bags; chunks by lz4, bz2 or as they are. Indices are not needed, so that bags that were not closed are read.
-#[derive(Debug)]
-pub(crate) struct Bag;
+pub(crate) static BAG: Format = Format {
+    name: "bag",
+    about: "a ROS 1 bag with sensor_msgs/Imu, closed or not",
+    begins: |head| head.starts_with(MAGIC),
+    reads: Reads::Forward(read),
+};
 
 const MAGIC: &[u8] = b"#ROSBAG V2.0\n";
 const MESSAGE: u8 = 0x02;
 const CHUNK: u8 = 0x05;
 const CONNECTION: u8 = 0x07;
 
-impl Format for Bag {
-    fn name(&self) -> &'static str {
-        "bag"
-    }
-
-    fn about(&self) -> &'static str {
-        "a ROS 1 bag with sensor_msgs/Imu, closed or not"
-    }
-
-    fn recognises(&self, head: &[u8]) -> bool {
-        head.starts_with(MAGIC)
-    }
-
-    fn read(
-        &self,
-        reader: &mut dyn Read,
-        wanted: &Wanted,
-        limits: Limits,
-    ) -> Result<Content, Error> {
-        let mut bytes = Bytes::new(reader, limits);
-        bytes.take(MAGIC.len() as u64)?;
-        let mut file = File {
-            recorder: Recorder::new(wanted, limits),
-            connections: HashMap::new(),
-            topics: Topics::default(),
-            chunks: Chunks::new(limits),
-        };
-        loop {
-            let at = bytes.at();
-            if bytes.peek(1)?.is_empty() {
-                break;
-            }
-            // Header and data each stand behind their lengths.
-            let Some(header) = block(&mut bytes)? else {
-                file.cut(at);
-                break;
-            };
-            let Some(data) = block_ref(&mut bytes)? else {
-                file.cut(at);
-                break;
-            };
-            file.record(&header, data, at)?;
+fn read(reader: &mut dyn Read, wanted: &Wanted, limits: Limits) -> Result<Content, Error> {
+    let mut bytes = Bytes::new(reader, limits);
+    bytes.take(MAGIC.len() as u64)?;
+    let mut file = File {
+        recorder: Recorder::new(wanted, limits),
+        connections: HashMap::new(),
+        topics: Topics::default(),
+        chunks: Chunks::new(limits),
+    };
+    loop {
+        let at = bytes.at();
+        if bytes.peek(1)?.is_empty() {
+            break;
         }
-        Ok(file.topics.finish(file.recorder))
+        // Header and data each stand behind their lengths.
+        let Some(header) = block(&mut bytes)? else {
+            file.recorder.cut(at, "a record");
+            break;
+        };
+        let Some(data) = block_ref(&mut bytes)? else {
+            file.recorder.cut(at, "a record");
+            break;
+        };
+        file.record(&header, data, at)?;
     }
+    Ok(file.topics.finish(file.recorder))
 }
 
 fn block(bytes: &mut Bytes<'_>) -> Result<Option<Vec<u8>>, Error> {
@@ -105,10 +89,6 @@ struct File {
 }
 
 impl File {
-    fn cut(&mut self, at: u64) {
-        self.recorder.content.cut = Some(cut_at(at, "a record"));
-    }
-
     fn record(&mut self, header: &[u8], data: &[u8], at: u64) -> Result<(), Error> {
         let op = field(header, b"op").and_then(|op| op.first().copied());
         let broken = |what: &str| Error::at(at, damaged(&format!("{what} record")));

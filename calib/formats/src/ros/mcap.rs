@@ -6,16 +6,19 @@ use std::io::Read;
 
 use crate::bytes::{Bytes, Fields};
 use crate::error::{contradicted, damaged};
-use crate::format::Format;
+use crate::format::{Format, Reads};
 use crate::ros::imu::{Encoding, Topics};
-use crate::stream::Recorder;
-use crate::stream::{chunk_damaged, cut_at};
+use crate::stream::{Recorder, chunk_damaged, cut_at};
 use crate::unpack::Chunks;
 use crate::{Content, Error, Limits, Wanted};
 
 /// MCAP files; chunks by lz4, zstd or as they are. Indices are not needed.
-#[derive(Debug)]
-pub(crate) struct Mcap;
+pub(crate) static MCAP: Format = Format {
+    name: "mcap",
+    about: "an MCAP file of ROS 2 or ROS 1 with sensor_msgs/Imu",
+    begins: |head| head.starts_with(MAGIC),
+    reads: Reads::Forward(read),
+};
 
 const MAGIC: &[u8] = b"\x89MCAP0\r\n";
 const FOOTER: u8 = 0x02;
@@ -25,52 +28,33 @@ const MESSAGE: u8 = 0x05;
 const CHUNK: u8 = 0x06;
 const DATA_END: u8 = 0x0f;
 
-impl Format for Mcap {
-    fn name(&self) -> &'static str {
-        "mcap"
-    }
-
-    fn about(&self) -> &'static str {
-        "an MCAP file of ROS 2 or ROS 1 with sensor_msgs/Imu"
-    }
-
-    fn recognises(&self, head: &[u8]) -> bool {
-        head.starts_with(MAGIC)
-    }
-
-    fn read(
-        &self,
-        reader: &mut dyn Read,
-        wanted: &Wanted,
-        limits: Limits,
-    ) -> Result<Content, Error> {
-        let mut bytes = Bytes::new(reader, limits);
-        bytes.take(MAGIC.len() as u64)?;
-        let mut file = File {
-            recorder: Recorder::new(wanted, limits),
-            schemas: HashMap::new(),
-            channels: Topics::default(),
-            chunks: Chunks::new(limits),
+fn read(reader: &mut dyn Read, wanted: &Wanted, limits: Limits) -> Result<Content, Error> {
+    let mut bytes = Bytes::new(reader, limits);
+    bytes.take(MAGIC.len() as u64)?;
+    let mut file = File {
+        recorder: Recorder::new(wanted, limits),
+        schemas: HashMap::new(),
+        channels: Topics::default(),
+        chunks: Chunks::new(limits),
+    };
+    loop {
+        let at = bytes.at();
+        let Some(head) = bytes.take(9)? else {
+            file.cut(at, bytes.peek(1)?.is_empty());
+            break;
         };
-        loop {
-            let at = bytes.at();
-            let Some(head) = bytes.take(9)? else {
-                file.cut(at, bytes.peek(1)?.is_empty());
-                break;
-            };
-            let mut head = Fields(head);
-            let (op, length) = (head.u8().unwrap_or(0), head.u64().unwrap_or(0));
-            if matches!(op, FOOTER | DATA_END) {
-                break;
-            }
-            let Some(body) = bytes.take(length)? else {
-                file.cut(at, false);
-                break;
-            };
-            file.record(op, body, at)?;
+        let mut head = Fields(head);
+        let (op, length) = (head.u8().unwrap_or(0), head.u64().unwrap_or(0));
+        if matches!(op, FOOTER | DATA_END) {
+            break;
         }
-        Ok(file.channels.finish(file.recorder))
+        let Some(body) = bytes.take(length)? else {
+            file.cut(at, false);
+            break;
+        };
+        file.record(op, body, at)?;
     }
+    Ok(file.channels.finish(file.recorder))
 }
 
 struct File {

@@ -38,15 +38,15 @@ pub struct Tabular {
     begins: fn(&[u8]) -> bool,
     /// Ways out where it is not read.
     instead: fn() -> Vec<Remedy>,
-    reader: Option<&'static dyn Reader>,
+    reader: Option<Reader>,
 }
 
 macro_rules! reader {
     ($feature:literal, $reader:path) => {{
         #[cfg(feature = $feature)]
-        let reader: Option<&'static dyn Reader> = Some(&$reader);
+        let reader: Option<Reader> = Some($reader);
         #[cfg(not(feature = $feature))]
-        let reader: Option<&'static dyn Reader> = None;
+        let reader: Option<Reader> = None;
         reader
     }};
 }
@@ -59,7 +59,7 @@ pub static TABULAR: &[Tabular] = &[
         called: "a JSON file",
         begins: json::begins,
         instead: || vec![Remedy::SaveAsCsv],
-        reader: Some(&json::Json),
+        reader: Some(json::READER),
     },
     Tabular {
         name: "parquet",
@@ -71,7 +71,7 @@ pub static TABULAR: &[Tabular] = &[
                 by: "pandas.read_parquet(FILE).to_csv(OUT)".into(),
             }]
         },
-        reader: reader!("parquet", parquet::Parquet),
+        reader: reader!("parquet", parquet::READER),
     },
     Tabular {
         name: "hdf5",
@@ -88,7 +88,7 @@ pub static TABULAR: &[Tabular] = &[
                 },
             ]
         },
-        reader: reader!("hdf5", hdf5::Hdf5),
+        reader: reader!("hdf5", hdf5::READER),
     },
     // A zip archive is a workbook by what is in it.
     Tabular {
@@ -97,7 +97,7 @@ pub static TABULAR: &[Tabular] = &[
         called: "an Excel workbook",
         begins: |_| false,
         instead: || vec![Remedy::SaveAsCsv],
-        reader: reader!("xlsx", xlsx::Xlsx),
+        reader: reader!("xlsx", xlsx::READER),
     },
 ];
 
@@ -121,7 +121,7 @@ impl Tabular {
     ///
     /// # Errors
     /// A build without it, and what to do.
-    fn reader(&self) -> Result<&'static dyn Reader, Error> {
+    fn reader(&self) -> Result<Reader, Error> {
         self.reader.ok_or_else(|| {
             let found = Finding::of(Kind::NotInBuild).detail("format", self.called);
             let build = Remedy::Build {
@@ -134,7 +134,7 @@ impl Tabular {
     /// The tables in `store`.
     pub(crate) fn tables(&self, store: &Store, limits: Limits) -> Result<Listed, Error> {
         let reader = self.reader()?;
-        guarded(|| reader.tables(store, limits))
+        guarded(|| (reader.tables)(store, limits))
     }
 
     /// Writes the table called `name` as text.
@@ -146,7 +146,7 @@ impl Tabular {
         out: &mut dyn Write,
     ) -> Result<(), Error> {
         let reader = self.reader()?;
-        guarded(|| reader.write(store, name, limits, out))
+        guarded(|| (reader.write)(store, name, limits, out))
     }
 
     /// The same text while it is read.

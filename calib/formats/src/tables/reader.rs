@@ -1,25 +1,18 @@
-//! The trait that every reader of tables implements.
+//! A reader of tables, as data.
 
 use findings::Findings;
-use std::fmt;
 use std::io::Write;
 
 use crate::store::Store;
 use crate::{Error, Limits};
 
-/// Reader of a format of tables.
-pub(crate) trait Reader: fmt::Debug + Sync {
-    /// The tables in the file.
-    fn tables(&self, store: &Store, limits: Limits) -> Result<Listed, Error>;
-
-    /// Writes the table called `name` as comma-separated text, its names first.
-    fn write(
-        &self,
-        store: &Store,
-        name: &str,
-        limits: Limits,
-        out: &mut dyn Write,
-    ) -> Result<(), Error>;
+/// How a file's tables are found and written as text.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Reader {
+    /// Finds the tables.
+    pub tables: fn(&Store, Limits) -> Result<Listed, Error>,
+    /// Writes the table called so as comma-separated text, its names first.
+    pub write: fn(&Store, &str, Limits, &mut dyn Write) -> Result<(), Error>,
 }
 
 /// The tables of a file.

@@ -17,8 +17,7 @@ use crate::store::{Store, Stored};
 use crate::{Error, Limits};
 
 /// `.xlsx` workbooks.
-#[derive(Debug)]
-pub(super) struct Xlsx;
+pub(super) const READER: Reader = Reader { tables, write };
 
 /// Excel has no more columns, nor more rows: "Excel specifications and limits", Microsoft.
 const COLUMNS: u32 = 16_384;
@@ -26,55 +25,47 @@ const ROWS: u32 = 1_048_576;
 /// Bytes of what is held in memory beside a sheet: shared words, styles.
 const HELD: u64 = 256 << 20;
 
-impl Reader for Xlsx {
-    fn tables(&self, store: &Store, limits: Limits) -> Result<Listed, Error> {
-        check(store, limits)?;
-        let workbook = open(store)?;
-        let mut listed = Listed::default();
-        for sheet in workbook.sheets_metadata() {
-            match (sheet.typ, sheet.visible) {
-                (SheetType::WorkSheet, SheetVisible::Visible) => {
-                    listed.names.push(sheet.name.clone());
-                }
-                (SheetType::WorkSheet, _) => listed
-                    .warnings
-                    .push(Finding::of(Kind::SheetHidden).detail("sheet", shown(&sheet.name))),
-                _ => {}
+fn tables(store: &Store, limits: Limits) -> Result<Listed, Error> {
+    check(store, limits)?;
+    let workbook = open(store)?;
+    let mut listed = Listed::default();
+    for sheet in workbook.sheets_metadata() {
+        match (sheet.typ, sheet.visible) {
+            (SheetType::WorkSheet, SheetVisible::Visible) => {
+                listed.names.push(sheet.name.clone());
             }
-        }
-        match listed.names.is_empty() {
-            true => Err(Error::refused(Finding::of(Kind::NoSheet))),
-            false => Ok(listed),
+            (SheetType::WorkSheet, _) => listed
+                .warnings
+                .push(Finding::of(Kind::SheetHidden).detail("sheet", shown(&sheet.name))),
+            _ => {}
         }
     }
+    match listed.names.is_empty() {
+        true => Err(Error::refused(Finding::of(Kind::NoSheet))),
+        false => Ok(listed),
+    }
+}
 
-    fn write(
-        &self,
-        store: &Store,
-        name: &str,
-        limits: Limits,
-        out: &mut dyn Write,
-    ) -> Result<(), Error> {
-        let mut workbook = open(store)?;
-        let mut cells = workbook.worksheet_cells_reader(name).map_err(damaged)?;
-        let mut sheet = Sheet {
-            name,
-            first: cells.dimensions().start.1,
-            row: 0,
-            line: String::new(),
-            columns: 0,
-            numbers: false,
-            date: None,
-            out,
-        };
-        while let Some(cell) = cells.next_cell().map_err(damaged)? {
-            // Rows beyond those of Excel are damage, and told so.
-            let rows = u64::from(cell.get_position().0) + 1;
-            rows::check(rows.min(u64::from(ROWS)), limits.rows)?;
-            sheet.add(&cell)?;
-        }
-        sheet.end_line()
+fn write(store: &Store, name: &str, limits: Limits, out: &mut dyn Write) -> Result<(), Error> {
+    let mut workbook = open(store)?;
+    let mut cells = workbook.worksheet_cells_reader(name).map_err(damaged)?;
+    let mut sheet = Sheet {
+        name,
+        first: cells.dimensions().start.1,
+        row: 0,
+        line: String::new(),
+        columns: 0,
+        numbers: false,
+        date: None,
+        out,
+    };
+    while let Some(cell) = cells.next_cell().map_err(damaged)? {
+        // Rows beyond those of Excel are damage, and told so.
+        let rows = u64::from(cell.get_position().0) + 1;
+        rows::check(rows.min(u64::from(ROWS)), limits.rows)?;
+        sheet.add(&cell)?;
     }
+    sheet.end_line()
 }
 
 fn damaged(error: XlsxError) -> Error {

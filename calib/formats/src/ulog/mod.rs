@@ -13,14 +13,17 @@ use topics::Topic;
 
 use crate::bytes::{Bytes, Fields};
 use crate::error::damaged;
-use crate::format::Format;
+use crate::format::{Format, Reads};
 use crate::stream::Recorder;
-use crate::stream::cut_at;
 use crate::{Content, Error, Limits, Wanted};
 
 /// ULog files: `sensor_accel`, `sensor_gyro`, their FIFOs, and `sensor_combined` where those are not there.
-#[derive(Debug)]
-pub(crate) struct Ulog;
+pub(crate) static ULOG: Format = Format {
+    name: "ulog",
+    about: "a PX4 log (.ulg) with sensor_accel and sensor_gyro",
+    begins: |head| head.starts_with(MAGIC),
+    reads: Reads::Forward(read),
+};
 
 const MAGIC: &[u8] = b"ULog\x01\x12\x35";
 const HEADER: u64 = 16;
@@ -29,54 +32,35 @@ const HOUR: u64 = 3_600_000_000;
 /// Dropouts that are told with their times.
 const LISTED: usize = 3;
 
-impl Format for Ulog {
-    fn name(&self) -> &'static str {
-        "ulog"
-    }
-
-    fn about(&self) -> &'static str {
-        "a PX4 log (.ulg) with sensor_accel and sensor_gyro"
-    }
-
-    fn recognises(&self, head: &[u8]) -> bool {
-        head.starts_with(MAGIC)
-    }
-
-    fn read(
-        &self,
-        reader: &mut dyn Read,
-        wanted: &Wanted,
-        limits: Limits,
-    ) -> Result<Content, Error> {
-        let mut bytes = Bytes::new(reader, limits);
-        let mut file = File {
-            recorder: Recorder::new(wanted, limits),
-            layouts: Layouts::default(),
-            logged: Vec::new(),
-            parameters: Parameters::default(),
-            dropouts: Vec::new(),
-            last: 0,
-        };
-        bytes.take(HEADER)?;
-        loop {
-            let at = bytes.at();
-            if bytes.peek(1)?.is_empty() {
-                break;
-            }
-            let Some(head) = bytes.take(3)? else {
-                file.cut(at);
-                break;
-            };
-            let mut head = Fields(head);
-            let (size, kind) = (head.u16().unwrap_or(0), head.u8().unwrap_or(0));
-            let Some(body) = bytes.take(u64::from(size))? else {
-                file.cut(at);
-                break;
-            };
-            file.message(kind, body, at)?;
+fn read(reader: &mut dyn Read, wanted: &Wanted, limits: Limits) -> Result<Content, Error> {
+    let mut bytes = Bytes::new(reader, limits);
+    let mut file = File {
+        recorder: Recorder::new(wanted, limits),
+        layouts: Layouts::default(),
+        logged: Vec::new(),
+        parameters: Parameters::default(),
+        dropouts: Vec::new(),
+        last: 0,
+    };
+    bytes.take(HEADER)?;
+    loop {
+        let at = bytes.at();
+        if bytes.peek(1)?.is_empty() {
+            break;
         }
-        Ok(file.finish())
+        let Some(head) = bytes.take(3)? else {
+            file.recorder.cut(at, "a message");
+            break;
+        };
+        let mut head = Fields(head);
+        let (size, kind) = (head.u16().unwrap_or(0), head.u8().unwrap_or(0));
+        let Some(body) = bytes.take(u64::from(size))? else {
+            file.recorder.cut(at, "a message");
+            break;
+        };
+        file.message(kind, body, at)?;
     }
+    Ok(file.finish())
 }
 
 /// A topic that is logged.
@@ -102,10 +86,6 @@ struct File {
 }
 
 impl File {
-    fn cut(&mut self, at: u64) {
-        self.recorder.content.cut = Some(cut_at(at, "a message"));
-    }
-
     fn message(&mut self, kind: u8, body: &[u8], at: u64) -> Result<(), Error> {
         let broken = |what: &str| Error::at(at, damaged(&format!("{what} message")));
         match kind {

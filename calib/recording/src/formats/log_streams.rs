@@ -81,7 +81,7 @@ impl Recording {
         let Source::Binary(binary) = Source::open(path, options)? else {
             return Ok(None);
         };
-        let format = binary.format.name();
+        let format = binary.format.name;
         let content = content(binary, &Wanted::default(), options)?;
         Ok(Some(LogContents {
             format,

@@ -37,12 +37,12 @@ impl Format for Measured {
     fn about(&self) -> &'static str {
         let format = file_formats::FORMATS
             .iter()
-            .find(|format| format.name() == self.0);
-        format.map_or("", |format| format.about())
+            .find(|format| format.name == self.0);
+        format.map_or("", |format| format.about)
     }
 
     fn recognises(&self, source: &Source) -> bool {
-        matches!(source, Source::Binary(binary) if binary.format.name() == self.0)
+        matches!(source, Source::Binary(binary) if binary.format.name == self.0)
     }
 
     fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {

@@ -51,7 +51,7 @@ pub struct Binary {
     /// The name in messages.
     pub(crate) name: String,
     /// Its format.
-    pub(crate) format: &'static dyn file_formats::Format,
+    pub(crate) format: &'static file_formats::Format,
     /// All of it.
     pub(crate) reader: Box<dyn Read + Send>,
     /// The file itself, if it is one and not packed: it can be sought in.

@@ -25,45 +25,36 @@ use crate::store::Store;
 use crate::{Error, Limits};
 
 /// HDF5 files. Links to other files are not followed.
-#[derive(Debug)]
-pub(super) struct Hdf5;
+pub(super) const READER: Reader = Reader { tables, write };
 
 /// Bytes of chunks that are kept unpacked.
 const CACHE: usize = 64 << 20;
 /// Bytes that a read may always take.
 const ALWAYS: u64 = 1 << 20;
 
-impl Reader for Hdf5 {
-    fn tables(&self, store: &Store, limits: Limits) -> Result<Listed, Error> {
-        let mut found = Found::default();
-        found.look(&open(store, limits)?, store.length()?, limits)?;
-        if found.tables.is_empty() {
-            let none = counted(Finding::of(Kind::NoDataset), "least", FEWEST);
-            return Err(Error::refused(none.detail("listed", found.listed())));
-        }
-        Ok(Listed {
-            names: found.tables.into_iter().map(|table| table.name).collect(),
-            warnings: found.warnings,
-        })
+fn tables(store: &Store, limits: Limits) -> Result<Listed, Error> {
+    let mut found = Found::default();
+    found.look(&open(store, limits)?, store.length()?, limits)?;
+    if found.tables.is_empty() {
+        let none = counted(Finding::of(Kind::NoDataset), "least", FEWEST);
+        return Err(Error::refused(none.detail("listed", found.listed())));
     }
+    Ok(Listed {
+        names: found.tables.into_iter().map(|table| table.name).collect(),
+        warnings: found.warnings,
+    })
+}
 
-    fn write(
-        &self,
-        store: &Store,
-        name: &str,
-        limits: Limits,
-        out: &mut dyn Write,
-    ) -> Result<(), Error> {
-        let file = open(store, limits)?;
-        let mut found = Found::default();
-        found.look(&file, store.length()?, limits)?;
-        let table = found.tables.iter().find(|table| table.name == name);
-        let table = table.ok_or_else(|| {
-            let gone = Finding::of(Kind::TableGone).detail("table", shown(name));
-            Error::refused(gone)
-        })?;
-        table.write(out)
-    }
+fn write(store: &Store, name: &str, limits: Limits, out: &mut dyn Write) -> Result<(), Error> {
+    let file = open(store, limits)?;
+    let mut found = Found::default();
+    found.look(&file, store.length()?, limits)?;
+    let table = found.tables.iter().find(|table| table.name == name);
+    let table = table.ok_or_else(|| {
+        let gone = Finding::of(Kind::TableGone).detail("table", shown(name));
+        Error::refused(gone)
+    })?;
+    table.write(out)
 }
 
 /// The filters of the parser, which makes room for fill values of the scale-offset filter as large as the file says.

@@ -20,8 +20,7 @@ use crate::store::Store;
 use crate::{Error, Limits};
 
 /// JSON of records or columns.
-#[derive(Debug)]
-pub(super) struct Json;
+pub(super) const READER: Reader = Reader { tables, write };
 
 /// True for what begins as JSON with something in it: a log's line may begin with a bracket too.
 pub(super) fn begins(head: &[u8]) -> bool {
@@ -35,63 +34,55 @@ pub(super) fn begins(head: &[u8]) -> bool {
     }
 }
 
-impl Reader for Json {
-    fn tables(&self, store: &Store, limits: Limits) -> Result<Listed, Error> {
-        if let Some(document) = Document::open(store)? {
-            let names: Vec<String> = document.tables().map(|table| table.name.clone()).collect();
-            return match names.len() {
-                0 => {
-                    let found = Finding::of(Kind::JsonWithoutTable);
-                    Err(Error::refused(found.detail("listed", document.listed())))
-                }
-                _ => Ok(Listed {
-                    names,
-                    warnings: findings::Findings::new(),
-                }),
-            };
-        }
-        let mut columns = Columns::default();
-        let cut = Records::of(store)?.each(limits, &mut |row| columns.add(&row))?;
-        Ok(Listed {
-            names: vec![String::new()],
-            warnings: cut.into_iter().collect(),
-        })
+fn tables(store: &Store, limits: Limits) -> Result<Listed, Error> {
+    if let Some(document) = Document::open(store)? {
+        let names: Vec<String> = document.tables().map(|table| table.name.clone()).collect();
+        return match names.len() {
+            0 => {
+                let found = Finding::of(Kind::JsonWithoutTable);
+                Err(Error::refused(found.detail("listed", document.listed())))
+            }
+            _ => Ok(Listed {
+                names,
+                warnings: findings::Findings::new(),
+            }),
+        };
     }
+    let mut columns = Columns::default();
+    let cut = Records::of(store)?.each(limits, &mut |row| columns.add(&row))?;
+    Ok(Listed {
+        names: vec![String::new()],
+        warnings: cut.into_iter().collect(),
+    })
+}
 
-    fn write(
-        &self,
-        store: &Store,
-        name: &str,
-        limits: Limits,
-        out: &mut dyn Write,
-    ) -> Result<(), Error> {
-        let mut columns = Columns::default();
-        let mut line = String::new();
-        if let Some(document) = Document::open(store)? {
-            let table = document.tables().find(|table| table.name == name);
-            let table = table.ok_or_else(|| {
-                let found = Finding::of(Kind::TableGone);
-                Error::refused(found.detail("table", shown(name)))
-            })?;
-            let mut count = 0;
-            for at in 0..table.length() {
-                let rows = table.rows(at)?;
-                count += rows.len() as u64;
-                rows::check(count, limits.rows)?;
-                rows.iter().try_for_each(|row| columns.add(row))?;
-            }
-            columns.write_names(out)?;
-            for at in 0..table.length() {
-                let mut rows = table.rows(at)?.into_iter();
-                rows.try_for_each(|row| columns.write(row, out, &mut line))?;
-            }
-            return Ok(());
+fn write(store: &Store, name: &str, limits: Limits, out: &mut dyn Write) -> Result<(), Error> {
+    let mut columns = Columns::default();
+    let mut line = String::new();
+    if let Some(document) = Document::open(store)? {
+        let table = document.tables().find(|table| table.name == name);
+        let table = table.ok_or_else(|| {
+            let found = Finding::of(Kind::TableGone);
+            Error::refused(found.detail("table", shown(name)))
+        })?;
+        let mut count = 0;
+        for at in 0..table.length() {
+            let rows = table.rows(at)?;
+            count += rows.len() as u64;
+            rows::check(count, limits.rows)?;
+            rows.iter().try_for_each(|row| columns.add(row))?;
         }
-        Records::of(store)?.each(limits, &mut |row| columns.add(&row))?;
         columns.write_names(out)?;
-        let mut write = |row: Row| columns.write(row, out, &mut line);
-        Records::of(store)?.each(limits, &mut write).map(drop)
+        for at in 0..table.length() {
+            let mut rows = table.rows(at)?.into_iter();
+            rows.try_for_each(|row| columns.write(row, out, &mut line))?;
+        }
+        return Ok(());
     }
+    Records::of(store)?.each(limits, &mut |row| columns.add(&row))?;
+    columns.write_names(out)?;
+    let mut write = |row: Row| columns.write(row, out, &mut line);
+    Records::of(store)?.each(limits, &mut write).map(drop)
 }
 
 #[cfg(test)]

@@ -27,69 +27,63 @@ use crate::store::{Store, Stored};
 use crate::{Error, Limits};
 
 /// Parquet files of plain columns.
-#[derive(Debug)]
-pub(super) struct Parquet;
+pub(super) const READER: Reader = Reader {
+    tables,
+    write: write_text,
+};
 
 /// Rows read at a time.
 const ROWS: usize = 4096;
 
-impl Reader for Parquet {
-    fn tables(&self, store: &Store, limits: Limits) -> Result<Listed, Error> {
-        let file = open(store)?;
-        check(file.metadata(), store.length()?, limits)?;
-        Ok(Listed {
-            names: vec![String::new()],
-            warnings: findings::Findings::new(),
-        })
-    }
+fn tables(store: &Store, limits: Limits) -> Result<Listed, Error> {
+    let file = open(store)?;
+    check(file.metadata(), store.length()?, limits)?;
+    Ok(Listed {
+        names: vec![String::new()],
+        warnings: findings::Findings::new(),
+    })
+}
 
-    fn write(
-        &self,
-        store: &Store,
-        _name: &str,
-        limits: Limits,
-        out: &mut dyn Write,
-    ) -> Result<(), Error> {
-        let file = open(store)?;
-        let rows = check(file.metadata(), store.length()?, limits)?;
-        let columns: Vec<Column> = {
-            let schema = file.metadata().file_metadata().schema_descr();
-            let all = schema.columns().iter().enumerate();
-            all.filter_map(|(at, column)| Column::of(at, column))
-                .collect()
-        };
-        let names: Vec<String> = columns.iter().map(|column| column.name.clone()).collect();
-        out.write_all(rows::header(&names).as_bytes())?;
-        let (mut line, mut left) = (String::new(), rows);
-        for group in 0..file.num_row_groups() {
-            let group = file.get_row_group(group).map_err(damaged)?;
-            let mut readers = Vec::new();
-            for column in &columns {
-                claims::check_pages(store, group.metadata().column(column.at), limits)?;
-                readers.push(group.get_column_reader(column.at).map_err(damaged)?);
+fn write_text(store: &Store, _: &str, limits: Limits, out: &mut dyn Write) -> Result<(), Error> {
+    let file = open(store)?;
+    let rows = check(file.metadata(), store.length()?, limits)?;
+    let columns: Vec<Column> = {
+        let schema = file.metadata().file_metadata().schema_descr();
+        let all = schema.columns().iter().enumerate();
+        all.filter_map(|(at, column)| Column::of(at, column))
+            .collect()
+    };
+    let names: Vec<String> = columns.iter().map(|column| column.name.clone()).collect();
+    out.write_all(rows::header(&names).as_bytes())?;
+    let (mut line, mut left) = (String::new(), rows);
+    for group in 0..file.num_row_groups() {
+        let group = file.get_row_group(group).map_err(damaged)?;
+        let mut readers = Vec::new();
+        for column in &columns {
+            claims::check_pages(store, group.metadata().column(column.at), limits)?;
+            readers.push(group.get_column_reader(column.at).map_err(damaged)?);
+        }
+        loop {
+            let mut cells = Vec::new();
+            for (column, reader) in columns.iter().zip(&mut readers) {
+                cells.push(column.cells(reader)?);
             }
-            loop {
-                let mut cells = Vec::new();
-                for (column, reader) in columns.iter().zip(&mut readers) {
-                    cells.push(column.cells(reader)?);
-                }
-                let count = cells.iter().map(Vec::len).max().unwrap_or(0);
-                if count == 0 {
-                    break;
-                }
-                if cells.iter().any(|cells| cells.len() != count) {
-                    return Err(Error::refused(Finding::of(Kind::ColumnsUnequal)));
-                }
-                left = left
-                    .checked_sub(count as u64)
-                    .ok_or_else(|| Error::refused(of_file(Kind::RowsBeyondClaim)))?;
-                for row in 0..count {
-                    rows::write(out, &mut line, cells.iter().map(|cells| &cells[row]))?;
-                }
+            let count = cells.iter().map(Vec::len).max().unwrap_or(0);
+            if count == 0 {
+                break;
+            }
+            if cells.iter().any(|cells| cells.len() != count) {
+                return Err(Error::refused(Finding::of(Kind::ColumnsUnequal)));
+            }
+            left = left
+                .checked_sub(count as u64)
+                .ok_or_else(|| Error::refused(of_file(Kind::RowsBeyondClaim)))?;
+            for row in 0..count {
+                rows::write(out, &mut line, cells.iter().map(|cells| &cells[row]))?;
             }
         }
-        Ok(())
     }
+    Ok(())
 }
 
 fn damaged(error: ParquetError) -> Error {
