@@ -1,6 +1,6 @@
 //! Clocks that begin again: a reboot, a power cycle, two logs in one file. What follows is another recording.
 
-use crate::order_statistic::nth_smallest;
+use crate::clock::wraps::usual_step;
 use crate::rows::table::Table;
 
 /// Rows that make a recording of their own.
@@ -49,10 +49,7 @@ pub(crate) fn sessions(table: &Table) -> Vec<Session> {
 
 /// The rows at which the clock begins again; none where some stamps are out of order in another way.
 fn restarts(rows: &[(u64, f64)]) -> Vec<usize> {
-    let steps = || rows.windows(2).map(|pair| pair[1].1 - pair[0].1);
-    let count = steps().filter(|step| *step > 0.0).count();
-    let forwards = steps().map(|step| if step > 0.0 { step } else { f64::INFINITY });
-    let Some(usual) = nth_smallest(forwards, count.saturating_sub(1) / 2) else {
+    let Some(usual) = usual_step(rows) else {
         return Vec::new();
     };
     let t = |at: usize| rows[at].1;

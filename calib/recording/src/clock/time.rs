@@ -4,7 +4,6 @@ use crate::Error;
 use crate::header::affine::Affine;
 use crate::header::names::says_unknown_unit;
 use crate::recording::options::{ReadOptions, Role};
-use crate::recording::samples::Samples;
 use crate::rows::table::Table;
 use crate::shown::{figure, shown, significant};
 use crate::source::place::in_file;
@@ -210,7 +209,7 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
 
 /// The unit of stamps that go up by 1: milliseconds, seconds by contract, or none where they count the rows.
 fn unit_of_ones(table: &Table, warnings: &mut Findings) -> Result<TimeUnit, Error> {
-    let t = &longer(table).t;
+    let t = &table.longer().t;
     let from_the_start = t.first().is_some_and(|first| (0.0..=1.0).contains(first))
         && table.clock.origin.is_none_or(|origin| origin == 0);
     let every_row = t.windows(2).all(|pair| pair[1] - pair[0] == 1.0);
@@ -242,22 +241,14 @@ fn of_epoch(stamp: i64) -> Option<TimeUnit> {
 
 /// The usual step of the sensor with more samples.
 fn usual_step(table: &Table) -> Option<f64> {
-    crate::clock::even::usual_step(&longer(table).t)
+    crate::clock::even::usual_step(&table.longer().t)
 }
 
 /// Returns the number of samples that share a stamp, on average, of the sensor with more of them.
 fn rows_per_stamp(table: &Table) -> f64 {
-    let samples = longer(table);
+    let samples = table.longer();
     let stamps = samples.t.len().max(1) as f64;
     1.0 + samples.other_twins().count() as f64 / stamps
-}
-
-fn longer(table: &Table) -> &Samples {
-    if table.accel.t.len() >= table.gyro.t.len() {
-        &table.accel
-    } else {
-        &table.gyro
-    }
 }
 
 #[cfg(test)]

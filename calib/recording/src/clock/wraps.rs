@@ -46,12 +46,17 @@ pub(crate) fn count_on(table: &mut Table) {
     table.clock.wraps = wraps.into_iter().map(|(line, _)| line).collect();
 }
 
+/// The median of the steps forward from row to row, each with its line and its stamp.
+pub(super) fn usual_step(rows: &[(u64, f64)]) -> Option<f64> {
+    let steps = || rows.windows(2).map(|pair| pair[1].1 - pair[0].1);
+    let count = steps().filter(|step| *step > 0.0).count();
+    let forwards = steps().map(|step| if step > 0.0 { step } else { f64::INFINITY });
+    nth_smallest(forwards, count.saturating_sub(1) / 2)
+}
+
 /// The lines at which a counter started again, with its range.
 fn wraps(rows: &[(u64, f64)], origin: f64) -> Vec<(u64, f64)> {
-    let steps = || rows.windows(2).map(|pair| pair[1].1 - pair[0].1);
-    let forward = steps().filter(|step| *step > 0.0).count();
-    let forwards = steps().map(|step| if step > 0.0 { step } else { f64::INFINITY });
-    let Some(usual) = nth_smallest(forwards, forward.saturating_sub(1) / 2) else {
+    let Some(usual) = usual_step(rows) else {
         return Vec::new();
     };
     let largest = rows.iter().map(|(_, t)| t + origin).fold(0.0, f64::max);

@@ -16,12 +16,9 @@ use crate::source::Source;
 use crate::source::files::Files;
 use crate::source::place::in_file;
 
-/// One file of a container that is a recording of its own, as of a bag of ROS 2.
+/// One file of a container that is a recording of its own, as of a bag of ROS 2; and what finds out how it is read.
 #[derive(Debug)]
-pub(crate) struct Bundle {
-    /// Finds out how the one file is read.
-    pub recognise: Recognise,
-}
+pub(crate) struct Bundle(pub Recognise);
 
 /// An entry that is a recording, and which sensors are in it, as far as its beginning tells.
 struct Found<'a> {
@@ -56,7 +53,7 @@ impl Format for Bundle {
             }
         };
         let source = files.source(entry, options)?;
-        let format = (self.recognise)(&source)
+        let format = (self.0)(&source)
             .ok_or_else(|| in_file(&files.called(entry), Finding::of(Kind::UnknownFormat)))?;
         let mut recording = format.read(source, options)?;
         let whole = recording.accelerometer.is_some() && recording.gyroscope.is_some();

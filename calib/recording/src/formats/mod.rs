@@ -26,22 +26,10 @@ pub use crate::source::Source;
 
 /// Every format.
 pub static FORMATS: &[&dyn Format] = &[
-    &tables::Tables {
-        name: "json",
-        recognise,
-    },
-    &tables::Tables {
-        name: "parquet",
-        recognise,
-    },
-    &tables::Tables {
-        name: "hdf5",
-        recognise,
-    },
-    &tables::Tables {
-        name: "xlsx",
-        recognise,
-    },
+    &tables::Tables("json", recognise),
+    &tables::Tables("parquet", recognise),
+    &tables::Tables("hdf5", recognise),
+    &tables::Tables("xlsx", recognise),
     &phyphox::Phyphox,
     &sensor_logger::SensorLogger,
     &folder::Folder,
@@ -53,7 +41,7 @@ pub static FORMATS: &[&dyn Format] = &[
     &measured::Measured("db3"),
     &measured::Measured("sensor_logger_json"),
     &measured::Measured("blackbox"),
-    &bundle::Bundle { recognise },
+    &bundle::Bundle(recognise),
     &physics_toolbox::PHYSICS_TOOLBOX,
     &sensorlog::SENSORLOG,
     &androsensor::ANDROSENSOR,

@@ -10,34 +10,29 @@ use crate::recording::options::ReadOptions;
 use crate::source::Source;
 use crate::source::place::in_file;
 
-/// The format of tables that is called so.
+/// The format of tables that is called so, and what finds out how the texts in it are read.
 #[derive(Debug)]
-pub(crate) struct Tables {
-    /// The name of the format.
-    pub name: &'static str,
-    /// Finds out how the texts in it are read.
-    pub recognise: Recognise,
-}
+pub(crate) struct Tables(pub &'static str, pub Recognise);
 
 /// Formats of texts and folders that say nothing that the format of the file does not.
 const PLAIN: [&str; 4] = ["csv", "imu_tk", "folder", "bundle"];
 
 impl Format for Tables {
     fn name(&self) -> &'static str {
-        self.name
+        self.0
     }
 
     fn about(&self) -> &'static str {
-        Tabular::by_name(self.name).map_or("", |format| format.about)
+        Tabular::by_name(self.0).map_or("", |format| format.about)
     }
 
     fn recognises(&self, source: &Source) -> bool {
-        matches!(source, Source::Tables(format, _) if format.name == self.name)
+        matches!(source, Source::Tables(format, _) if format.name == self.0)
     }
 
     fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
         let source = match source {
-            Source::Tables(format, inner) if format.name == self.name => *inner,
+            Source::Tables(format, inner) if format.name == self.0 => *inner,
             other => {
                 let expected = "its own files";
                 return Err(crate::formats::format::mismatch(
@@ -47,7 +42,7 @@ impl Format for Tables {
                 ));
             }
         };
-        let format = (self.recognise)(&source);
+        let format = (self.1)(&source);
         let format =
             format.ok_or_else(|| in_file(source.name(), Finding::of(Kind::UnknownFormat)))?;
         let mut recording = format.read(source, options)?;
@@ -56,7 +51,7 @@ impl Format for Tables {
             *described = format.name();
         }
         if PLAIN.contains(described) {
-            *described = self.name;
+            *described = self.0;
         }
         Ok(recording)
     }

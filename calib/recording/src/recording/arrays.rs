@@ -60,9 +60,9 @@ impl Recording {
             ..Table::default()
         };
         table.clock.origin = Some(origin(rows.t));
-        table.accel = rows.samples(name, Sensor::Accelerometer)?;
-        table.gyro = rows.samples(name, Sensor::Gyroscope)?;
-        table.magnetometer = rows.samples(name, Sensor::Magnetometer)?;
+        for sensor in Sensor::ALL {
+            *table.samples_mut(sensor) = rows.samples(name, sensor)?;
+        }
         table.stated.field = Some(FieldUnit::Microtesla);
         let zero = origin(rows.t) as f64;
         for (k, (&t, &celsius)) in rows.t.iter().zip(rows.temperature).enumerate() {

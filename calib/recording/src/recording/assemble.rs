@@ -259,13 +259,7 @@ fn describe(recording: &mut Recording, table: &Table, options: &ReadOptions) {
             let applied = AppliedBefore::by(system, sensor);
             recording.description.applied_before.push(applied);
         }
-        let is_of = |role: &Role| match role {
-            Role::Time => true,
-            Role::Accel(_) | Role::Temperature => sensor == Sensor::Accelerometer,
-            Role::Gyro(_) => sensor == Sensor::Gyroscope,
-            Role::TimeOf(of) => *of == sensor,
-            Role::Field(_) | Role::Device => false,
-        };
+        let is_of = |role: &Role| *role == Role::Time || role.sensor() == Some(sensor);
         let columns = table.roles.iter().filter(|(role, _)| is_of(role));
         recording.description.sensors.push(Described {
             sensor,
@@ -361,19 +355,11 @@ fn scaled(mut stream: Stream, scale: f64) -> Stream {
 /// Turns the sign of axes.
 fn flip(recording: &mut Recording, axes: &[Role]) {
     for role in axes {
-        let (stream, axis) = match role {
-            Role::Accel(axis) => (recording.accelerometer.as_mut(), *axis),
-            Role::Gyro(axis) => (recording.gyroscope.as_mut(), *axis),
-            Role::Field(axis) => (
-                recording
-                    .magnetometer
-                    .as_mut()
-                    .map(|field| &mut field.stream),
-                *axis,
-            ),
-            _ => continue,
+        let Some((sensor, axis)) = role.reading() else {
+            continue;
         };
-        for value in stream.into_iter().flat_map(|stream| &mut stream.values) {
+        let stream = recording.stream_mut(sensor).into_iter();
+        for value in stream.flat_map(|stream| &mut stream.values) {
             value[axis] = -value[axis];
         }
     }

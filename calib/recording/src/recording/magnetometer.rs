@@ -1,6 +1,7 @@
 //! Readings of a magnetometer: kept as the file has them, on their own clock.
 
 use nalgebra::Vector3;
+use sensor::Sensor;
 
 use super::Stream;
 use super::options::Role;
@@ -98,7 +99,11 @@ pub(crate) fn part(look: &Look, unit: Option<FieldUnit>) -> Option<Part> {
         at(Role::Field(1), "y")?,
         at(Role::Field(2), "z")?,
     ];
-    Some(Part::of_field(columns.each_ref().map(String::as_str), unit))
+    let columns = columns.each_ref().map(String::as_str);
+    Some(Part {
+        field_unit: unit,
+        ..Part::of(Sensor::Magnetometer, columns)
+    })
 }
 
 #[cfg(test)]

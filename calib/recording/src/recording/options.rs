@@ -154,6 +154,25 @@ impl Role {
         }
     }
 
+    /// The sensor and the axis of a reading; the other way round than [`Self::axis`].
+    pub fn reading(self) -> Option<(Sensor, usize)> {
+        match self {
+            Self::Accel(axis) => Some((Sensor::Accelerometer, axis)),
+            Self::Gyro(axis) => Some((Sensor::Gyroscope, axis)),
+            Self::Field(axis) => Some((Sensor::Magnetometer, axis)),
+            Self::Time | Self::Temperature | Self::TimeOf(_) | Self::Device => None,
+        }
+    }
+
+    /// The sensor whose rows the column belongs to, a temperature to the accelerometer's; `None` for what all have.
+    pub(crate) fn sensor(self) -> Option<Sensor> {
+        match self {
+            Self::Temperature => Some(Sensor::Accelerometer),
+            Self::TimeOf(sensor) => Some(sensor),
+            other => other.reading().map(|(sensor, _)| sensor),
+        }
+    }
+
     /// The name in the plain CSV header.
     pub fn name(self) -> &'static str {
         const AXES: [[&str; 3]; 3] = [["ax", "ay", "az"], ["gx", "gy", "gz"], ["mx", "my", "mz"]];

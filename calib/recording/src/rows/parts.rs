@@ -10,7 +10,7 @@ use crate::recording::options::{ColumnMap, ReadOptions, Role};
 use crate::rows::table::Table;
 use crate::source::Input;
 use crate::units::field::FieldUnit;
-use crate::units::{AccelUnit, GyroUnit, TimeUnit};
+use crate::units::{AccelUnit, GyroUnit, Stated, TimeUnit};
 
 /// A change of a text that keeps its lines, so that messages name them rightly.
 pub(crate) type Change = fn(Box<dyn Read + Send>) -> Box<dyn Read + Send>;
@@ -28,8 +28,6 @@ pub(crate) struct Part {
     pub accel_unit: Option<AccelUnit>,
     /// Unit of the gyroscope.
     pub gyro_unit: Option<GyroUnit>,
-    /// It is a magnetometer's.
-    pub is_field: bool,
     /// Unit of the magnetometer.
     pub field_unit: Option<FieldUnit>,
     /// The accelerometer reads -1 g on the axis that points up.
@@ -55,27 +53,40 @@ impl Part {
         Self {
             only: Some(sensor),
             columns: roles.into_iter().zip(columns).collect(),
+            padded: sensor == Sensor::Magnetometer,
             ..Self::default()
         }
     }
 
-    /// The columns of a magnetometer: `t`, x, y and z.
-    pub fn of_field(columns: [&str; 4], unit: Option<FieldUnit>) -> Self {
-        let roles = [Role::Time, Role::Field(0), Role::Field(1), Role::Field(2)];
-        let columns = columns.map(str::to_owned).into_iter();
-        Self {
-            columns: roles.into_iter().zip(columns).collect(),
-            is_field: true,
-            field_unit: unit,
-            padded: true,
-            ..Self::default()
-        }
+    /// A part of each sensor that has rows of its own: accelerometer, gyroscope, magnetometer, by the changes that leave those rows alone.
+    pub fn of_each(
+        changes: [Option<Change>; 3],
+        columns: [&str; 4],
+        stated: Stated,
+    ) -> impl Iterator<Item = Self> {
+        let parts = Sensor::ALL.into_iter().zip(changes);
+        parts.filter_map(move |(sensor, change)| {
+            let is_field = sensor == Sensor::Magnetometer;
+            Some(Self {
+                change: Some(change?),
+                time_unit: stated.time,
+                accel_unit: stated.accel.filter(|_| !is_field),
+                gyro_unit: stated.gyro.filter(|_| !is_field),
+                field_unit: stated.field.filter(|_| is_field),
+                ..Self::of(sensor, columns)
+            })
+        })
+    }
+
+    /// True for a magnetometer's, of which the other sensors are not read.
+    pub fn is_field(&self) -> bool {
+        self.only == Some(Sensor::Magnetometer)
     }
 
     /// True if the columns of this sensor are known in it.
     pub fn has(&self, sensor: Sensor) -> bool {
         let first = Role::axis(sensor, 0);
-        !self.is_field && self.columns.iter().any(|(role, _)| *role == first)
+        !self.is_field() && self.columns.iter().any(|(role, _)| *role == first)
     }
 
     /// True if this sensor may be read from it, be it by names.
@@ -123,11 +134,12 @@ impl Part {
                     .only_remedies([Remedy::such_as(OptionName::Rate, usual.to_string())]),
             ));
         }
-        let mut table = Table::read(input, self.only, origin, &options)?;
+        let only = self.only.filter(|_| !self.is_field());
+        let mut table = Table::read(input, only, origin, &options)?;
         if let Some(sensor) = self.only {
             table.keep_only(sensor)?;
         }
-        if self.is_field {
+        if self.is_field() {
             (table.accel, table.gyro) = Default::default();
             (table.temperature_t, table.temperature) = Default::default();
             table
@@ -150,18 +162,12 @@ impl Part {
 
     /// Returns the user's columns for this part's sensor.
     fn of_sensor(&self, map: &ColumnMap) -> Vec<(Role, String)> {
-        let concerns = |role: &Role| match (self.only, role) {
-            (None, _) if self.is_field => {
-                matches!(role, Role::Field(_) | Role::TimeOf(Sensor::Magnetometer))
-            }
-            (None, _) | (_, Role::Time | Role::Device) => true,
-            (Some(sensor), Role::TimeOf(of)) => sensor == *of,
-            (Some(_), Role::Field(_)) => false,
-            (Some(sensor), Role::Accel(_) | Role::Temperature) => sensor == Sensor::Accelerometer,
-            (Some(sensor), Role::Gyro(_)) => sensor == Sensor::Gyroscope,
+        let concerns = |role: &Role| match role.sensor() {
+            // A magnetometer's part has stamps of its own or none.
+            None => !self.is_field(),
+            sensor => self.only.is_none() || sensor == self.only,
         };
-        let field = self.is_field.then_some(Sensor::Magnetometer);
-        let own = self.only.or(field).map(Role::TimeOf);
+        let own = self.only.map(Role::TimeOf);
         let has_own = map.0.iter().any(|(role, _)| Some(*role) == own);
         let given = map.0.iter().filter(|(role, _)| concerns(role));
         let given = given.filter(|(role, _)| !(has_own && *role == Role::Time));
@@ -199,10 +205,8 @@ pub(crate) fn with_own_stamps(map: &ColumnMap) -> Option<Vec<Part>> {
         Role::Field(2),
     ];
     if let [Some(t), Some(x), Some(y), Some(z)] = field.map(has) {
-        parts.push(Part::of_field(
-            [&t.1, &x.1, &y.1, &z.1].map(String::as_str),
-            None,
-        ));
+        let columns = [&t.1, &x.1, &y.1, &z.1].map(String::as_str);
+        parts.push(Part::of(Sensor::Magnetometer, columns));
     }
     Some(parts)
 }
@@ -224,7 +228,7 @@ pub(crate) fn read(
         }
         let origin = tables.first().and_then(|table| table.clock.origin);
         match part.read(this, origin, options) {
-            Err(error) if part.is_field => without_field(&mut tables, &error),
+            Err(error) if part.is_field() => without_field(&mut tables, &error),
             table => tables.push(table?),
         }
     }

@@ -209,25 +209,12 @@ fn rows_in(head: &[u8], size: u64) -> u64 {
 fn apply(table: &mut Table, affines: &[(Role, Affine)]) {
     for (role, Affine { scale, offset }) in affines {
         let change = |value: &mut f64| *value = scale * *value + offset;
-        match *role {
-            Role::Accel(axis) => table
-                .accel
-                .values
-                .iter_mut()
-                .for_each(|value| change(&mut value[axis])),
-            Role::Gyro(axis) => table
-                .gyro
-                .values
-                .iter_mut()
-                .for_each(|value| change(&mut value[axis])),
-            Role::Field(axis) => table
-                .magnetometer
-                .values
-                .iter_mut()
-                .for_each(|value| change(&mut value[axis])),
-            Role::Temperature => table.temperature.iter_mut().for_each(change),
-            // Those are changed when their wraps are undone.
-            Role::Time | Role::TimeOf(_) | Role::Device => {}
+        if let Some((sensor, axis)) = role.reading() {
+            let values = table.samples_mut(sensor).values.iter_mut();
+            values.for_each(|value| change(&mut value[axis]));
+        } else if *role == Role::Temperature {
+            table.temperature.iter_mut().for_each(change);
         }
+        // Stamps are changed when their wraps are undone.
     }
 }

@@ -2,7 +2,6 @@
 
 use super::table::Table;
 use crate::clock::wraps::moduli;
-use crate::recording::samples::Samples;
 
 /// Sorts the samples of every table by stamp, so that a shuffled text is what the sorted one is.
 pub(crate) fn by_time(tables: &mut [Table]) {
@@ -17,7 +16,7 @@ pub(crate) fn by_time(tables: &mut [Table]) {
 
 /// Undoes the wraps of a counter before the sorting mixes what lies between them.
 pub(crate) fn count_on(table: &mut Table) {
-    let longer = longer(table);
+    let longer = table.longer();
     let (Some(modulus), Some(&first)) = (modulus(&longer.t), longer.t.first()) else {
         return;
     };
@@ -30,14 +29,6 @@ pub(crate) fn count_on(table: &mut Table) {
             *t += modulus * ((last - *t) / modulus).round();
             last = *t;
         }
-    }
-}
-
-fn longer(table: &Table) -> &Samples {
-    if table.accel.t.len() >= table.gyro.t.len() {
-        &table.accel
-    } else {
-        &table.gyro
     }
 }
 

@@ -70,6 +70,23 @@ impl Table {
         !self.accel.t.is_empty() || !self.gyro.t.is_empty()
     }
 
+    /// Its samples of a sensor.
+    pub fn samples_mut(&mut self, sensor: Sensor) -> &mut Samples {
+        match sensor {
+            Sensor::Accelerometer => &mut self.accel,
+            Sensor::Gyroscope => &mut self.gyro,
+            Sensor::Magnetometer => &mut self.magnetometer,
+        }
+    }
+
+    /// The samples of the accelerometer or of the gyroscope, whichever has more.
+    pub fn longer(&self) -> &Samples {
+        match self.accel.t.len() >= self.gyro.t.len() {
+            true => &self.accel,
+            false => &self.gyro,
+        }
+    }
+
     /// The stamps of everything in it.
     pub fn stamps_mut(&mut self) -> [&mut Vec<f64>; 4] {
         [

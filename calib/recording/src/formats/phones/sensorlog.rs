@@ -80,7 +80,7 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
     });
     let field = field(&names);
     let parts: Vec<Part> = accel.into_iter().chain(gyro).chain(field).collect();
-    (parts.iter().any(|part| !part.is_field)).then_some(parts)
+    (parts.iter().any(|part| !part.is_field())).then_some(parts)
 }
 
 /// The magnetometer, by its own stamps or the row's.
@@ -90,8 +90,10 @@ fn field(names: &[String]) -> Option<Part> {
     let stamps = stamps.iter().chain(ROW).find_map(|name| find(name))?;
     let axis = |axis: &str| find(&format!("magnetometer{axis}"));
     let [x, y, z] = [axis("x")?, axis("y")?, axis("z")?];
-    let unit = Some(FieldUnit::Microtesla);
-    Some(Part::of_field([&stamps, &x, &y, &z], unit))
+    Some(Part {
+        field_unit: Some(FieldUnit::Microtesla),
+        ..Part::of(Sensor::Magnetometer, [&stamps, &x, &y, &z])
+    })
 }
 
 /// The column whose name is `wanted` but for marks and unit.

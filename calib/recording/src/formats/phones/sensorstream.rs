@@ -5,14 +5,12 @@
 
 use std::io::Read;
 
-use sensor::Sensor;
-
 use crate::formats::texts::TextFormat;
 use crate::header::look::Look;
 use crate::rows::parts::{Change, Part};
 use crate::source::rewrite::rewritten;
 use crate::units::field::FieldUnit;
-use crate::units::{AccelUnit, GyroUnit};
+use crate::units::{AccelUnit, GyroUnit, Stated};
 
 /// Rows of the app.
 pub(crate) static SENSORSTREAM: TextFormat = TextFormat {
@@ -69,20 +67,19 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
     if known.len() < 3 || known.len() + 1 < rows.len() || !holds(ACCEL) {
         return None;
     }
-    let columns = ["1", "2", "3", "4"];
-    let part = |sensor, change: Change| Part {
-        accel_unit: Some(AccelUnit::MetresPerSecondSquared),
-        gyro_unit: Some(GyroUnit::RadiansPerSecond),
-        change: Some(change),
-        ..Part::of(sensor, columns)
+    let change = |id: u8, change: Change| holds(id).then_some(change);
+    let changes = [
+        change(ACCEL, |text| only(text, ACCEL)),
+        change(GYRO, |text| only(text, GYRO)),
+        change(FIELD, |text| only(text, FIELD)),
+    ];
+    let stated = Stated {
+        accel: Some(AccelUnit::MetresPerSecondSquared),
+        gyro: Some(GyroUnit::RadiansPerSecond),
+        field: Some(FieldUnit::Microtesla),
+        ..Stated::default()
     };
-    let accel = part(Sensor::Accelerometer, |text| only(text, ACCEL));
-    let gyro = holds(GYRO).then(|| part(Sensor::Gyroscope, |text| only(text, GYRO)));
-    let field = holds(FIELD).then(|| Part {
-        change: Some(|text| only(text, FIELD)),
-        ..Part::of_field(columns, Some(FieldUnit::Microtesla))
-    });
-    Some([accel].into_iter().chain(gyro).chain(field).collect())
+    Some(Part::of_each(changes, ["1", "2", "3", "4"], stated).collect())
 }
 
 /// The stamp and the values of one sensor; rows without it are blank.

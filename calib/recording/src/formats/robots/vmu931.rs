@@ -5,14 +5,12 @@
 
 use std::io::Read;
 
-use sensor::Sensor;
-
 use crate::formats::texts::TextFormat;
 use crate::header::look::Look;
 use crate::rows::parts::{Change, Part};
 use crate::source::rewrite::rewritten;
 use crate::units::field::FieldUnit;
-use crate::units::{AccelUnit, GyroUnit, TimeUnit};
+use crate::units::{AccelUnit, GyroUnit, Stated, TimeUnit};
 
 /// A log of a VMU931.
 pub(crate) static VMU931: TextFormat = TextFormat {
@@ -43,26 +41,22 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
         let named = |line: &&str| reading(line).is_some_and(|(name, _)| name == wanted);
         look.lines().filter(named).count()
     };
-    let part = |sensor, change: Change| Part {
-        time_unit: Some(TimeUnit::Milliseconds),
-        accel_unit: Some(AccelUnit::G),
-        gyro_unit: Some(GyroUnit::DegreesPerSecond),
-        change: Some(change),
-        ..Part::of(sensor, COLUMNS)
+    let change = |wanted: &str, change: Change| (count(wanted) > 1).then_some(change);
+    let changes = [
+        change("accel", |text| only(text, "accel")),
+        change("gyro", |text| only(text, "gyro")),
+        change("mag", |text| only(text, "mag")),
+    ];
+    let stated = Stated {
+        time: Some(TimeUnit::Milliseconds),
+        accel: Some(AccelUnit::G),
+        gyro: Some(GyroUnit::DegreesPerSecond),
+        field: Some(FieldUnit::Microtesla),
+        temperature: None,
     };
-    let accel =
-        (count("accel") > 1).then(|| part(Sensor::Accelerometer, |text| only(text, "accel")));
-    let gyro = (count("gyro") > 1).then(|| part(Sensor::Gyroscope, |text| only(text, "gyro")));
-    let field = (count("mag") > 1).then(|| Part {
-        time_unit: Some(TimeUnit::Milliseconds),
-        change: Some(|text| only(text, "mag")),
-        ..Part::of_field(COLUMNS, Some(FieldUnit::Microtesla))
-    });
-    let parts: Vec<Part> = accel.into_iter().chain(gyro).chain(field).collect();
-    parts.iter().any(|part| !part.is_field).then_some(parts)
+    let parts: Vec<Part> = Part::of_each(changes, ["1", "2", "3", "4"], stated).collect();
+    parts.iter().any(|part| !part.is_field()).then_some(parts)
 }
-
-const COLUMNS: [&str; 4] = ["1", "2", "3", "4"];
 
 /// The readings of one sensor; the other lines are blank.
 fn only(text: Box<dyn Read + Send>, wanted: &'static str) -> Box<dyn Read + Send> {

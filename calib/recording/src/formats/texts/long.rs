@@ -12,6 +12,7 @@ use crate::header::triads::{Triad, triads};
 use crate::recording::options::Role;
 use crate::rows::parts::{Change, Part};
 use crate::source::rewrite::rewritten;
+use crate::units::Stated;
 
 /// Rows of both sensors by turns.
 pub(crate) static LONG: TextFormat = TextFormat {
@@ -213,23 +214,14 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
     let names = look.first();
     let stamps = at[0].parse::<usize>().ok();
     let time_unit = stamps.and_then(|at| stated_unit(names.get(at - 1)?));
-    let part = |sensor, label: &Label| Part {
-        time_unit,
-        change: Some(label.change),
-        ..Part::of(sensor, at.each_ref().map(String::as_str))
+    let field = first(&FIELD, look).map(|(label, _)| label.change);
+    let changes = [Some(force.change), Some(rate.change), field];
+    let stated = Stated {
+        time: time_unit,
+        ..Stated::default()
     };
-    let mut parts = vec![
-        part(Sensor::Accelerometer, force),
-        part(Sensor::Gyroscope, rate),
-    ];
-    if let Some((label, _)) = first(&FIELD, look) {
-        parts.push(Part {
-            time_unit,
-            change: Some(label.change),
-            ..Part::of_field(at.each_ref().map(String::as_str), None)
-        });
-    }
-    Some(parts)
+    let columns = at.each_ref().map(String::as_str);
+    Some(Part::of_each(changes, columns, stated).collect())
 }
 
 /// The rows that have the label; the others are blank.

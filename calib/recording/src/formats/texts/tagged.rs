@@ -2,15 +2,13 @@
 
 use std::io::Read;
 
-use sensor::Sensor;
-
 use super::text_format::TextFormat;
 use crate::header::look::Look;
 use crate::recording::options::Role;
 use crate::rows::parts::{Change, Part};
 use crate::source::rewrite::rewritten;
 use crate::units::field::FieldUnit;
-use crate::units::{AccelUnit, GyroUnit, TimeUnit};
+use crate::units::{AccelUnit, GyroUnit, Stated, TimeUnit};
 
 /// GetSensorData of the indoor positioning competitions: `ACCE;AppTimestamp;SensorTimestamp;x;y;z;accuracy`.
 pub(crate) static GET_SENSOR_DATA: TextFormat = TextFormat {
@@ -33,16 +31,6 @@ pub(crate) static VECTORNAV: TextFormat = TextFormat {
     parts: vectornav,
 };
 
-fn part(sensor: Sensor, change: Change, columns: [&str; 4], time_unit: TimeUnit) -> Part {
-    Part {
-        time_unit: Some(time_unit),
-        accel_unit: Some(AccelUnit::MetresPerSecondSquared),
-        gyro_unit: Some(GyroUnit::RadiansPerSecond),
-        change: Some(change),
-        ..Part::of(sensor, columns)
-    }
-}
-
 /// The lines that begin with one of `tags`, without it; the others are blank.
 fn only(text: Box<dyn Read + Send>, tag: &'static [u8]) -> Box<dyn Read + Send> {
     rewritten(text, move |line, out| {
@@ -57,77 +45,49 @@ fn begins(look: &Look, tags: &[&str]) -> bool {
         .any(|line| tags.iter().any(|tag| line.starts_with(tag)))
 }
 
+/// The parts of lines with two stamps, of which the second in this unit is the sensor's.
+fn stamped(accel: Change, gyro: Change, field: Option<Change>, unit: TimeUnit) -> Vec<Part> {
+    let stated = Stated {
+        time: Some(unit),
+        accel: Some(AccelUnit::MetresPerSecondSquared),
+        gyro: Some(GyroUnit::RadiansPerSecond),
+        field: Some(FieldUnit::Microtesla),
+        temperature: None,
+    };
+    let changes = [Some(accel), Some(gyro), field];
+    Part::of_each(changes, ["2", "3", "4", "5"], stated).collect()
+}
+
 fn get_sensor_data(look: &Look) -> Option<Vec<Part>> {
     if !begins(look, &["ACCE;", "GYRO;", "% ACCE", "%ACCE"]) {
         return None;
     }
-    let columns = ["2", "3", "4", "5"];
-    let mut parts = vec![
-        part(
-            Sensor::Accelerometer,
-            |text| only(text, b"ACCE;"),
-            columns,
-            TimeUnit::Seconds,
-        ),
-        part(
-            Sensor::Gyroscope,
-            |text| only(text, b"GYRO;"),
-            columns,
-            TimeUnit::Seconds,
-        ),
-    ];
-    if begins(look, &["MAGN;"]) {
-        parts.push(Part {
-            time_unit: Some(TimeUnit::Seconds),
-            change: Some(|text| only(text, b"MAGN;")),
-            ..Part::of_field(columns, Some(FieldUnit::Microtesla))
-        });
-    }
-    Some(parts)
+    let field: Change = |text| only(text, b"MAGN;");
+    Some(stamped(
+        |text| only(text, b"ACCE;"),
+        |text| only(text, b"GYRO;"),
+        begins(look, &["MAGN;"]).then_some(field),
+        TimeUnit::Seconds,
+    ))
 }
 
 fn gnss_logger(look: &Look) -> Option<Vec<Part>> {
-    let columns = ["2", "3", "4", "5"];
-    let nanoseconds = TimeUnit::Nanoseconds;
     if begins(look, &["UncalAccel,", "UncalGyro,", "# UncalAccel,"]) {
-        let mut parts = vec![
-            part(
-                Sensor::Accelerometer,
-                |text| only(text, b"UncalAccel,"),
-                columns,
-                nanoseconds,
-            ),
-            part(
-                Sensor::Gyroscope,
-                |text| only(text, b"UncalGyro,"),
-                columns,
-                nanoseconds,
-            ),
-        ];
-        if begins(look, &["UncalMag,"]) {
-            parts.push(Part {
-                time_unit: Some(nanoseconds),
-                change: Some(|text| only(text, b"UncalMag,")),
-                ..Part::of_field(columns, Some(FieldUnit::Microtesla))
-            });
-        }
-        return Some(parts);
+        let field: Change = |text| only(text, b"UncalMag,");
+        return Some(stamped(
+            |text| only(text, b"UncalAccel,"),
+            |text| only(text, b"UncalGyro,"),
+            begins(look, &["UncalMag,"]).then_some(field),
+            TimeUnit::Nanoseconds,
+        ));
     }
     begins(look, &["# Accel,", "Accel,"]).then(|| {
-        vec![
-            part(
-                Sensor::Accelerometer,
-                |text| only(text, b"Accel,"),
-                columns,
-                nanoseconds,
-            ),
-            part(
-                Sensor::Gyroscope,
-                |text| only(text, b"Gyro,"),
-                columns,
-                nanoseconds,
-            ),
-        ]
+        stamped(
+            |text| only(text, b"Accel,"),
+            |text| only(text, b"Gyro,"),
+            None,
+            TimeUnit::Nanoseconds,
+        )
     })
 }
 
