@@ -45,18 +45,12 @@ impl Cart {
             .try_normalize(0.0)
             .unwrap_or_else(Vector3::x);
         let mut path = Path::starting_at(facing_east(&along));
-        let rest = Rest {
-            label: "before the run".into(),
-            ..Rest::default()
-        };
+        let rest = Rest::called("before the run");
         place(&mut path, 0, self.rest, rest, around);
         let (start, end) = (path.end(), path.end() + self.duration);
         let mut twists = Vec::new();
         let run = Vector3::x() * self.distance;
-        let mut moves = vec![Move {
-            displacement: run,
-            profile: Profile::Blend { start, end },
-        }];
+        let mut moves = vec![Move::new(run, Profile::Blend { start, end })];
         for _ in 0..if self.rattle > 0.0 { 4 } else { 0 } {
             let frequency = random.uniform(5.0..25.0);
             let rate = std::f64::consts::TAU * frequency;
@@ -68,19 +62,13 @@ impl Cart {
                 phase,
             };
             let displacement = random.direction() * (self.rattle / (rate * rate));
-            moves.push(Move {
-                displacement,
-                profile,
-            });
+            moves.push(Move::new(displacement, profile));
             // A rattling cart also rocks: over a base of about 0.3 m.
             let rotation = random.direction() * (displacement.norm() / 0.3);
-            twists.push(Twist { rotation, profile });
+            twists.push(Twist::new(rotation, profile));
         }
         path.movement(self.duration, twists, moves);
-        let rest = Rest {
-            label: "after the run".into(),
-            ..Rest::default()
-        };
+        let rest = Rest::called("after the run");
         place(&mut path, 1, self.rest, rest, around);
         path
     }

@@ -100,19 +100,13 @@ pub(crate) fn place(path: &mut Path, k: usize, length: f64, mut rest: Rest, arou
         match *fault {
             Fault::Slip { interval, angle } if interval == k => {
                 let rotation = random.direction() * angle;
-                twists.push(Twist {
-                    rotation,
-                    profile: Profile::Blend { start, end },
-                });
+                twists.push(Twist::new(rotation, Profile::Blend { start, end }));
                 rest.faults.push("mount_slip".into());
             }
             Fault::Touch { interval, size } if interval == k => {
                 let rate = std::f64::consts::TAU * TOUCH_FREQUENCY;
                 let displacement = random.direction() * (size / (rate * rate));
-                moves.push(Move {
-                    displacement,
-                    profile: touch(start, end, &mut random),
-                });
+                moves.push(Move::new(displacement, touch(start, end, &mut random)));
                 rest.faults.push("disturbed_interval".into());
             }
             Fault::Disturbed { interval, size } if interval == k => {

@@ -107,29 +107,23 @@ impl Planned {
             let (start, end) = (path.end(), path.end() + length);
             let whole = Profile::Blend { start, end };
             let next = off(&mut random);
-            let mut twists = vec![Twist {
-                rotation: -missed,
-                profile: whole,
-            }];
+            let mut twists = vec![Twist::new(-missed, whole)];
             let mut from = start;
             for leg in &step.legs {
                 let axis = UnitVector3::new_normalize(Vector3::from(leg.axis));
                 let rotation = axis.scale(leg.angle);
                 let to = from + leg.duration;
-                twists.push(Twist {
+                twists.push(Twist::new(
                     rotation,
-                    profile: Profile::Blend {
+                    Profile::Blend {
                         start: from,
                         end: to,
                     },
-                });
+                ));
                 planned *= UnitQuaternion::from_scaled_axis(rotation);
                 from = to;
             }
-            twists.push(Twist {
-                rotation: next,
-                profile: whole,
-            });
+            twists.push(Twist::new(next, whole));
             missed = next;
             let moves = hand_moves(&hand, (start, end), &mut random, &mut twists);
             path.movement(length, twists, moves);

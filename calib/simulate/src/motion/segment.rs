@@ -13,6 +13,12 @@ pub(crate) struct Twist {
     pub profile: Profile,
 }
 
+impl Twist {
+    pub fn new(rotation: Vector3<f64>, profile: Profile) -> Self {
+        Self { rotation, profile }
+    }
+}
+
 /// A displacement along a fixed direction of the reference frame.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Move {
@@ -20,6 +26,15 @@ pub(crate) struct Move {
     pub displacement: Vector3<f64>,
     /// Factor of the displacement over time.
     pub profile: Profile,
+}
+
+impl Move {
+    pub fn new(displacement: Vector3<f64>, profile: Profile) -> Self {
+        Self {
+            displacement,
+            profile,
+        }
+    }
 }
 
 /// Properties of a static interval.
@@ -35,6 +50,16 @@ pub(crate) struct Rest {
     pub push: Vector3<f64>,
     /// Names of what disturbs it.
     pub faults: Vec<String>,
+}
+
+impl Rest {
+    /// One at which nothing happens.
+    pub fn called(label: &str) -> Self {
+        Self {
+            label: label.into(),
+            ..Self::default()
+        }
+    }
 }
 
 /// One stretch of motion. The attitude is `attitude · exp(r₁ s₁(t)) · exp(r₂ s₂(t)) ⋯`.

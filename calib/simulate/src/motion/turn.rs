@@ -84,20 +84,20 @@ fn two_rotations(
     let length = end - start;
     let middle = (start + 0.3 * length, start + 0.7 * length);
     vec![
-        Twist {
-            rotation: first,
-            profile: Profile::Blend {
+        Twist::new(
+            first,
+            Profile::Blend {
                 start,
                 end: middle.1,
             },
-        },
-        Twist {
-            rotation: second,
-            profile: Profile::Blend {
+        ),
+        Twist::new(
+            second,
+            Profile::Blend {
                 start: middle.0,
                 end,
             },
-        },
+        ),
     ]
 }
 
@@ -105,14 +105,8 @@ fn carry(lift: f64, start: f64, end: f64, random: &mut Random) -> Vec<Move> {
     let up = Vector3::z() * (lift * random.uniform(0.5..1.5));
     let aside = Vector3::new(random.normal(), random.normal(), 0.0) * lift;
     vec![
-        Move {
-            displacement: up,
-            profile: Profile::Bump { start, end },
-        },
-        Move {
-            displacement: aside,
-            profile: Profile::Blend { start, end },
-        },
+        Move::new(up, Profile::Bump { start, end }),
+        Move::new(aside, Profile::Blend { start, end }),
     ]
 }
 
@@ -136,11 +130,8 @@ fn tremble(
         let rate = std::f64::consts::TAU * frequency;
         let rotation = random.direction() * (size * TREMOR_RATE / rate);
         let displacement = random.direction() * (size * TREMOR_ACCELERATION / (rate * rate));
-        twists.push(Twist { rotation, profile });
-        moves.push(Move {
-            displacement,
-            profile,
-        });
+        twists.push(Twist::new(rotation, profile));
+        moves.push(Move::new(displacement, profile));
     }
 }
 
@@ -156,14 +147,11 @@ fn knock(peak: f64, end: f64, random: &mut Random, twists: &mut Vec<Twist>, move
     };
     let size = peak * random.uniform(0.5..1.5);
     let displacement = (Vector3::z() + random.normal3() * 0.3) * size;
-    twists.push(Twist {
-        rotation: random.direction() * (size * KNOCK_SPIN),
+    twists.push(Twist::new(
+        random.direction() * (size * KNOCK_SPIN),
         profile,
-    });
-    moves.push(Move {
-        displacement,
-        profile,
-    });
+    ));
+    moves.push(Move::new(displacement, profile));
 }
 
 /// Time constant of a quick knock, s: half of it is over within 10 ms.
@@ -183,10 +171,7 @@ fn quick_knock(rate: f64, start: f64, end: f64, last: bool, random: &mut Random)
         *start = if last { end - length } else { at };
     }
     let peak = rate * random.uniform(0.5..1.5);
-    Twist {
-        rotation: random.direction() * (peak / (STEEPEST * QUICK)),
-        profile,
-    }
+    Twist::new(random.direction() * (peak / (STEEPEST * QUICK)), profile)
 }
 
 #[cfg(test)]

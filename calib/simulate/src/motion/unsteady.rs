@@ -34,20 +34,20 @@ pub(super) fn unsteady(
     let ramp = RAMP.min(0.25 * length);
     if spec.yaw != 0.0 {
         let up = path.attitude().inverse() * Vector3::z();
-        twists.push(Twist {
-            rotation: up * spec.yaw,
-            profile: Profile::Constant { start, end, ramp },
-        });
+        twists.push(Twist::new(
+            up * spec.yaw,
+            Profile::Constant { start, end, ramp },
+        ));
     }
     if spec.settling > 0.0 {
         let angle = spec.settling * random.uniform(0.3..1.0);
-        twists.push(Twist {
-            rotation: random.direction() * angle,
-            profile: Profile::Blend {
+        twists.push(Twist::new(
+            random.direction() * angle,
+            Profile::Blend {
                 start,
                 end: start + SETTLING.min(0.5 * length),
             },
-        });
+        ));
     }
     let mut sine = |[low, high]: [f64; 2]| {
         let (frequency, phase) = (random.uniform(low..high), random.uniform(0.0..TAU));
@@ -65,21 +65,12 @@ pub(super) fn unsteady(
     for _ in 0..if spec.tremor > 0.0 { SINES } else { 0 } {
         let (profile, rate, direction) = sine([6.0, 12.0]);
         let angle = amplitude * spec.tremor / rate;
-        twists.push(Twist {
-            rotation: direction * angle,
-            profile,
-        });
-        moves.push(Move {
-            displacement: direction.yzx() * (angle * SHAKE / rate),
-            profile,
-        });
+        twists.push(Twist::new(direction * angle, profile));
+        moves.push(Move::new(direction.yzx() * (angle * SHAKE / rate), profile));
     }
     for _ in 0..if spec.sway > 0.0 { SINES } else { 0 } {
         let (profile, _, direction) = sine([0.1, 0.5]);
-        twists.push(Twist {
-            rotation: direction * (amplitude * spec.sway),
-            profile,
-        });
+        twists.push(Twist::new(direction * (amplitude * spec.sway), profile));
     }
     (twists, moves)
 }

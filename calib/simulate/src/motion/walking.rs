@@ -50,17 +50,11 @@ impl Walking {
         let mut random = Random::new(around.seed, Purpose::Motion);
         let attitude = UnitQuaternion::from_scaled_axis(Vector3::x() * self.pitch);
         let mut path = Path::starting_at(attitude);
-        let rest = Rest {
-            label: "before the walk".into(),
-            ..Rest::default()
-        };
+        let rest = Rest::called("before the walk");
         place(&mut path, 0, self.rest, rest, around);
         let (twists, moves) = self.steps(path.end(), &mut random);
         path.movement(self.duration, twists, moves);
-        let rest = Rest {
-            label: "after the walk".into(),
-            ..Rest::default()
-        };
+        let rest = Rest::called("after the walk");
         place(&mut path, 1, LAST_REST, rest, around);
         path
     }
@@ -81,37 +75,16 @@ impl Walking {
         let (step, stride) = (wave(self.cadence), wave(0.5 * self.cadence));
         let heel = wave(4.0 * self.cadence);
         let moves = vec![
-            Move {
-                displacement: Vector3::y() * self.distance,
-                profile: Profile::Blend { start, end },
-            },
-            Move {
-                displacement: Vector3::z() * self.bob,
-                profile: step,
-            },
-            Move {
-                displacement: Vector3::z() * (0.04 * self.bob),
-                profile: heel,
-            },
-            Move {
-                displacement: Vector3::x() * self.bob,
-                profile: stride,
-            },
+            Move::new(Vector3::y() * self.distance, Profile::Blend { start, end }),
+            Move::new(Vector3::z() * self.bob, step),
+            Move::new(Vector3::z() * (0.04 * self.bob), heel),
+            Move::new(Vector3::x() * self.bob, stride),
         ];
         let nod = self.bob / 0.6;
         let twists = vec![
-            Twist {
-                rotation: Vector3::x() * nod,
-                profile: step,
-            },
-            Twist {
-                rotation: Vector3::y() * nod,
-                profile: stride,
-            },
-            Twist {
-                rotation: Vector3::z() * nod,
-                profile: wave(0.5 * self.cadence),
-            },
+            Twist::new(Vector3::x() * nod, step),
+            Twist::new(Vector3::y() * nod, stride),
+            Twist::new(Vector3::z() * nod, wave(0.5 * self.cadence)),
         ];
         (twists, moves)
     }
