@@ -14,20 +14,7 @@ use crate::descent::{
 use crate::feasible::Polytope;
 use crate::linear::LinearSolver;
 use crate::loss::{Loss, RowLoss};
-use crate::search::{DelayedGratification, LineSearch, Marquardt, Nielsen, Search, TrustRadius};
-
-/// Rule by which `λ` moves in Levenberg–Marquardt.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-#[non_exhaustive]
-pub enum Damping {
-    /// A tenth on success, ten times on failure.
-    Marquardt,
-    /// By the gain ratio, accelerating on failure.
-    Nielsen,
-    /// A third on success, twice on failure.
-    DelayedGratification,
-}
+use crate::search::{Damping, Lambda, LineSearch, Search, TrustRadius};
 
 /// A descent and a search.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -215,15 +202,14 @@ impl Options {
     pub(crate) fn search(&self, scaled_size: f64, is_constrained: bool) -> Box<dyn Search> {
         let lambda = self.first_damping;
         match self.variant {
-            Variant::Automatic if !is_constrained => {
-                Box::new(DelayedGratification::new(lambda).quick())
+            Variant::Automatic => {
+                let damping = Lambda::new(Damping::DelayedGratification, lambda);
+                Box::new(match is_constrained {
+                    true => damping,
+                    false => damping.quick(),
+                })
             }
-            Variant::Automatic => Box::new(DelayedGratification::new(lambda)),
-            Variant::LevenbergMarquardt { damping, .. } => match damping {
-                Damping::Marquardt => Box::new(Marquardt::new(lambda)),
-                Damping::Nielsen => Box::new(Nielsen::new(lambda)),
-                Damping::DelayedGratification => Box::new(DelayedGratification::new(lambda)),
-            },
+            Variant::LevenbergMarquardt { damping, .. } => Box::new(Lambda::new(damping, lambda)),
             Variant::Dogleg => Box::new(TrustRadius::new(scaled_size, self.first_radius)),
             Variant::GaussNewton | Variant::GaussNewtonMinimumNorm => {
                 Box::new(LineSearch::default())

@@ -3,7 +3,7 @@
 use super::table::{ComparedRun, Table};
 use crate::clock::timed;
 use crate::graph::{Graph, GraphOptions, solve_graph};
-use crate::options::Damping;
+use crate::search::Damping;
 
 /// Solves a graph from its start with every set of options, each with a name.
 ///

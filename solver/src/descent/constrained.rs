@@ -28,17 +28,9 @@ impl Descent for Constrained {
         if self.stays_inside(local, &velocity) {
             return self.bent_inside(local, velocity, lambda);
         }
-        let Jacobian(jacobian) = &local.point.at.jacobian;
-        let model = Model {
-            polytope: &self.polytope,
-            z: &local.point.z,
-            jacobian: jacobian.as_ref(),
-            residuals: &local.point.at.residuals,
-            scale: local.scale,
-            lambda,
-        };
+        let model = model(&self.polytope, local, lambda);
         let (face, velocity) = model.minimum()?;
-        let factor = face.factor(jacobian.as_ref());
+        let factor = face.factor(model.jacobian);
         let along = Local {
             factor: &factor,
             ..*local
@@ -123,14 +115,19 @@ fn within(polytope: &Polytope, local: &Local<'_>, lambda: f64) -> Option<Vec<f64
     {
         return Some(p);
     }
+    let minimum = model(polytope, local, lambda).minimum();
+    minimum.map(|(_, p)| p)
+}
+
+/// The damped model of a step from here.
+fn model<'a>(polytope: &'a Polytope, local: &Local<'a>, lambda: f64) -> Model<'a> {
     let Jacobian(jacobian) = &local.point.at.jacobian;
-    let model = Model {
+    Model {
         polytope,
         z: &local.point.z,
         jacobian: jacobian.as_ref(),
-        residuals,
+        residuals: &local.point.at.residuals,
         scale: local.scale,
         lambda,
-    };
-    model.minimum().map(|(_, p)| p)
+    }
 }

@@ -36,10 +36,7 @@ impl Damped {
     /// The step of a velocity.
     pub fn bent(&self, local: &Local<'_>, velocity: Vec<f64>, lambda: f64) -> Option<Step> {
         if !self.geodesic || local.offset <= STRAIGHT {
-            return Some(Step {
-                predicted: local.predicted(&velocity),
-                p: velocity,
-            });
+            return Some(local.step(velocity));
         }
         match self.sparing && local.system.offers_second_derivatives() {
             true => Self::sparing(local, velocity, lambda),

@@ -26,8 +26,7 @@ impl Descent for Dogleg {
                 }
             }
         };
-        let predicted = local.predicted(&p);
-        Some(Step { p, predicted })
+        Some(local.step(p))
     }
 }
 

@@ -37,7 +37,5 @@ impl Descent for MinimumNorm {
 
 /// The given fraction of a full step.
 fn fraction_of(local: &Local<'_>, full: &[f64], fraction: f64) -> Option<Step> {
-    let p: Vec<f64> = full.iter().map(|v| v * fraction).collect();
-    let predicted = local.predicted(&p);
-    Some(Step { p, predicted })
+    Some(local.step(full.iter().map(|v| v * fraction).collect()))
 }

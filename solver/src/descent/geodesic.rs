@@ -14,17 +14,13 @@ const LIMIT: f64 = 0.75;
 /// Source: Transtrum and Sethna, "Improvements to the Levenberg-Marquardt algorithm for nonlinear
 /// least-squares minimization", 2012.
 pub(crate) fn bend(local: &Local<'_>, velocity: Vec<f64>, lambda: f64) -> Option<Step> {
-    let predicted = local.predicted(&velocity);
     let Some(curvature) = local.system.second_derivative(&local.point.z, &velocity) else {
-        return Some(Step {
-            p: velocity,
-            predicted,
-        });
+        return Some(local.step(velocity));
     };
     let acceleration = local.factor.damped(&curvature, lambda)?;
     let ratio = 2.0 * scaled_norm(&acceleration, local.scale) / scaled_norm(&velocity, local.scale);
     (ratio <= LIMIT).then(|| Step {
         p: add(&velocity, 0.5, &acceleration),
-        predicted,
+        predicted: local.predicted(&velocity),
     })
 }

@@ -22,26 +22,13 @@ impl Model<'_> {
     /// it tells them wrong, which it may at a vertex of many constraints, the least-distance problem
     /// does.
     pub fn minimum(&self) -> Option<(Face, Vec<f64>)> {
-        let interior = self
-            .active_at_minimum()
-            .and_then(|active| self.on_face(active));
+        let interior = active_at_minimum(self).and_then(|active| self.on_face(active));
         if interior.as_ref().is_some_and(|(_, p)| self.is_minimum(p)) {
             return interior;
         }
         least_distance(self)
             .and_then(|active| self.on_face(active))
             .or(interior)
-    }
-
-    fn active_at_minimum(&self) -> Option<Vec<Active>> {
-        active_at_minimum(
-            self.polytope,
-            self.z,
-            self.jacobian,
-            self.residuals,
-            self.scale,
-            self.lambda,
-        )
     }
 
     /// The minimum on the face of `active`, with what it violates added until it violates nothing.

@@ -2,9 +2,9 @@
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{NonnegativeConeT, SupportedConeT, ZeroConeT};
-use faer::{Mat, MatRef};
+use faer::Mat;
 
-use super::{Active, Polytope, Side};
+use super::{Active, Model, Polytope, Side};
 use crate::ConeProgram;
 use crate::linear::transpose_multiply;
 use crate::linear::vector::{dot, norm, unscaled};
@@ -14,14 +14,15 @@ use crate::linear::vector::{dot, norm, unscaled};
 ///
 /// The interior point stops some 1e-10 off its constraints. It is asked for the active ones only;
 /// the step itself is solved again on their face.
-pub(crate) fn active_at_minimum(
-    polytope: &Polytope,
-    z: &[f64],
-    jacobian: MatRef<'_, f64>,
-    residuals: &[f64],
-    scale: &[f64],
-    lambda: f64,
-) -> Option<Vec<Active>> {
+pub(super) fn active_at_minimum(model: &Model<'_>) -> Option<Vec<Active>> {
+    let Model {
+        polytope,
+        z,
+        jacobian,
+        residuals,
+        scale,
+        lambda,
+    } = *model;
     let n = z.len();
     // In units of D for the step and of ‖r‖ for the cost.
     let unit = norm(residuals);

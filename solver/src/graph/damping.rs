@@ -1,6 +1,6 @@
 //! Rules of the damping: as in the dense solver, but for its quick fall where steps do what is promised.
 
-use crate::options::Damping;
+use crate::search::Damping;
 
 /// Least and largest damping.
 const LEAST: f64 = 1e-20;

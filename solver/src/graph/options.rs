@@ -11,8 +11,8 @@ use crate::constraints::ActiveConstraint;
 use crate::graph::elimination::Method;
 use crate::graph::uncertainty::null_space::NullVector;
 use crate::minimise::system::Evaluations;
-use crate::options::Damping;
 use crate::report::{Iteration, Termination};
+use crate::search::Damping;
 
 /// Way to solve a graph and conditions to stop. What is missing where it is read is as in the default.
 #[derive(Clone, Debug, Serialize, Deserialize)]

@@ -18,7 +18,7 @@ use crate::minimise::stop::Stop;
 use crate::minimise::system::System;
 use crate::options::{Options, Variant};
 use crate::report::Iteration;
-use crate::search::{Nielsen, Search, Trial};
+use crate::search::{Damping, Lambda, Search, Trial};
 
 /// Cost relative to that of the start below which a slow run counts as one to zero: the residuals are below the rounding of
 /// those at the start.
@@ -323,7 +323,7 @@ impl<'a> Run<'a> {
         let automatic = self.options.variant == Variant::Automatic;
         if automatic && !self.is_nielsen && self.system.refuses_second_derivatives() {
             self.is_nielsen = true;
-            self.search = Box::new(Nielsen::new(self.search.size()));
+            self.search = Box::new(Lambda::new(Damping::Nielsen, self.search.size()));
         }
     }
 

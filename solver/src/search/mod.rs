@@ -4,7 +4,8 @@ mod damping;
 mod line_search;
 mod trust_radius;
 
-pub(crate) use damping::{DelayedGratification, Marquardt, Nielsen};
+pub use damping::Damping;
+pub(crate) use damping::Lambda;
 pub(crate) use line_search::LineSearch;
 pub(crate) use trust_radius::TrustRadius;
 
