@@ -1,11 +1,12 @@
-//! The effects an accelerometer can have. A new one is a file here and two lines: its `pub mod` and its place in [`EFFECTS`].
+//! The effects an accelerometer can have. A new one is a file here and two lines: its `pub mod` and its place in
+//! [`EFFECTS`]; of one that other sensors have alike (`sensor::effects`) a line is enough.
 
 use sensor::effects::{
     Asymmetry, Cubic, Drift, MisalignmentTemperature, Quadratic, Relaxation, ScaleDrift,
     ScaleTemperature, Step, Temperature, TemperatureQuadratic, TemperatureRate, ThermalHysteresis,
     Warmup,
 };
-use sensor::{AnyEffect, On, Param, Sensor, axes};
+use sensor::{AnyEffect, Sensor, axes_and};
 
 pub mod accel_cross_axis;
 pub mod accel_hysteresis;
@@ -14,73 +15,45 @@ pub mod accel_room_field;
 pub mod accel_vibration_rectification;
 pub mod time_offset;
 
+const SENSOR: Sensor = Sensor::Accelerometer;
+
 /// The registry: feeds the command line, the documentation, the registry tests and discovery.
 pub static EFFECTS: &[&dyn AnyEffect] = &[
-    &on(Quadratic, "accel_quadratic", axes("1/(m/s^2)"), 1e-4),
-    &on(Cubic, "accel_cubic", axes("1/(m/s^2)^2"), 1e-5),
-    &on(Asymmetry, "accel_asymmetry", axes(""), 1e-3),
+    &SENSOR.has(Quadratic, "accel_quadratic", "1/(m/s^2)", 1e-4),
+    &SENSOR.has(Cubic, "accel_cubic", "1/(m/s^2)^2", 1e-5),
+    &SENSOR.has(Asymmetry, "accel_asymmetry", "", 1e-3),
     &accel_cross_axis::AccelCrossAxis,
-    &on(Drift, "accel_drift", axes("m/s^3"), 1.5e-5),
-    &on(Warmup, "accel_warmup", Warmup::params("m/s^2"), 1e-2),
-    &on(Temperature, "accel_temperature", axes("m/s^2/K"), 2e-3),
-    &on(
-        TemperatureQuadratic,
-        "accel_temperature_quadratic",
-        axes("m/s^2/K^2"),
-        2e-4,
-    )
-    .with_companion("accel_temperature"),
-    &on(
-        ScaleTemperature,
-        "accel_scale_temperature",
-        axes("1/K"),
-        2e-4,
-    ),
-    &on(Step, "accel_step", Step::params("m/s^2"), 5e-3),
+    &SENSOR.has(Drift, "accel_drift", "m/s^3", 1.5e-5),
+    &SENSOR.has_with(Warmup, "accel_warmup", axes_and("m/s^2", Warmup::TAU), 1e-2),
+    &SENSOR.has(Temperature, "accel_temperature", "m/s^2/K", 2e-3),
+    &SENSOR
+        .has(
+            TemperatureQuadratic,
+            "accel_temperature_quadratic",
+            "m/s^2/K^2",
+            2e-4,
+        )
+        .with_companion("accel_temperature"),
+    &SENSOR.has(ScaleTemperature, "accel_scale_temperature", "1/K", 2e-4),
+    &SENSOR.has_with(Step, "accel_step", axes_and("m/s^2", Step::T0), 5e-3),
     &accel_hysteresis::AccelHysteresis,
     &accel_vibration_rectification::AccelVibrationRectification,
-    &on(
+    &SENSOR.has_with(
         MisalignmentTemperature,
         "accel_misalignment_temperature",
         MisalignmentTemperature::PARAMS,
         1e-4,
     ),
     &accel_periodic::AccelPeriodic,
-    &on(
+    &SENSOR.has_with(
         Relaxation,
         "accel_relaxation",
-        Relaxation::params("m/s^2"),
+        axes_and("m/s^2", Relaxation::TAU),
         5e-3,
     ),
     &accel_room_field::AccelRoomField,
-    &on(
-        TemperatureRate,
-        "accel_temperature_rate",
-        axes("m/s/K"),
-        2e-1,
-    ),
-    &on(
-        ThermalHysteresis,
-        "accel_thermal_hysteresis",
-        axes("m/s^2"),
-        5e-3,
-    ),
-    &on(ScaleDrift, "accel_scale_drift", axes("1/s"), 3e-6),
+    &SENSOR.has(TemperatureRate, "accel_temperature_rate", "m/s/K", 2e-1),
+    &SENSOR.has(ThermalHysteresis, "accel_thermal_hysteresis", "m/s^2", 5e-3),
+    &SENSOR.has(ScaleDrift, "accel_scale_drift", "1/s", 3e-6),
     &time_offset::TimeOffset,
 ];
-
-const fn on<E, const N: usize>(
-    effect: E,
-    name: &'static str,
-    params: [Param; N],
-    typical: f64,
-) -> On<E, N> {
-    On {
-        effect,
-        sensor: Sensor::Accelerometer,
-        name,
-        params,
-        typical,
-        companion: None,
-    }
-}

@@ -1,29 +1,16 @@
-//! The effects a magnetometer can have. A new one is a file here and two lines: its `pub mod` and its place in [`EFFECTS`].
+//! The effects a magnetometer can have. A new one is a file here and two lines: its `pub mod` and its place in
+//! [`EFFECTS`]; of one that other sensors have alike (`sensor::effects`) a line is enough.
 
 use sensor::effects::{ScaleTemperature, Temperature};
-use sensor::{AnyEffect, On, Param, Sensor, axes};
+use sensor::{AnyEffect, Sensor};
 
 pub mod mag_g_sensitivity;
 
+const SENSOR: Sensor = Sensor::Magnetometer;
+
 /// The registry: feeds the command line, the documentation and the registry tests.
 pub static EFFECTS: &[&dyn AnyEffect] = &[
-    &on(Temperature, "mag_temperature", axes("uT/K"), 0.05),
-    &on(ScaleTemperature, "mag_scale_temperature", axes("1/K"), 1e-3),
+    &SENSOR.has(Temperature, "mag_temperature", "uT/K", 0.05),
+    &SENSOR.has(ScaleTemperature, "mag_scale_temperature", "1/K", 1e-3),
     &mag_g_sensitivity::MagGSensitivity,
 ];
-
-const fn on<E, const N: usize>(
-    effect: E,
-    name: &'static str,
-    params: [Param; N],
-    typical: f64,
-) -> On<E, N> {
-    On {
-        effect,
-        sensor: Sensor::Magnetometer,
-        name,
-        params,
-        typical,
-        companion: None,
-    }
-}

@@ -6,12 +6,12 @@ use solver::{Jet, Jet2, Scalar};
 use crate::axis::Axis;
 use crate::effect::{AnyEffect, on_axis};
 use crate::kinematics::{Kinematics, Sensor};
-use crate::param::Param;
+use crate::param::{Param, axes};
 use crate::quantity::Quantity;
 
 /// An [`Effect`](crate::Effect) without its sensor: an error of the same form on the signal of any.
 ///
-/// One file in `effects/` makes one; a line in the registry of each sensor that has it gives name, unit and size there ([`On`]).
+/// One file in `effects/` makes one; a line in the registry of each sensor that has it gives name, unit and size there ([`Sensor::has`]).
 /// In its texts `{S}` stands for the letter of the readings and `{s}` for that of the true signal.
 pub trait CommonEffect: Send + Sync + 'static {
     /// The equation as users read it. One that names `{s}` needs the sensor's own signal.
@@ -42,6 +42,37 @@ pub struct On<E, const N: usize> {
     pub typical: f64,
     /// As [`Effect::COMPANION`](crate::Effect::COMPANION).
     pub companion: Option<&'static str>,
+}
+
+impl Sensor {
+    /// The effect on this sensor, with a parameter of that unit for each axis.
+    pub const fn has<E>(
+        self,
+        effect: E,
+        name: &'static str,
+        unit: &'static str,
+        typical: f64,
+    ) -> On<E, 3> {
+        self.has_with(effect, name, axes(unit), typical)
+    }
+
+    /// The effect on this sensor, with these parameters.
+    pub const fn has_with<E, const N: usize>(
+        self,
+        effect: E,
+        name: &'static str,
+        params: [Param; N],
+        typical: f64,
+    ) -> On<E, N> {
+        On {
+            effect,
+            sensor: self,
+            name,
+            params,
+            typical,
+            companion: None,
+        }
+    }
 }
 
 impl<E: CommonEffect, const N: usize> On<E, N> {

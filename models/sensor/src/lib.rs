@@ -37,6 +37,6 @@ pub use effect::{
 };
 pub use kinematics::{Kinematics, REFERENCE_TEMPERATURE, Sensor, Since};
 pub use model::Model;
-pub use param::{Param, Role, axes, params};
+pub use param::{Param, Role, axes, axes_and, params};
 pub use quantity::Quantity;
 pub use scalar_sensor::{AnyScalarSensor, ScalarSensor, ScalarSensorRef};

@@ -118,3 +118,13 @@ pub const fn params<const N: usize>(unit: &'static str, names: [&'static str; N]
 pub const fn axes(unit: &'static str) -> [Param; 3] {
     params(unit, ["x", "y", "z"])
 }
+
+/// The same, and one more.
+pub const fn axes_and(unit: &'static str, last: Param) -> [Param; 4] {
+    [
+        Param::new("x", unit, 0.0),
+        Param::new("y", unit, 0.0),
+        Param::new("z", unit, 0.0),
+        last,
+    ]
+}

@@ -3,8 +3,7 @@
 use nalgebra::Vector3;
 use solver::Scalar;
 
-use crate::common_effect::CommonEffect;
-use crate::kinematics::Kinematics;
+use crate::{CommonEffect, Kinematics};
 
 /// Another scale factor for a positive than for a negative signal: `eᵢ = kᵢ |sᵢ|`.
 ///

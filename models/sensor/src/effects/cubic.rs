@@ -3,8 +3,7 @@
 use nalgebra::Vector3;
 use solver::Scalar;
 
-use crate::common_effect::CommonEffect;
-use crate::kinematics::Kinematics;
+use crate::{CommonEffect, Kinematics};
 
 /// A reading that grows with the cube of the signal: `eᵢ = kᵢ sᵢ³`.
 ///

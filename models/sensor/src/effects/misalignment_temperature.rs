@@ -3,11 +3,9 @@
 use nalgebra::Vector3;
 use solver::{Scalar, lit};
 
-use crate::common_effect::CommonEffect;
-use crate::effect::off_diagonal;
-use crate::kinematics::{Kinematics, REFERENCE_TEMPERATURE};
-use crate::param::{Param, params};
-use crate::quantity::Quantity;
+use crate::{
+    CommonEffect, Kinematics, Param, Quantity, REFERENCE_TEMPERATURE, off_diagonal, params,
+};
 
 /// Axes that lean towards one another as the device warms up: `eᵢ = Σⱼ cᵢⱼ (T − T₀) sⱼ` over the two other axes.
 ///

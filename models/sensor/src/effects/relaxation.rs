@@ -3,10 +3,7 @@
 use nalgebra::Vector3;
 use solver::Scalar;
 
-use crate::common_effect::CommonEffect;
-use crate::kinematics::Kinematics;
-use crate::param::{Param, Role};
-use crate::quantity::Quantity;
+use crate::{CommonEffect, Kinematics, Param, Quantity, Role};
 
 /// A part that yields while the device turns creeps back afterwards: `eᵢ = rᵢ sign(θᵢ) exp(−s/τ)`.
 ///
@@ -23,17 +20,10 @@ use crate::quantity::Quantity;
 pub struct Relaxation;
 
 impl Relaxation {
-    /// Its parameters on a sensor with a signal of this unit.
-    pub const fn params(unit: &'static str) -> [Param; 4] {
-        [
-            Param::new("x", unit, 0.0),
-            Param::new("y", unit, 0.0),
-            Param::new("z", unit, 0.0),
-            Param::new("tau", "s", 3.0)
-                .in_role(Role::TimeConstant)
-                .tried_at(&[1.0, 2.0, 4.0, 8.0]),
-        ]
-    }
+    /// The time constant.
+    pub const TAU: Param = Param::new("tau", "s", 3.0)
+        .in_role(Role::TimeConstant)
+        .tried_at(&[1.0, 2.0, 4.0, 8.0]);
 }
 
 impl CommonEffect for Relaxation {
@@ -50,7 +40,7 @@ impl CommonEffect for Relaxation {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kinematics::Since;
+    use crate::Since;
 
     #[test]
     fn after_one_time_constant_37_percent_are_left_on_the_axes_that_turned() {

@@ -3,9 +3,7 @@
 use nalgebra::Vector3;
 use solver::Scalar;
 
-use crate::common_effect::CommonEffect;
-use crate::kinematics::Kinematics;
-use crate::quantity::Quantity;
+use crate::{CommonEffect, Kinematics, Quantity};
 
 /// A scale factor that moves with time, as while the device warms up and no thermometer says so: `eᵢ = cᵢ t sᵢ`.
 ///

@@ -3,10 +3,7 @@
 use nalgebra::Vector3;
 use solver::Scalar;
 
-use crate::common_effect::CommonEffect;
-use crate::kinematics::Kinematics;
-use crate::param::{Param, Role};
-use crate::quantity::Quantity;
+use crate::{CommonEffect, Kinematics, Param, Quantity, Role};
 
 /// A bias that jumps once: `eᵢ = cᵢ [t > t₀]`.
 ///
@@ -23,15 +20,8 @@ use crate::quantity::Quantity;
 pub struct Step;
 
 impl Step {
-    /// Its parameters on a sensor with a signal of this unit.
-    pub const fn params(unit: &'static str) -> [Param; 4] {
-        [
-            Param::new("x", unit, 0.0),
-            Param::new("y", unit, 0.0),
-            Param::new("z", unit, 0.0),
-            Param::new("t0", "s", 100.0).in_role(Role::Instant),
-        ]
-    }
+    /// The instant of the jump.
+    pub const T0: Param = Param::new("t0", "s", 100.0).in_role(Role::Instant);
 }
 
 impl CommonEffect for Step {

@@ -3,9 +3,7 @@
 use nalgebra::Vector3;
 use solver::Scalar;
 
-use crate::common_effect::CommonEffect;
-use crate::kinematics::{Kinematics, REFERENCE_TEMPERATURE};
-use crate::quantity::Quantity;
+use crate::{CommonEffect, Kinematics, Quantity, REFERENCE_TEMPERATURE};
 
 /// A bias that moves with the square of the temperature change: `eᵢ = cᵢ (T − T₀)²`.
 ///

@@ -3,9 +3,7 @@
 use nalgebra::Vector3;
 use solver::Scalar;
 
-use crate::common_effect::CommonEffect;
-use crate::kinematics::Kinematics;
-use crate::quantity::Quantity;
+use crate::{CommonEffect, Kinematics, Quantity};
 
 /// A bias that follows the temperature's derivative, as where one side of a package warms before the other:
 /// `eᵢ = cᵢ dT/dt`.

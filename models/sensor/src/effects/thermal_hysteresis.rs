@@ -3,9 +3,7 @@
 use nalgebra::Vector3;
 use solver::Scalar;
 
-use crate::common_effect::CommonEffect;
-use crate::kinematics::Kinematics;
-use crate::quantity::Quantity;
+use crate::{CommonEffect, Kinematics, Quantity};
 
 /// A bias that is another on the way up than on the way down: `eᵢ = hᵢ sign(last change of T)`.
 ///

@@ -3,10 +3,7 @@
 use nalgebra::Vector3;
 use solver::Scalar;
 
-use crate::common_effect::CommonEffect;
-use crate::kinematics::Kinematics;
-use crate::param::{Param, Role};
-use crate::quantity::Quantity;
+use crate::{CommonEffect, Kinematics, Param, Quantity, Role};
 
 /// A bias that settles after the device is switched on: `eᵢ = cᵢ exp(−t/τ)`.
 ///
@@ -20,15 +17,8 @@ use crate::quantity::Quantity;
 pub struct Warmup;
 
 impl Warmup {
-    /// Its parameters on a sensor with a signal of this unit.
-    pub const fn params(unit: &'static str) -> [Param; 4] {
-        [
-            Param::new("x", unit, 0.0),
-            Param::new("y", unit, 0.0),
-            Param::new("z", unit, 0.0),
-            Param::new("tau", "s", 120.0).in_role(Role::TimeConstant),
-        ]
-    }
+    /// The time constant.
+    pub const TAU: Param = Param::new("tau", "s", 120.0).in_role(Role::TimeConstant);
 }
 
 impl CommonEffect for Warmup {
