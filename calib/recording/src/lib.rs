@@ -11,7 +11,6 @@
 pub mod averages;
 mod clock;
 mod devices;
-mod did_you_mean;
 mod error;
 pub mod formats;
 mod header;
@@ -32,7 +31,6 @@ pub use clock::drift::{ClockDrift, clock_drift};
 pub use clock::even::{Bursts, EvenClock, Stamps, bursts, even_clock};
 pub use clock::offset::clock_offset;
 pub use devices::mixed::in_turn as devices_in_turn;
-pub use did_you_mean::did_you_mean;
 pub use error::Error;
 pub use recording::*;
 pub use rows::plain;

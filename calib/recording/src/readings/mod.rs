@@ -32,7 +32,7 @@ pub use only_noise::only_noise;
 pub use quantisation::COARSE;
 pub use quietest::{Quiet, quietest};
 pub(crate) use repeated::erased_tail::cut_erased_tail;
-pub(crate) use repeated::frozen::{frozen, without_frozen};
+pub(crate) use repeated::frozen::{frozen, frozen_finding, without_frozen};
 pub(crate) use repeated::stale::without_stale;
 pub(crate) use repeated::stopped::refuse_stopped;
 pub(crate) use repeated::stuck::stuck;

@@ -1,49 +1,24 @@
 //! Symptoms of faults in the readings, in numbers.
 
-use std::fmt;
-
 use findings::{Finding, Kind};
 use sensor::Sensor;
-use serde::Serialize;
 
-use crate::recording::{Frozen, Recording};
+use crate::recording::Recording;
 
 /// Most rows or intervals that a sentence lists.
 const LISTED: usize = 8;
-/// Most places with rows and times.
-const PLACES: usize = 3;
 
 /// Fewer zeros at rest than this share are those of turns.
 const IN_TURNS: f64 = 0.005;
 
 /// Symptom of a fault in a sensor's readings. Values are in the unit of the readings, times in s. Rows are counted as the lines of a
 /// table with one line of header: the first sample is row 2.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[serde(tag = "kind", rename_all = "snake_case")]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Symptom {
-    /// All readings from a row on repeat one pattern: memory that was never written.
-    ErasedTail {
-        /// The first such row.
-        first_row: usize,
-        /// Their number.
-        rows: usize,
-        /// Time of the first, s.
-        time: f64,
-    },
-    /// Rows repeat one reading for longer than chance and steps of the readings make it.
-    Frozen {
-        /// The sensors, by name.
-        sensors: Vec<&'static str>,
-        /// Number of rows that repeat the one before.
-        rows: usize,
-        /// Places: first and last row, begin and end in s. Overlapping places of two sensors are merged.
-        places: Vec<(usize, usize, f64, f64)>,
-    },
     /// An axis is cut off at the end of its range.
     Clipped {
         /// The sensor.
-        #[serde(serialize_with = "name")]
         sensor: Sensor,
         /// The axis, 0 to 2.
         axis: usize,
@@ -59,7 +34,6 @@ pub enum Symptom {
     /// The steps of the readings are wider than the noise.
     Quantised {
         /// The sensor.
-        #[serde(serialize_with = "name")]
         sensor: Sensor,
         /// The axes, 0 to 2.
         axes: Vec<usize>,
@@ -71,7 +45,6 @@ pub enum Symptom {
     /// Small signals read as exactly zero.
     DeadZone {
         /// The sensor.
-        #[serde(serialize_with = "name")]
         sensor: Sensor,
         /// The axes, 0 to 2.
         axes: Vec<usize>,
@@ -83,7 +56,6 @@ pub enum Symptom {
     /// The bias jumps at the same time into every static interval.
     Rezeroed {
         /// The sensor.
-        #[serde(serialize_with = "name")]
         sensor: Sensor,
         /// From the begin of a static interval to the jump, s.
         after: f64,
@@ -95,7 +67,6 @@ pub enum Symptom {
     /// Single readings far from their neighbours on both sides, which agree.
     Spikes {
         /// The sensor.
-        #[serde(serialize_with = "name")]
         sensor: Sensor,
         /// Rows, in order.
         rows: Vec<usize>,
@@ -109,7 +80,6 @@ pub enum Symptom {
     /// Some static intervals are far noisier than the others.
     Vibration {
         /// The sensor.
-        #[serde(serialize_with = "name")]
         sensor: Sensor,
         /// The intervals, counted from 1.
         intervals: Vec<usize>,
@@ -121,7 +91,6 @@ pub enum Symptom {
     /// The readings swing with one period in most static intervals.
     Swing {
         /// The sensor.
-        #[serde(serialize_with = "name")]
         sensor: Sensor,
         /// The period, s.
         period: f64,
@@ -146,64 +115,12 @@ pub enum Symptom {
     },
 }
 
-impl Symptom {
-    /// Builds the symptom of repeated readings; `None` if there are none.
-    pub(crate) fn of_frozen(frozen: &[Frozen]) -> Option<Self> {
-        let mut sensors: Vec<&str> = frozen.iter().map(|f| f.sensor.name()).collect();
-        sensors.dedup();
-        let mut places: Vec<_> = frozen
-            .iter()
-            .map(|f| {
-                (
-                    f.first_row,
-                    f.first_row + f.rows - 1,
-                    f.span.from,
-                    f.span.to,
-                )
-            })
-            .collect();
-        places.sort_by_key(|place| (place.0, place.1));
-        // Both sensors of one table are in the same rows, or nearly.
-        places.dedup_by(|next, last| {
-            let same = next.0 <= last.1;
-            if same {
-                *last = (last.0, last.1.max(next.1), last.2, last.3.max(next.3));
-            }
-            same
-        });
-        let rows = places.iter().map(|place| place.1 + 1 - place.0).sum();
-        (!places.is_empty()).then_some(Self::Frozen {
-            sensors,
-            rows,
-            places,
-        })
-    }
-}
-
-/// The sensor's name for JSON.
-fn name<S: serde::Serializer>(sensor: &Sensor, to: S) -> Result<S::Ok, S::Error> {
-    to.serialize_str(sensor.name())
-}
-
 fn axes_in_words(axes: &[usize]) -> String {
     let names: Vec<&str> = axes
         .iter()
         .filter_map(|&k| ["x", "y", "z"].get(k).copied())
         .collect();
     names.join(", ")
-}
-
-/// `rows 4 to 9, t = 0.20 to 0.45 s; and 2 more`.
-fn in_words(places: &[(usize, usize, f64, f64)]) -> String {
-    let one = |place: &(usize, usize, f64, f64)| {
-        let (first, last, from, to) = place;
-        format!("rows {first} to {last}, t = {from:.2} to {to:.2} s")
-    };
-    let shown: Vec<String> = places.iter().take(PLACES).map(one).collect();
-    match places.len().saturating_sub(PLACES) {
-        0 => shown.join("; "),
-        more => format!("{}; and {more} more", shown.join("; ")),
-    }
 }
 
 /// `3002, 6002; t = 30.00, 60.00 s`.
@@ -235,23 +152,6 @@ impl Symptom {
     fn typed(&self, unit: impl Fn(Sensor) -> &'static str) -> Finding {
         let of = |kind: Kind, sensor: Sensor| Finding::of(kind).of_sensor(sensor);
         match self {
-            Self::ErasedTail {
-                first_row,
-                rows,
-                time,
-            } => Finding::of(Kind::ErasedTail)
-                .from_time(*time)
-                .count("rows", *rows)
-                .count("first_row", *first_row),
-            Self::Frozen {
-                sensors,
-                rows,
-                places,
-            } => Finding::of(Kind::Frozen)
-                .count("rows", *rows)
-                .count("places", places.len())
-                .detail("sensors", sensors.join(" and the "))
-                .detail("listed", in_words(places)),
             Self::Clipped {
                 sensor,
                 axis,
@@ -366,12 +266,6 @@ impl From<&Symptom> for Finding {
     }
 }
 
-impl fmt::Display for Symptom {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        Finding::from(self).fmt(f)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -385,7 +279,7 @@ mod tests {
             step: 0.0349,
             spread: 0.01,
         };
-        let text = found.to_string();
+        let text = Finding::from(&found).to_string();
         assert!(text.contains("in steps of 2 °/s on x, z"), "{text}");
         let mut recording = Recording {
             name: "r".into(),

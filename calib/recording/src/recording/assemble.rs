@@ -14,7 +14,7 @@ use crate::clock::{held, time};
 use crate::devices::mixed;
 use crate::formats::robots::ardupilot_text;
 use crate::header::unclear;
-use crate::readings::{Symptom, frozen, without_frozen, without_stale};
+use crate::readings::{frozen, frozen_finding, without_frozen, without_stale};
 use crate::recording::{checks, packets, sessions, thermometer};
 use crate::rows::table::Table;
 use crate::shown::figure;
@@ -127,15 +127,11 @@ pub(crate) fn assemble(
             .filter(|described| described.sensor == Sensor::Gyroscope)
             .for_each(|described| described.unit = unit.name());
     }
-    if let Some(found) = crate::readings::cut_erased_tail(&mut recording) {
-        let found = found.in_recording(&recording);
-        recording.warnings.push(found);
-    }
+    let erased = crate::readings::cut_erased_tail(&mut recording);
+    recording.warnings.extend(erased);
     crate::readings::refuse_stopped(&recording)?;
-    if let Some(found) = Symptom::of_frozen(&recording.frozen) {
-        let found = found.in_recording(&recording);
-        recording.warnings.push(found);
-    }
+    let frozen = frozen_finding(&recording);
+    recording.warnings.extend(frozen);
     flip(&mut recording, &options.flip);
     overlap(&recording)?;
     thermometer::check_clock(&mut recording);

@@ -1,10 +1,10 @@
 //! Rows decoded from memory that was never written.
 
+use findings::{Finding, Kind};
 use nalgebra::Vector3;
 
 use crate::averages::median;
 use crate::readings::of_sensor::FIRST_ROW;
-use crate::readings::symptom::Symptom;
 use crate::recording::{Recording, Stream};
 
 /// Fewest rows of a tail in both sensors; alone, a sensor needs more.
@@ -16,7 +16,7 @@ const NOT_GRAVITY: f64 = 3.0;
 
 /// Cuts the rows at the end of which every sensor repeats one reading that no gravity gives: the same number
 /// on all axes, or a norm far from the usual.
-pub(crate) fn cut_erased_tail(recording: &mut Recording) -> Option<Symptom> {
+pub(crate) fn cut_erased_tail(recording: &mut Recording) -> Option<Finding> {
     let force = recording.accelerometer.as_ref()?;
     let tail = tail(&force.values);
     let start = force.len() - tail;
@@ -45,11 +45,11 @@ pub(crate) fn cut_erased_tail(recording: &mut Recording) -> Option<Symptom> {
     };
     cut(&mut recording.accelerometer);
     cut(&mut recording.gyroscope);
-    Some(Symptom::ErasedTail {
-        first_row: start + FIRST_ROW,
-        rows: tail,
-        time: from,
-    })
+    let found = Finding::of(Kind::ErasedTail)
+        .from_time(from)
+        .count("rows", tail)
+        .count("first_row", start + FIRST_ROW);
+    Some(found.in_recording(&recording.name))
 }
 
 /// Number of equal samples at the end.
@@ -96,12 +96,11 @@ mod tests {
         for value in [Vector3::repeat(-0.0012), Vector3::zeros()] {
             let mut cut = recording(value);
             let found = cut_erased_tail(&mut cut);
-            let expected = Symptom::ErasedTail {
-                first_row: 502,
-                rows: 20,
-                time: 5.0,
-            };
-            assert_eq!(found, Some(expected));
+            let expected = Finding::of(Kind::ErasedTail)
+                .from_time(5.0)
+                .count("rows", 20)
+                .count("first_row", 502);
+            assert_eq!(found, Some(expected.in_recording("")));
             assert_eq!(cut.accelerometer.unwrap().len(), 500);
             assert_eq!(cut.gyroscope.unwrap().len(), 500);
         }

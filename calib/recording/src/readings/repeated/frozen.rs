@@ -2,13 +2,14 @@
 
 use std::ops::Range;
 
+use findings::{Finding, Kind};
 use nalgebra::Vector3;
 use sensor::Sensor;
 
 use crate::intervals::Span;
 use crate::order_statistic::nth_smallest;
 use crate::recording::stream::least_steps;
-use crate::recording::{Frozen, Stream};
+use crate::recording::{Frozen, Recording, Stream};
 
 /// Fewer equal readings in a row are left to chance and to the clock.
 const SHORTEST: usize = 4;
@@ -42,6 +43,9 @@ const MANY: f64 = 20.0;
 /// Third differences of white noise go against their neighbours by 3/4; those of a smooth motion go with them.
 const OF_NOISE: f64 = -0.5;
 
+/// Most places with rows and times in a finding.
+const PLACES: usize = 3;
+
 /// Finds the runs in which a sensor repeats one reading for longer than chance, its resolution or a slower clock explains.
 pub(crate) fn frozen(sensor: Sensor, stream: &Stream) -> Vec<Frozen> {
     let of = |run: Range<usize>| Frozen {
@@ -69,6 +73,46 @@ pub(crate) fn without_frozen(stream: Stream, frozen: &[Frozen]) -> Stream {
     let samples = stream.t.into_iter().zip(stream.values);
     let (t, values) = samples.filter(|(t, _)| !is_repeated(*t)).unzip();
     Stream { t, values }
+}
+
+/// What is said of the repetitions that were left out of a recording; `None` if there are none.
+pub(crate) fn frozen_finding(recording: &Recording) -> Option<Finding> {
+    let frozen = &recording.frozen;
+    let mut sensors: Vec<&str> = frozen.iter().map(|f| f.sensor.name()).collect();
+    sensors.dedup();
+    let rows = |f: &Frozen| (f.first_row, f.first_row + f.rows - 1);
+    let mut places: Vec<_> = frozen.iter().map(|f| (rows(f), f.span)).collect();
+    places.sort_by_key(|place| place.0);
+    // Both sensors of one table are in the same rows, or nearly.
+    places.dedup_by(|(next, span), (last, whole)| {
+        let same = next.0 <= last.1;
+        if same {
+            last.1 = last.1.max(next.1);
+            whole.to = whole.to.max(span.to);
+        }
+        same
+    });
+    let rows = places.iter().map(|((first, last), _)| last + 1 - first);
+    let found = Finding::of(Kind::Frozen)
+        .count("rows", rows.sum())
+        .count("places", places.len())
+        .detail("sensors", sensors.join(" and the "))
+        .detail("listed", in_words(&places))
+        .in_recording(&recording.name);
+    (!places.is_empty()).then_some(found)
+}
+
+/// `rows 4 to 9, t = 0.20 to 0.45 s; and 2 more`.
+fn in_words(places: &[((usize, usize), Span)]) -> String {
+    let one = |((first, last), span): &((usize, usize), Span)| {
+        let Span { from, to } = span;
+        format!("rows {first} to {last}, t = {from:.2} to {to:.2} s")
+    };
+    let shown: Vec<String> = places.iter().take(PLACES).map(one).collect();
+    match places.len().saturating_sub(PLACES) {
+        0 => shown.join("; "),
+        more => format!("{}; and {more} more", shown.join("; ")),
+    }
 }
 
 /// The runs, each from the reading that is repeated to its last repetition.
