@@ -1,5 +1,6 @@
 //! All that was found, as it is written to findings.json.
 
+use ::findings::{Finding, Kind};
 use estimate::calibration::Calibration;
 use estimate::methods::joint::SensorNoise;
 
@@ -50,7 +51,14 @@ impl Found {
         let cut = cut.map(|(_, choice)| Some(&choice.segmentation));
         let inputs = session.originals.iter().copied().zip(cut);
         calibration.state_inputs(inputs, None);
-        let said = of_discovery(&effects, &faults, rest.as_ref());
+        let mut said = of_discovery(&effects, &faults, rest.as_ref());
+        if calibration.warnings.has(Kind::RestsTurn) {
+            // What remains is that motion, which is said first.
+            let remains =
+                |f: &&mut Finding| matches!(f.kind, Kind::MoreScatter | Kind::DriftAtRest);
+            let remainder = said.iter_mut().filter(remains);
+            remainder.for_each(|found| found.consequence.clear());
+        }
         calibration.warnings.extend(said);
         let ranking = search.first_ranking.iter();
         Findings {

@@ -10,7 +10,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
         Kind::LatitudeDoubtful => Entry {
             reason: "the recording speaks against the latitude",
             text: "the earth's rotation has a vertical part of {expected} at a latitude of {given}. The recording shows {shown} ± {error}, as at a latitude of {seen}, and speaks against the given latitude. {what} may be wrong[. The model was fitted at the latitude that the recording shows, because it explains as much as {instead}]",
-            advice: "check the sign and the value of the latitude; check that the accelerometer reads +g on an axis that points up, for with all its signs turned the latitude seems to have the other sign",
+            advice: "check the sign and the value of the latitude, and that the accelerometer reads +g on an axis that points up",
             remedies: vec![Remedy::Omit {
                 option: OptionName::Latitude,
             }],
