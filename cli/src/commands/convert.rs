@@ -16,8 +16,9 @@ use crate::show;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 A name without an extension is a folder, in which each sensor keeps its own clock.
-Other columns than those of the sensors are left out, which is said. Dates are
-not kept: stamps since an epoch count from the whole second of the first.
+Other columns than those of the sensors are left out, which is said. Stamps of
+tables since 1970 stay so, and dates become such. Those of bags and binary logs
+count from the whole second of the first.
 
 Example:
   stillpoint convert log.ulg -o plain/
