@@ -33,8 +33,8 @@ pub fn shown<'a>(words: impl IntoIterator<Item = &'a OsString>) -> Vec<String> {
         .collect()
 }
 
-/// The call of this process, or the part of it that is `call`, with `more` behind it. What it writes is there already if it
-/// was `given` a place; else it is called `output`.
+/// The call of this process, or `call` in its place, with `more` behind it and the end that writes again: over the output that was
+/// `given` and is there already, else to `output`.
 pub fn again(call: Option<&Vec<String>>, more: &str, given: bool, output: &str) -> String {
     let words = call.or(WORDS.get()).map_or(&[][..], Vec::as_slice);
     let words = words

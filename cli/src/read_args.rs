@@ -121,7 +121,7 @@ impl ReadArgs {
         ]
     }
 
-    /// The first of them that was given.
+    /// The first option that was given.
     pub fn given(&self) -> Option<&'static str> {
         let first = self
             .options()

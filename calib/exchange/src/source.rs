@@ -82,7 +82,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// A sensor of a target that cannot do without.
+    /// The base model of a sensor that a target cannot do without.
     ///
     /// # Errors
     /// [`Error::Lacks`].

@@ -163,7 +163,7 @@ struct Cleaned {
     repeats: Repeats,
 }
 
-/// What is added up of evenly spaced samples.
+/// Sums over evenly spaced samples, piece by piece.
 #[derive(Debug, Default)]
 struct Sums {
     axes: [AllanAccumulator; 3],

@@ -149,7 +149,7 @@ impl ReportTable {
         }
     }
 
-    /// With rows.
+    /// A table with rows.
     pub fn of<S: Into<String>, R: IntoIterator<Item: Into<String>>>(
         header: impl IntoIterator<Item = S>,
         rows: impl IntoIterator<Item = R>,

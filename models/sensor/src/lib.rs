@@ -4,6 +4,7 @@
 //! Kinematics ──► Effect (one file each) ─┐
 //!                Base  T (m − b) ────────┴► Model ──► distort (simulate) · correct (calibrate)
 //! ```
+//! An effect that several sensors have alike is a [`CommonEffect`]; [`Sensor::has`] makes it the effect of one.
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 

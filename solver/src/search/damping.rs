@@ -52,8 +52,8 @@ impl Lambda {
         }
     }
 
-    /// Under delayed gratification falls by ten where the cost fell as promised: near the solution, where the small steps of the slow
-    /// fall would be many.
+    /// The same, but under delayed gratification it falls by ten where the cost fell as promised: near the solution the slow fall
+    /// would take many small steps.
     pub fn quick(self) -> Self {
         Self {
             quick: true,

@@ -48,7 +48,7 @@ impl Turned {
     }
 }
 
-/// The device turns in a quarter of the static intervals and more, and both sensors agree on it.
+/// The symptom of a device that turns in a quarter of the static intervals or more, where both sensors agree on it.
 pub(super) fn found(recording: &Recording, segmentation: &Segmentation) -> Option<Symptom> {
     let (force, rate) = (
         recording.accelerometer.as_ref()?,

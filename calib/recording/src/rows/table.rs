@@ -70,7 +70,7 @@ impl Table {
         !self.accel.t.is_empty() || !self.gyro.t.is_empty()
     }
 
-    /// Its samples of a sensor.
+    /// The samples of a sensor.
     pub fn samples_mut(&mut self, sensor: Sensor) -> &mut Samples {
         match sensor {
             Sensor::Accelerometer => &mut self.accel,

@@ -53,7 +53,7 @@ pub(crate) struct Rest {
 }
 
 impl Rest {
-    /// One at which nothing happens.
+    /// A rest at which nothing happens.
     pub fn called(label: &str) -> Self {
         Self {
             label: label.into(),

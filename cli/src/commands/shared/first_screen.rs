@@ -56,7 +56,7 @@ impl Step {
         }
     }
 
-    /// The use of a calibration on a recording, both as a shell takes them.
+    /// The command that corrects a recording by a calibration, both as a shell takes them.
     pub fn apply(calibration: &str, recording: &str) -> Self {
         let command = format!("stillpoint apply {calibration} {recording} -o corrected.csv");
         Self::new("correct a recording", command)

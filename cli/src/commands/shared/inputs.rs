@@ -45,13 +45,13 @@ impl RecordingArgs {
         self.recordings.iter().chain(pair).cloned().collect()
     }
 
-    /// The first of them as a shell takes it.
+    /// The first recording as a shell takes it.
     pub fn first(&self) -> String {
         let first = self.recordings.first();
         first.map_or("RECORDING".into(), |path| command_line(path))
     }
 
-    /// Them as a shell takes them.
+    /// The recordings as a shell takes them.
     pub fn command_line(&self) -> String {
         let pair = self.accel_file.iter().map(|path| ("--accel-file ", path));
         let pair = pair.chain(self.gyro_file.iter().map(|path| ("--gyro-file ", path)));

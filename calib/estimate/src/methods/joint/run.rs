@@ -123,8 +123,8 @@ fn go_on<'a>(
 type ByRecording = Vec<(Vec<f64>, Vec<f64>)>;
 
 impl Run<'_> {
-    /// Works out what effects look at: by the models at first, or at the fit before, then by those of a first fit, which is
-    /// returned.
+    /// Works out what effects look at: first by the models of the request or of the fit before, then by those of a first fit,
+    /// which it returns.
     fn know(&mut self, cuts: &[Cut<'_>], before: Option<&Point>) -> Result<Point, Error> {
         let first = match before {
             Some(point) => self.models(point),

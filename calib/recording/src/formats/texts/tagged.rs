@@ -45,7 +45,7 @@ fn begins(look: &Look, tags: &[&str]) -> bool {
         .any(|line| tags.iter().any(|tag| line.starts_with(tag)))
 }
 
-/// The parts of lines with two stamps, of which the second in this unit is the sensor's.
+/// The parts of lines with two stamps: the second, in `unit`, is the sensor's.
 fn stamped(accel: Change, gyro: Change, field: Option<Change>, unit: TimeUnit) -> Vec<Part> {
     let stated = Stated {
         time: Some(unit),

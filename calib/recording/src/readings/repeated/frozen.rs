@@ -75,7 +75,7 @@ pub(crate) fn without_frozen(stream: Stream, frozen: &[Frozen]) -> Stream {
     Stream { t, values }
 }
 
-/// What is said of the repetitions that were left out of a recording; `None` if there are none.
+/// The finding about repetitions that were left out of a recording; `None` if there are none.
 pub(crate) fn frozen_finding(recording: &Recording) -> Option<Finding> {
     let frozen = &recording.frozen;
     let mut sensors: Vec<&str> = frozen.iter().map(|f| f.sensor.name()).collect();

@@ -32,7 +32,7 @@ pub(in crate::calibrate) struct RateFit<'a> {
 }
 
 impl<'a> ForceFit<'a> {
-    /// Builds it from a fit near gravity, m/s².
+    /// Builds it from a fit in `unit`, under the local gravity, m/s².
     pub fn of(
         fitted: &Fitted,
         unit: RawUnit,
@@ -50,7 +50,7 @@ impl<'a> ForceFit<'a> {
 }
 
 impl<'a> RateFit<'a> {
-    /// Builds it from a fit in such a unit that misses gravity by `missed`, rad, beside an accelerometer in its own unit.
+    /// Builds it from a fit in `unit` that misses gravity by `missed`, rad, beside an accelerometer in `force_unit`.
     pub fn of(
         fitted: &Fitted,
         unit: &RawUnit,

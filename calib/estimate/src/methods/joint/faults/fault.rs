@@ -37,7 +37,7 @@ pub struct Fault {
     pub is_over_with_interval: bool,
     /// Lists every place where it may be, with what it adds to the rows there.
     pub suspects: fn(&Site<'_>) -> Vec<Suspect>,
-    /// Evidence beside its test where its parameters have this length over a span, from gravity and what the readings show already.
+    /// Evidence beside its test, from the length of its parameters, its span, gravity and what the readings show already.
     pub seen: fn(f64, Span, f64, Seen) -> Seen,
 }
 
