@@ -2,9 +2,9 @@
 
 use nalgebra::Vector3;
 use recording::Recording;
-use recording::averages::median;
 use recording::intervals::{Moments, Segmentation};
-use recording::readings::{COARSE, dead_zones};
+use recording::readings::{dead_zones, error_of_steps};
+use sensor::Sensor;
 
 use crate::calibration::RecordingBias;
 use crate::methods::small_sample::widening;
@@ -13,8 +13,8 @@ use crate::methods::small_sample::widening;
 ///
 /// Neighbouring rests of a wandering bias resemble each other: where their lag-one correlation `ρ` is
 /// significant the variance of the mean grows by `(1 + ρ)/(1 − ρ)`, at most to that of a single rest.
-/// Where the least significant bit is more than 1.7 times what the readings spread by, `LSB/√12` stays however many samples
-/// there are: the bias is the same in every rest, and so is what rounding makes of it. A dead zone leaves an error of its own.
+/// Of steps wider than the noise `LSB/√12` stays: the bias is the same in every rest, and so is what rounding makes of it. A dead zone
+/// leaves an error of its own.
 pub(super) fn rest_bias(
     recording: &Recording,
     segmentation: &Segmentation,
@@ -27,7 +27,7 @@ pub(super) fn rest_bias(
     let stream = recording.gyroscope.as_ref()?;
     let first = rests.first()?;
     let mean = rests.iter().map(|m| m.mean).sum::<Vector3<f64>>() / rests.len() as f64;
-    let least = stream.least_steps();
+    let of_steps = error_of_steps(Sensor::Gyroscope, recording, segmentation);
     let ranges = segmentation.statics.iter().map(|s| s.span);
     let ranges: Vec<_> = ranges.map(|s| stream.between(s.from, s.to)).collect();
     let dead = dead_zones(stream, &ranges);
@@ -38,15 +38,8 @@ pub(super) fn rest_bias(
         } else {
             first.covariance[(axis, axis)] / first.count as f64
         };
-        let spread = median(rests.iter().map(|m| m.std()[axis]));
-        let quantised = spread.is_some_and(|spread| COARSE * spread < least[axis]);
-        let step = if quantised && least[axis].is_finite() {
-            least[axis]
-        } else {
-            0.0
-        };
         let dead = dead[axis].map_or(0.0, |zone| zone.error_of_mean());
-        let floor = f64::max(step / 12f64.sqrt(), dead);
+        let floor = of_steps[axis].max(dead);
         // With few rests their scatter is known badly: Student's t.
         let widened = between.sqrt() * widening(rests.len() - 1);
         Some(widened.max(floor))

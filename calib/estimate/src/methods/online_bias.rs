@@ -3,8 +3,8 @@
 use findings::{Finding, Kind};
 use nalgebra::{Matrix3, Vector3};
 use recording::intervals::{Segmentation, Span};
-use recording::readings::{Symptom, symptoms};
-use recording::{Error, Recording, Stream};
+use recording::readings::error_of_steps;
+use recording::{Error, Recording};
 use sensor::{Sensor, inverse};
 use solver::{Options, Uncertainty, solve};
 
@@ -60,7 +60,7 @@ pub fn gyroscope_stretches(
     let by_steps = calibration
         .triad(Sensor::Gyroscope)
         .map_or(Vector3::zeros(), |triad| {
-            triad.base().t.abs() * error_of_steps(recording, segmentation)
+            triad.base().t.abs() * error_of_steps(Sensor::Gyroscope, recording, segmentation)
         });
     let long = |span: &Span| span.length() > LONG_ENOUGH;
     let stretches: Vec<Stretch> = segmentation
@@ -287,27 +287,6 @@ fn condition(biases: &Uncertainty) -> f64 {
     let covariance = Matrix3::from_fn(|i, k| biases.covariance[i][k]);
     let axes = covariance.symmetric_eigenvalues();
     (axes.max() / axes.min().max(0.0)).sqrt()
-}
-
-/// `LSB/√12` of the axes on which the readings step by more than their noise, in the unit of the readings: it stays however many
-/// samples there are.
-fn error_of_steps(recording: &Recording, segmentation: &Segmentation) -> Vector3<f64> {
-    let axes = symptoms(recording, segmentation)
-        .into_iter()
-        .filter_map(|found| match found {
-            Symptom::Quantised {
-                sensor: Sensor::Gyroscope,
-                axes,
-                ..
-            } => Some(axes),
-            _ => None,
-        });
-    let steps = recording.gyroscope.as_ref().map(Stream::least_steps);
-    let mut error = Vector3::zeros();
-    for axis in axes.flatten() {
-        error[axis] = steps.map_or(0.0, |steps| steps[axis] / 12f64.sqrt());
-    }
-    error
 }
 
 /// The mean of a rate at rest.

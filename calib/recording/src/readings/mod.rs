@@ -29,7 +29,7 @@ pub use hand::FASTEST_HAND;
 pub use hand::tremor;
 pub(crate) use level::{LevelChange, level_change};
 pub use only_noise::only_noise;
-pub use quantisation::COARSE;
+pub use quantisation::{COARSE, error_of_steps};
 pub use quietest::{Quiet, quietest};
 pub(crate) use repeated::erased_tail::cut_erased_tail;
 pub(crate) use repeated::frozen::{frozen, frozen_finding, without_frozen};
