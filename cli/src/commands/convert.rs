@@ -16,9 +16,8 @@ use crate::show;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 A name without an extension is a folder, in which each sensor keeps its own clock.
-Other columns than those of the sensors are left out, which is said. Stamps of
-tables since 1970 stay so, and dates become such. Those of bags and binary logs
-count from the whole second of the first.
+Other columns than those of the sensors are left out, which is said. Stamps
+since 1970 stay so, and dates become such, in seconds.
 
 Example:
   stillpoint convert log.ulg -o plain/

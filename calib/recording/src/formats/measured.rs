@@ -166,6 +166,9 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
     let warnings = warnings.into_iter().map(|f| f.in_recording(name));
     let warnings: Vec<Finding> = warnings.collect();
     let mut recording = assemble(name.to_owned(), tables, options)?;
+    if options.rate.is_none() {
+        recording.zero_ns = i128::from(origin);
+    }
     recording.magnetometer = field.and_then(|field| magnetometer(name, field, origin, options));
     recording.warnings.extend(warnings);
     recording.description.applied_before = applied_before;
