@@ -43,7 +43,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             ..remark(0.02)
         },
         Kind::RestsTurn => Entry {
-            reason: "the device turned slowly in {count} of {of} static intervals, as on a soft or moving support",
+            reason: "the device turned slowly in {count} of {of} static intervals: its support moved",
             text: "the device turned slowly in {count} of {of} static intervals, by {angle} within {length} in the middle one: accelerometer and gyroscope agree on it. A soft surface gives way, a vehicle or a boat sways",
             advice: "lay the device on a hard surface that does not move",
             remedies: vec![Remedy::RecordAgain],
