@@ -63,8 +63,11 @@ pub(super) enum Target {
 }
 
 impl Target {
-    /// A name without an extension is a folder.
+    /// A name without an extension is a folder, `-` the standard output.
     pub(super) fn claim(path: &Path, replace: Replace, inputs: &[&Path]) -> Result<Self, Failure> {
+        if path == Path::new("-") {
+            return Ok(Self::Stdout);
+        }
         if path.extension().is_some() {
             let is_parquet = path
                 .extension()

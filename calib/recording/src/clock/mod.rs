@@ -150,7 +150,7 @@ fn elapsed(origin: i64, whole: i64, fraction: f64) -> f64 {
     whole.saturating_sub(origin) as f64 + fraction
 }
 
-/// The digits before the decimal mark, and the value of the mark and those behind it.
+/// The digits before the decimal mark, and the value of the mark and those behind it, both with the sign.
 fn split(cell: &[u8], decimal_comma: bool) -> Option<(i64, f64)> {
     let digits = cell.strip_prefix(b"-").unwrap_or(cell);
     let end = digits
@@ -166,7 +166,8 @@ fn split(cell: &[u8], decimal_comma: bool) -> Option<(i64, f64)> {
         _ => return split(&without_exponent(cell)?, decimal_comma),
     };
     let whole = std::str::from_utf8(whole).ok()?.parse().ok()?;
-    Some((whole, fraction))
+    let sign = if digits.len() < cell.len() { -1.0 } else { 1.0 };
+    Some((whole, sign * fraction))
 }
 
 /// `1.7000000005e9` as `1700000000.5`: the same digits, the mark moved to the right; `None` for any

@@ -36,10 +36,10 @@ pub(crate) fn to_seconds(
     let Some(first) = tables.first() else {
         return Ok(0);
     };
-    let origin = first.clock.origin.filter(|_| first.time_affine.is_none());
+    let origin = first.clock.origin.unwrap_or(0);
+    let scale = checked(first)?.scale;
     let first = unit(first, options, warnings)?;
-    let nanoseconds = 1e9 / first.per_second();
-    let zero = i128::from(origin.unwrap_or(0)) * nanoseconds.round() as i128;
+    let zero = nanoseconds(origin, scale / first.per_second());
     for table in tables {
         if let Some(line) = table.clock.wraps.first() {
             let count = table.clock.wraps.len();
@@ -70,6 +70,20 @@ pub(crate) fn to_seconds(
         }
     }
     Ok(zero)
+}
+
+/// An origin as nanoseconds where it is in units of `seconds`; to the last digit for whole nanoseconds and powers of ten of them.
+fn nanoseconds(origin: i64, seconds: f64) -> i128 {
+    let (times, parts) = (1e9 * seconds, 1e-9 / seconds);
+    let is_whole = |value: f64| value >= 1.0 && (value - value.round()).abs() < 1e-9 * value;
+    let origin = i128::from(origin);
+    if is_whole(times) {
+        origin * times.round() as i128
+    } else if is_whole(parts) {
+        origin / parts.round() as i128
+    } else {
+        (origin as f64 * times) as i128
+    }
 }
 
 /// Returns the user's scale and offset for the stamps of a table; the identity if none is given.

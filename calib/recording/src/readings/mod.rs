@@ -7,8 +7,8 @@
 mod clipping;
 mod dead_zone;
 mod excursion;
-mod hand;
 mod level;
+mod motion;
 mod of_sensor;
 mod only_noise;
 mod quantisation;
@@ -16,18 +16,14 @@ mod quietest;
 mod repeated;
 mod rezeroing;
 mod spikes;
-mod swing;
 mod symptom;
-mod turning;
-mod vibration;
 
 pub use crate::recording::Frozen;
 pub(crate) use clipping::limits;
 pub use dead_zone::{DeadZone, dead_zones};
 pub(crate) use excursion::Excursion;
-pub use hand::FASTEST_HAND;
-pub use hand::tremor;
 pub(crate) use level::{LevelChange, level_change};
+pub use motion::hand::{FASTEST_HAND, tremor};
 pub use only_noise::only_noise;
 pub use quantisation::{COARSE, error_of_steps};
 pub use quietest::{Quiet, quietest};
@@ -41,6 +37,7 @@ pub use symptom::Symptom;
 
 use sensor::Sensor;
 
+use self::motion::{hand, swing, turning, vibration};
 use self::of_sensor::OfSensor;
 use crate::intervals::Segmentation;
 use crate::recording::Recording;

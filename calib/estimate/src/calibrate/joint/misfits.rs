@@ -19,6 +19,7 @@ pub(super) fn say_misfits(
     is_of_search: bool,
     warnings: &mut Findings,
 ) {
+    let has_thermometer = recordings.iter().any(|r| r.temperature.is_some());
     let turned_at_rest = warnings.has(Kind::RestsTurn);
     let misfits = remainders.iter().filter_map(|r| r.finding(WITH_WALKS));
     let mut left: Vec<Finding> = misfits.collect();
@@ -30,7 +31,11 @@ pub(super) fn say_misfits(
         }
         let both = [Sensor::Accelerometer, Sensor::Gyroscope].into_iter();
         for (sensor, motions) in both.zip(&fit.bias_motions()) {
-            left.extend(biases_that_moved(fit, sensor, motions));
+            let moved = biases_that_moved(fit, sensor, motions).into_iter();
+            left.extend(moved.map(|found| match has_thermometer {
+                true => found,
+                false => found.detail("like", "as with temperature"),
+            }));
         }
     }
     let warmed = match is_of_search {

@@ -118,7 +118,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             ..bad(90.0)
         },
         Kind::BiasMoved => Entry {
-            reason: "the bias of the {sensor} moved by {change} during the recording, as with temperature",
+            reason: "the bias of the {sensor} moved by {change} during the recording[, {like}]",
             text: "the bias (the reading at rest) of the {sensor} moved by {change} from the first static interval to the last, more than it walks by. The calibration states its mean over that time",
             advice: "let the device warm up before you record",
             remedies: vec![Remedy::Discover],

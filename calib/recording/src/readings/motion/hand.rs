@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::symptom::Symptom;
 use crate::averages::median;
+use crate::readings::symptom::Symptom;
 use crate::recording::{Recording, Stream};
 
 /// Length of the windows looked at and of the pieces whose means waver in a hand, s.
@@ -79,7 +79,7 @@ fn is_si(recording: &Recording) -> bool {
     force.is_none_or(|f| (5.0..15.0).contains(&f))
 }
 
-pub(super) fn found(recording: &Recording) -> Option<Symptom> {
+pub(in crate::readings) fn found(recording: &Recording) -> Option<Symptom> {
     let rate = tremor(recording).filter(|&rate| rate < FASTEST_HAND)?;
     Some(Symptom::HandHeld { rate })
 }

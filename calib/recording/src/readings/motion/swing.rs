@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Complex, Vector3};
 
-use super::of_sensor::OfSensor;
-use super::symptom::Symptom;
 use crate::averages::median;
+use crate::readings::of_sensor::OfSensor;
+use crate::readings::symptom::Symptom;
 
 /// Length of the pieces that are looked at, s, the fewest of them that show what is common to all, and the most that are looked at.
 const LENGTH: f64 = 6.0;
@@ -32,7 +32,7 @@ const STANDS_OUT: f64 = 4.0;
 const BESIDE: f64 = 2.5;
 
 /// The period with the most power in most static intervals; `None` where none stands out.
-pub(super) fn found(of: &OfSensor<'_>) -> Option<Symptom> {
+pub(in crate::readings) fn found(of: &OfSensor<'_>) -> Option<Symptom> {
     let pieces = pieces(of);
     if pieces.len() < FEWEST {
         return None;

@@ -1,7 +1,7 @@
 //! Static intervals that are far noisier than the others.
 
-use super::of_sensor::OfSensor;
-use super::symptom::Symptom;
+use crate::readings::of_sensor::OfSensor;
+use crate::readings::symptom::Symptom;
 
 /// An interval is noisier where its spread is so many times that of the quiet quarter.
 const RATIO: f64 = 1.6;
@@ -29,7 +29,7 @@ fn is_a_change(places: &[usize], spread: &[f64]) -> bool {
 }
 
 /// The intervals with several times the usual spread.
-pub(super) fn found(of: &OfSensor<'_>) -> Option<Symptom> {
+pub(in crate::readings) fn found(of: &OfSensor<'_>) -> Option<Symptom> {
     let spread: Vec<f64> = of.moments.iter().map(|(_, m)| m.std().norm()).collect();
     let mut sorted = spread.clone();
     sorted.sort_by(f64::total_cmp);

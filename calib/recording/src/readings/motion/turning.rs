@@ -3,17 +3,20 @@
 //! Gravity moves by `Δu = u × θ` where the device turns by `θ` (rad, body frame), and the gyroscope reads `θ` and its bias. No error of one
 //! sensor makes the other agree: a bias that moves turns no gravity, and an accelerometer that warms up turns no gyroscope.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix3xX, Vector3};
 use sensor::Sensor;
 
-use super::symptom::Symptom;
 use crate::averages::median;
 use crate::intervals::Segmentation;
+use crate::readings::symptom::Symptom;
 use crate::recording::{Recording, Stream};
 
 /// Shortest interval that is looked at, s, and fewest of them.
 const SHORTEST: f64 = 1.5;
-const FEWEST: usize = 4;
+const FEWEST: usize = 5;
+
+/// Fewest intervals that tell a drift of the bias too.
+const FEWEST_FOR_DRIFT: usize = 10;
 
 /// Share of an interval whose mean is its begin, or its end; fewest samples of it.
 const BLOCK: f64 = 0.2;
@@ -22,62 +25,57 @@ const FEWEST_SAMPLES: usize = 8;
 /// The direction of gravity moves where it does by so many of its standard deviations, in this share of the intervals.
 const EVIDENT: f64 = 5.0;
 const SHARE: f64 = 0.25;
+const FEWEST_EVIDENT: usize = 4;
 
-/// The sensors agree where what they see correlates so much and is the same up to this factor.
+/// The sensors agree where what they see correlates so much and, with a gyroscope in rad/s, is the same up to this factor.
 const CORRELATED: f64 = 0.8;
 const SAME: f64 = 1.5;
 
 /// What both sensors see of one interval.
 struct Turned {
     interval: usize,
+    /// Its begin, s, and its length, s.
+    from: f64,
     length: f64,
     /// Direction of the specific force, unit.
     up: Vector3<f64>,
     /// Its change from the begin to the end, and the standard deviation of an axis of that, rad.
     change: Vector3<f64>,
     std: f64,
-    /// The rotation that the gyroscope reads over the same time, rad, and that time, s.
+    /// The rotation that the gyroscope reads over the same time, in its unit by seconds, and that time, s.
     rotation: Vector3<f64>,
     time: f64,
 }
 
-impl Turned {
-    /// The change that the gyroscope says, with its bias taken off.
-    fn said(&self, bias: &Vector3<f64>) -> Vector3<f64> {
-        self.up.cross(&(self.rotation - bias * self.time))
-    }
-}
-
 /// The symptom of a device that turns in a quarter of the static intervals or more, where both sensors agree on it.
-pub(super) fn found(recording: &Recording, segmentation: &Segmentation) -> Option<Symptom> {
+pub(in crate::readings) fn found(
+    recording: &Recording,
+    segmentation: &Segmentation,
+) -> Option<Symptom> {
     let (force, rate) = (
         recording.accelerometer.as_ref()?,
         recording.gyroscope.as_ref()?,
     );
-    if recording.is_in_counts(Sensor::Gyroscope) {
-        return None;
-    }
     let spans = segmentation.statics.iter().enumerate();
     let all: Vec<Turned> = spans
         .filter_map(|(k, interval)| turned(k, [interval.span.from, interval.span.to], force, rate))
         .collect();
     let moved = |one: &&Turned| one.change.norm() > EVIDENT * one.std;
     let evident: Vec<&Turned> = all.iter().filter(moved).collect();
-    if all.len() < FEWEST || evident.len() < FEWEST.max((SHARE * all.len() as f64).ceil() as usize)
+    if all.len() < FEWEST
+        || evident.len() < FEWEST_EVIDENT.max((SHARE * all.len() as f64).ceil() as usize)
     {
         return None;
     }
-    let bias = bias(&all)?;
+    let by_gyroscope = by_gyroscope(&all, recording.is_in_counts(Sensor::Gyroscope))?;
     let (mut seen, mut said, mut both) = (0.0, 0.0, 0.0);
-    for one in &all {
+    for (one, by_gyroscope) in all.iter().zip(&by_gyroscope) {
         let weight = one.std.powi(-2);
-        let by_gyroscope = one.said(&bias);
         seen += weight * one.change.norm_squared();
         said += weight * by_gyroscope.norm_squared();
-        both += weight * one.change.dot(&by_gyroscope);
+        both += weight * one.change.dot(by_gyroscope);
     }
-    let agrees =
-        both > CORRELATED * (seen * said).sqrt() && (said / SAME..said * SAME).contains(&both);
+    let agrees = both > CORRELATED * (seen * said).sqrt();
     agrees.then(|| Symptom::RestsTurn {
         intervals: evident.iter().map(|one| one.interval + 1).collect(),
         of: all.len(),
@@ -115,6 +113,7 @@ fn turned(interval: usize, [from, to]: [f64; 2], force: &Stream, rate: &Stream) 
     let time = length - block;
     (weights > 0.0 && variance > 0.0 && strength > 0.0).then(|| Turned {
         interval,
+        from,
         length,
         up,
         change: change - up * up.dot(&change),
@@ -124,16 +123,37 @@ fn turned(interval: usize, [from, to]: [f64; 2], force: &Stream, rate: &Stream) 
     })
 }
 
-/// The gyroscope's bias, rad/s, with which it agrees best with the accelerometer in all intervals.
-fn bias(all: &[Turned]) -> Option<Vector3<f64>> {
-    let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
+/// The changes that the gyroscope says, `Δu = u × (k θ − (b + c t) T)`, with the scale `k`, the bias `b` and its drift `c` with which it
+/// agrees best with the accelerometer; `None` where such a scale is none.
+fn by_gyroscope(all: &[Turned], in_counts: bool) -> Option<Vec<Vector3<f64>>> {
+    let last = all.last()?.from.max(1.0);
+    let usual = median(all.iter().map(|one| one.rotation.norm())).filter(|&usual| usual > 0.0)?;
+    let with_drift = all.len() >= FEWEST_FOR_DRIFT;
+    let count = if with_drift { 7 } else { 4 };
+    let columns = |one: &Turned| {
+        let up = one.up.cross_matrix();
+        let mut columns = Matrix3xX::zeros(count);
+        columns.set_column(0, &(up * one.rotation / usual));
+        columns
+            .fixed_columns_mut::<3>(1)
+            .copy_from(&(up * one.time));
+        if with_drift {
+            let by_drift = up * (one.time * one.from / last);
+            columns.fixed_columns_mut::<3>(4).copy_from(&by_drift);
+        }
+        columns
+    };
+    let (mut normal, mut right) = (DMatrix::zeros(count, count), DVector::zeros(count));
     for one in all {
-        let by_bias = one.up.cross_matrix() * (one.time / one.std);
-        let left = (one.up.cross(&one.rotation) - one.change) / one.std;
-        normal += by_bias.tr_mul(&by_bias);
-        right += by_bias.tr_mul(&left);
+        let own = columns(one);
+        normal += own.tr_mul(&own) * one.std.powi(-2);
+        right += own.tr_mul(&one.change) * one.std.powi(-2);
     }
-    Some(normal.cholesky()?.solve(&right))
+    let fitted = normal.cholesky()?.solve(&right);
+    let scale = fitted[0] / usual;
+    let is_one = (SAME.recip()..SAME).contains(&scale);
+    let said = |one: &Turned| columns(one) * &fitted;
+    (is_one || (in_counts && scale > 0.0)).then(|| all.iter().map(said).collect())
 }
 
 fn mean(values: &[Vector3<f64>]) -> Vector3<f64> {
