@@ -4,39 +4,14 @@
 //! units; the fits work on readings brought near SI first and are carried back after.
 
 use nalgebra::{DMatrix, DVector, Vector3};
-use sensor::BASE_PARAMETERS;
 
 use crate::residuals::StaticMean;
+use crate::truth::RawUnit;
 
 /// Static readings whose median norm lies within this fraction of gravity are m/s².
 const SI_NORM: f64 = 0.5;
 
-/// The affine map that brings readings near SI units.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RawUnit {
-    /// SI units per raw unit.
-    pub scale: f64,
-    /// Reading of a zero signal, raw units.
-    pub zero: Vector3<f64>,
-}
-
 impl RawUnit {
-    /// Readings in SI units.
-    pub const SI: Self = Self {
-        scale: 1.0,
-        zero: Vector3::new(0.0, 0.0, 0.0),
-    };
-
-    /// Returns true if the readings were in SI units already (scale of one).
-    pub fn is_si(&self) -> bool {
-        self.scale == 1.0
-    }
-
-    /// The reading near SI units.
-    pub fn to_si(&self, raw: &Vector3<f64>) -> Vector3<f64> {
-        (raw - self.zero) * self.scale
-    }
-
     /// Static means near SI units.
     pub fn means_to_si(&self, means: &[StaticMean]) -> Vec<StaticMean> {
         means
@@ -47,24 +22,6 @@ impl RawUnit {
                 ..*mean
             })
             .collect()
-    }
-
-    /// Factor from a parameter of a model near SI units to one of a model in raw units, by its
-    /// place among the base parameters.
-    pub fn factor(&self, place: usize) -> f64 {
-        match place {
-            0..9 => self.scale,
-            9..BASE_PARAMETERS => self.scale.recip(),
-            _ => 1.0,
-        }
-    }
-
-    /// Returns the offset added to a parameter on its conversion to raw units, by its place among the base parameters.
-    pub fn offset(&self, place: usize) -> f64 {
-        match place {
-            9..BASE_PARAMETERS => self.zero[place - 9],
-            _ => 0.0,
-        }
     }
 }
 

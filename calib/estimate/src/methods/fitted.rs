@@ -3,7 +3,7 @@
 use sensor::BASE_PARAMETERS;
 use solver::{Parameters, Report};
 
-use super::first_guess::RawUnit;
+use crate::truth::RawUnit;
 
 /// Parameters with their covariance, raw units.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,9 +5,9 @@ use nalgebra::{Matrix3, Vector3};
 use sensor::{Base, Model, Sensor};
 use solver::Problem;
 
-use super::first_guess::RawUnit;
 use crate::kernel::TurnProblem;
 use crate::residuals::{Integrator, PropagatedGravity, TurnData};
+use crate::truth::RawUnit;
 
 /// Turns predicted this well, rms of the chord, need no other unit or axes.
 const PREDICTED: f64 = 0.5;

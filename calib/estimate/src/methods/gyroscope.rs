@@ -8,7 +8,6 @@ use recording::averages::root_mean_square;
 use sensor::{Base, Model};
 use solver::{Mask, Options, Parameters, Problem, Report, solve};
 
-use super::first_guess::RawUnit;
 use super::fitted::Fitted;
 use super::gyro_guess::{GyroGuess, gyroscope_guess, perfect_chords};
 use super::small_sample::widening;
@@ -16,6 +15,7 @@ use crate::kernel::TurnProblem;
 use crate::residuals::{
     Integrator, OwnBias, PropagatedGravity, Stacked, StaticMean, StaticRate, TurnData,
 };
+use crate::truth::RawUnit;
 
 /// Rounds in which the two kinds of rows are weighted by what the fit before left of them.
 const WEIGHT_ROUNDS: usize = 6;

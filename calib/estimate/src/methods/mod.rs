@@ -17,8 +17,9 @@ pub(crate) mod small_sample;
 mod stepwise;
 mod threshold;
 
+pub use crate::truth::RawUnit;
 pub use ending::Ending;
-pub use first_guess::{RawUnit, accelerometer_unit};
+pub use first_guess::accelerometer_unit;
 pub use fitted::Fitted;
 pub use gyro_guess::{GyroGuess, gyroscope_guess};
 pub use gyroscope::{GyroscopeData, GyroscopeFit, GyroscopeRequest, fit_gyroscope};

@@ -7,11 +7,12 @@ use sensor::{Base, Model};
 use solver::{Options, Report, Variant, solve};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
-use super::first_guess::{RawUnit, accelerometer_unit};
+use super::first_guess::accelerometer_unit;
 use super::fitted::Fitted;
 use super::outliers::{Outlier, outliers};
 use super::small_sample::residual_std;
 use crate::residuals::{GravityNorm, OwnBias, StaticMean};
+use crate::truth::RawUnit;
 
 /// Recordings get biases of their own where a common one is refuted at this level.
 const OWN_BIAS_LEVEL: f64 = 0.01;

@@ -11,6 +11,7 @@
 mod attitude;
 mod corrector;
 mod needs;
+mod raw_unit;
 mod rests;
 mod sensing;
 mod smooth_curve;
@@ -28,6 +29,7 @@ use sensor::{Kinematics, Quantity, Sensor, Since};
 
 pub use corrector::{Corrector, Sample};
 pub use needs::{require, require_of_instants, silent_at_static_intervals, without_instant};
+pub use raw_unit::RawUnit;
 pub use sensing::{Models, Sensing};
 pub use supposed::{supposed, unneeded};
 

@@ -3,8 +3,8 @@
 use nalgebra::{Matrix3, Vector3};
 use sensor::{Base, EffectRef, Kinematics, Model, Sensor};
 
+use super::raw_unit::RawUnit;
 use crate::calibration::Calibration;
-use crate::methods::first_guess::RawUnit;
 
 /// One sensor's model.
 #[derive(Clone, Debug)]

@@ -28,11 +28,11 @@ fn perfect() -> Models {
     Models {
         accelerometer: Some(Sensing::first(
             accelerometer::model(),
-            crate::methods::RawUnit::SI,
+            crate::truth::RawUnit::SI,
         )),
         gyroscope: Some(Sensing::first(
             gyroscope::model(),
-            crate::methods::RawUnit::SI,
+            crate::truth::RawUnit::SI,
         )),
         ..Models::default()
     }

@@ -14,10 +14,10 @@ use sensor::{Kinematics, Sensor};
 
 use super::clock::{ClockMode, SourceClock, TurnClock};
 use super::noise::SensorNoise;
-use crate::methods::first_guess::RawUnit;
 use crate::methods::joint::blocks::groups::RowGroups;
 pub use crate::methods::joint::data::mean::Mean;
 use crate::methods::joint::disturbance::shake::Shake;
+use crate::truth::RawUnit;
 
 /// More disturbances than this share of the rests, and the noise is at fault, not the rests.
 pub(crate) const MOST_DISTURBED: f64 = 0.2;

@@ -6,8 +6,9 @@ use serde::Serialize;
 use solver::{Options, Problem, Report, solve};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-use crate::methods::first_guess::{RawUnit, accelerometer_unit};
+use crate::methods::first_guess::accelerometer_unit;
 use crate::residuals::{GravityNorm, StaticMean};
+use crate::truth::RawUnit;
 
 /// Multipliers are compared by how well a corrected reading is known after the fit, with the upper end
 /// of what the residual may be: a small residual from two spare placements does not beat one from

@@ -10,7 +10,6 @@ use sensor::Kinematics;
 
 use super::mean::Mean;
 use super::{Chunk, Cut, Data, LostTurn, Rest, Source, TurnSamples};
-use crate::methods::first_guess::RawUnit;
 use crate::methods::joint::clock::sampling::shocks;
 use crate::methods::joint::clock::windows::means_over_windows;
 use crate::methods::joint::clock::{SourceClock, TurnClock, clocks_behind, window};
@@ -20,6 +19,7 @@ use crate::methods::joint::disturbance::trim::quiet_part;
 use crate::methods::joint::noise::SensorNoise;
 use crate::methods::joint::rows::knowledge::by_units;
 use crate::methods::joint::rows::turn::MARGIN;
+use crate::truth::RawUnit;
 
 /// Rests are cut into chunks of about this length, s: they anchor random walk, drift and warm-up.
 const CHUNK: f64 = 8.0;
