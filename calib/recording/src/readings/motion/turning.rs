@@ -126,7 +126,7 @@ fn turned(interval: usize, [from, to]: [f64; 2], force: &Stream, rate: &Stream) 
 /// The changes that the gyroscope says, `Δu = u × (k θ − (b + c t) T)`, with the scale `k`, the bias `b` and its drift `c` with which it
 /// agrees best with the accelerometer; `None` where such a scale is none.
 fn by_gyroscope(all: &[Turned], in_counts: bool) -> Option<Vec<Vector3<f64>>> {
-    let last = all.last()?.from.max(1.0);
+    let (first, last) = (all.first()?.from, all.last()?.from);
     let usual = median(all.iter().map(|one| one.rotation.norm())).filter(|&usual| usual > 0.0)?;
     let with_drift = all.len() >= FEWEST_FOR_DRIFT;
     let count = if with_drift { 7 } else { 4 };
@@ -138,7 +138,8 @@ fn by_gyroscope(all: &[Turned], in_counts: bool) -> Option<Vec<Vector3<f64>>> {
             .fixed_columns_mut::<3>(1)
             .copy_from(&(up * one.time));
         if with_drift {
-            let by_drift = up * (one.time * one.from / last);
+            let share = (one.from - first) / (last - first);
+            let by_drift = up * (one.time * share);
             columns.fixed_columns_mut::<3>(4).copy_from(&by_drift);
         }
         columns
