@@ -95,6 +95,7 @@ fn fitted_again(session: &Session<'_>, last: &State) -> Result<Option<JointFit>,
     Ok(Some(fit))
 }
 
+/// The calibration of a fit.
 fn written(
     fit: &JointFit,
     keeps_the_earth: bool,

@@ -58,23 +58,11 @@ fn calibration(
     calibration
 }
 
+/// A triad without a fit, so without a rank or a condition.
 fn triad(sensor: Sensor, base: &Base<f64>) -> Triad {
     Triad {
-        model: sensor.equation().into(),
-        t: std::array::from_fn(|i| std::array::from_fn(|j| base.t[(i, j)])),
-        bias: base.bias.into(),
-        t_std: [[None; 3]; 3],
-        bias_std: [None; 3],
-        bias_time: None,
-        residual_rms: 0.0,
-        reduced_chi2: None,
-        static_intervals: None,
-        dynamic_intervals: None,
-        rank: 0,
         condition: 0.0,
-        unobservable: Vec::new(),
-        units: None,
-        recordings: Vec::new(),
+        ..Triad::of(sensor, base)
     }
 }
 
