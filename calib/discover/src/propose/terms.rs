@@ -9,8 +9,11 @@ use crate::family::beside;
 use crate::noise::projected::Whitened;
 use crate::score::score;
 
-/// A coefficient of fewer standard errors is dropped: among nine, one of noise reaches it in .4 % of all cases.
+/// A product needs a coefficient of so many standard errors: among nine, one of noise reaches it in .4 % of all cases.
 const SIGNIFICANT: f64 = 3.5;
+
+/// On its other axes so many do (Schwarz 1978: `√ln n` of about 60 rows): what one axis has, the others are likely to have too.
+const SIGNIFICANT_BESIDE: f64 = 2.0;
 
 /// The terms, and the least stability of the products that have one.
 #[derive(Debug)]
@@ -38,7 +41,7 @@ impl Terms {
 }
 
 /// The terms of stable products, by backward elimination: the least significant goes first, the rest is
-/// estimated again.
+/// estimated again. A product goes as a whole where none of its axes is significant.
 pub fn terms(whitened: &Whitened, chosen: &[Chosen<'_>]) -> Option<Terms> {
     let mut places: Vec<(usize, usize)> = Vec::new();
     for (k, of) in chosen.iter().enumerate() {
@@ -60,8 +63,18 @@ pub fn terms(whitened: &Whitened, chosen: &[Chosen<'_>]) -> Option<Terms> {
         };
         let least = (0..places.len()).min_by(|a, b| size(a).total_cmp(&size(b)))?;
         // A direction that the data do not see has no size of its own.
-        if fitted.dof < places.len() || size(&least) < SIGNIFICANT {
+        if fitted.dof < places.len() || size(&least) < SIGNIFICANT_BESIDE {
             places.remove(least);
+            continue;
+        }
+        let largest = |product: usize| {
+            let own = (0..places.len()).filter(|i| places[*i].0 == product);
+            own.map(|i| size(&i)).fold(0.0, f64::max)
+        };
+        let doubtful = places.iter().map(|(product, _)| *product);
+        let doubtful = doubtful.min_by(|a, b| largest(*a).total_cmp(&largest(*b)))?;
+        if largest(doubtful) < SIGNIFICANT {
+            places.retain(|(product, _)| *product != doubtful);
             continue;
         }
         let term = |(i, &(k, axis)): (usize, &(usize, usize))| {
