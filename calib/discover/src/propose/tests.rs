@@ -225,3 +225,28 @@ fn nothing_is_proposed_for_what_no_product_describes() {
     assert_eq!(findings.verdict, Verdict::Unexplained);
     assert!(findings.proposed.is_none(), "{:?}", findings.proposed);
 }
+
+/// A form that goes with the axis, half as large on the last one.
+const UNEVEN: &str = r#"
+[[definitions]]
+name = "gyro_uneven"
+sensor = "gyroscope"
+x = "k * fx * wx"
+y = "k * fy * wy"
+z = "0.5 * k * fz * wz"
+parameters = [{ name = "k", unit = "1/(m/s^2)", typical = 8e-5 }]
+"#;
+
+#[test]
+fn what_a_form_does_on_two_axes_is_kept_on_the_third_where_it_is_small() {
+    for seed in [2, 6] {
+        let (recording, request) = session_with(seed, UNEVEN);
+        let findings = discover(&[recording], &request).unwrap().findings;
+        let found = findings.proposed.unwrap();
+        let form = "W_x += x_fx_wx * fx * wx, W_y += y_fy_wy * fy * wy, W_z += z_fz_wz * fz * wz";
+        assert_eq!(found.equation, form);
+        // Alone it would be too little.
+        let small = &found.terms[2];
+        assert!(small.value < 3.5 * small.std.unwrap(), "{small:?}");
+    }
+}
