@@ -66,11 +66,11 @@ pub struct ReadArgs {
     #[arg(long, value_name = "PATTERN")]
     pub time_format: Option<String>,
 
-    /// Unit of the accelerometer: m/s^2, g, mg, cm/s^2, ft/s^2 or counts.
+    /// Unit of the accelerometer: m/s^2, g, mg, cm/s^2, mm/s^2, ft/s^2 or counts.
     #[arg(long, value_name = "UNIT")]
     pub accel_unit: Option<AccelUnit>,
 
-    /// Unit of the gyroscope: rad/s, mrad/s, deg/s, mdeg/s, deg/h, rpm or counts.
+    /// Unit of the gyroscope: rad/s, mrad/s, deg/s, mdeg/s, deg/min, deg/h, rpm, rev/s or counts.
     #[arg(long, value_name = "UNIT")]
     pub gyro_unit: Option<GyroUnit>,
 

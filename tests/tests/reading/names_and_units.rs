@@ -39,7 +39,7 @@ fn is(found: &Option<Stream>, expected: &[Vector3<f64>], within: f64) -> bool {
 /// `None` for what is asked about with these words, else read rightly.
 type Case = (&'static str, [f64; 2], Option<&'static str>);
 
-const CASES: [Case; 17] = [
+const CASES: [Case; 21] = [
     (
         "time_s,acc_x_mps2,acc_y_mps2,acc_z_mps2,gyro_x_deg_per_sec,gyro_y_deg_per_sec,gyro_z_deg_per_sec",
         [1.0, DEGREE],
@@ -71,7 +71,17 @@ const CASES: [Case; 17] = [
     (
         "t,ax,ay,az,gx (rev/s),gy (rev/s),gz (rev/s)",
         [1.0, std::f64::consts::TAU],
-        Some("rev/s"),
+        None,
+    ),
+    (
+        "t,ax,ay,az,gx [deg/min],gy [deg/min],gz [deg/min]",
+        [1.0, DEGREE / 60.0],
+        None,
+    ),
+    (
+        "t,ax,ay,az,gx (turn/s),gy (turn/s),gz (turn/s)",
+        [1.0, std::f64::consts::TAU],
+        Some("turn/s"),
     ),
     (
         "t,ax,ay,az,gx [cdps],gy [cdps],gz [cdps]",
@@ -81,7 +91,17 @@ const CASES: [Case; 17] = [
     (
         "t,ax (mm/s^2),ay (mm/s^2),az (mm/s^2),gx (rad/s),gy (rad/s),gz (rad/s)",
         [1e-3, 1.0],
-        Some("mm/s^2"),
+        None,
+    ),
+    (
+        "t,accX_cmps2,accY_cmps2,accZ_cmps2,gx (rad/s),gy (rad/s),gz (rad/s)",
+        [1e-2, 1.0],
+        None,
+    ),
+    (
+        "t,ax (in/s^2),ay (in/s^2),az (in/s^2),gx (rad/s),gy (rad/s),gz (rad/s)",
+        [0.0254, 1.0],
+        Some("in/s^2"),
     ),
     (
         "t,ax,ay,az,gyro_counts_x,gyro_counts_y,gyro_counts_z",

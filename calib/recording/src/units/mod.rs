@@ -9,6 +9,7 @@ pub(crate) mod swapped;
 pub(crate) mod turn_unit;
 pub(crate) mod values;
 
+use std::f64::consts::TAU;
 use std::str::FromStr;
 
 use findings::{Finding, Kind};
@@ -82,7 +83,9 @@ unit! {
         /// Thousandths of standard gravity.
         MilliG = "mg" | "milli-g",
         /// Centimetres per second squared.
-        Gal = "cm/s^2" | "cm/s2" | "cm/s²" | "gal",
+        Gal = "cm/s^2" | "cm/s2" | "cm/s²" | "gal" | "cmps2",
+        /// Millimetres per second squared.
+        MillimetresPerSecondSquared = "mm/s^2" | "mm/s2" | "mm/s²" | "mmps2",
         /// Feet per second squared.
         FeetPerSecondSquared = "ft/s^2" | "ft/s2" | "ft/s²" | "ft/s/s" | "fps2",
         /// Raw counts: kept as they are.
@@ -103,8 +106,12 @@ unit! {
         MilliDegreesPerSecond = "mdeg/s" | "mdps" | "m°/s",
         /// Degrees per hour.
         DegreesPerHour = "deg/h" | "°/h" | "deg/hr" | "dph",
+        /// Degrees per minute.
+        DegreesPerMinute = "deg/min" | "°/min",
         /// Turns per minute.
         TurnsPerMinute = "rpm" | "rev/min" | "r/min",
+        /// Turns per second.
+        TurnsPerSecond = "rev/s",
         /// Raw counts: kept as they are.
         Counts = "counts" | "lsb" | "raw" | "adc",
     }
@@ -166,7 +173,7 @@ fn normal(text: &str) -> String {
         .fold(text, |text: String, (word, sign)| text.replace(word, sign))
 }
 
-/// True for what is written as a unit of a sensor is, known or not: `rev/s`, `cdps`, `rpm`.
+/// True for what is written as a unit of a sensor is, known or not: `turn/s`, `cdps`, `rpm`.
 pub(crate) fn looks_like_unit(text: &str) -> bool {
     let text = normal(text);
     let is_rate = text.ends_with("ps") || text.ends_with("pm") || text.contains("s-1");
@@ -238,12 +245,13 @@ impl TimeUnit {
 
 impl AccelUnit {
     /// All but counts.
-    pub(crate) const PHYSICAL: [Self; 5] = [
+    pub(crate) const PHYSICAL: [Self; 6] = [
         Self::MetresPerSecondSquared,
         Self::G,
         Self::MilliG,
         Self::Gal,
         Self::FeetPerSecondSquared,
+        Self::MillimetresPerSecondSquared,
     ];
 
     /// m/s² per unit; 1 for counts.
@@ -253,6 +261,7 @@ impl AccelUnit {
             Self::G => STANDARD_GRAVITY,
             Self::MilliG => STANDARD_GRAVITY / 1e3,
             Self::Gal => 0.01,
+            Self::MillimetresPerSecondSquared => 1e-3,
             // The international foot, 0.3048 m by definition.
             Self::FeetPerSecondSquared => 0.3048,
         }
@@ -276,7 +285,9 @@ impl GyroUnit {
             Self::MilliRadiansPerSecond => 1e-3,
             Self::MilliDegreesPerSecond => 1e-3f64.to_radians(),
             Self::DegreesPerHour => 1f64.to_radians() / 3600.0,
-            Self::TurnsPerMinute => std::f64::consts::TAU / 60.0,
+            Self::DegreesPerMinute => 1f64.to_radians() / 60.0,
+            Self::TurnsPerMinute => TAU / 60.0,
+            Self::TurnsPerSecond => TAU,
         }
     }
 }
