@@ -58,22 +58,18 @@ pub fn terms(whitened: &Whitened, chosen: &[Chosen<'_>]) -> Option<Terms> {
         });
         let own: Vec<Mat<f64>> = own.collect();
         let fitted = score(beside(&own, whitened.z.nrows()).as_ref(), &whitened.z);
-        let size = |i: &usize| {
-            fitted.change[*i].abs() / fitted.covariance[(*i, *i)].sqrt().max(f64::MIN_POSITIVE)
-        };
-        let least = (0..places.len()).min_by(|a, b| size(a).total_cmp(&size(b)))?;
+        let sizes: Vec<f64> = (0..places.len())
+            .map(|i| {
+                fitted.change[i].abs() / fitted.covariance[(i, i)].sqrt().max(f64::MIN_POSITIVE)
+            })
+            .collect();
+        let least = (0..places.len()).min_by(|a, b| sizes[*a].total_cmp(&sizes[*b]))?;
         // A direction that the data do not see has no size of its own.
-        if fitted.dof < places.len() || size(&least) < SIGNIFICANT_BESIDE {
+        if fitted.dof < places.len() || sizes[least] < SIGNIFICANT_BESIDE {
             places.remove(least);
             continue;
         }
-        let largest = |product: usize| {
-            let own = (0..places.len()).filter(|i| places[*i].0 == product);
-            own.map(|i| size(&i)).fold(0.0, f64::max)
-        };
-        let doubtful = places.iter().map(|(product, _)| *product);
-        let doubtful = doubtful.min_by(|a, b| largest(*a).total_cmp(&largest(*b)))?;
-        if largest(doubtful) < SIGNIFICANT {
+        if let Some(doubtful) = doubtful(&places, &sizes) {
             places.retain(|(product, _)| *product != doubtful);
             continue;
         }
@@ -93,4 +89,17 @@ pub fn terms(whitened: &Whitened, chosen: &[Chosen<'_>]) -> Option<Terms> {
         });
     }
     None
+}
+
+/// The least significant product, where none of its terms is significant; `places` (product, axis) are in the order of the products.
+fn doubtful(places: &[(usize, usize)], sizes: &[f64]) -> Option<usize> {
+    let products = places.iter().map(|(product, _)| *product);
+    let terms: Vec<(usize, f64)> = products.zip(sizes.iter().copied()).collect();
+    let largest = terms
+        .chunk_by(|a, b| a.0 == b.0)
+        .filter_map(|own| own.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1)));
+    let least = largest.min_by(|a, b| a.1.total_cmp(&b.1));
+    least
+        .filter(|(_, size)| *size < SIGNIFICANT)
+        .map(|(product, _)| product)
 }
