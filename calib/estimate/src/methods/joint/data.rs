@@ -7,7 +7,7 @@ mod temperature;
 
 use std::ops::Range;
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 use recording::Recording;
 use recording::intervals::{Segmentation, Span, TurnFault};
 use sensor::{Kinematics, Sensor};
@@ -175,6 +175,10 @@ pub struct Data {
     pub broken: Vec<(usize, usize, Span)>,
     /// The rests with gaps in them.
     pub gaps: Vec<(usize, Span)>,
+    /// `T` of the gyroscope in its static intervals, near SI units. It is not fitted there: static intervals show the bias
+    /// and turns show `T`. Where a bias steps, or depends on the orientation, the intervals would outweigh the turns, and
+    /// `T` would follow the bias.
+    pub axes_at_rest: Matrix3<f64>,
 }
 
 /// One recording on its way into [`Data`].

@@ -1,7 +1,8 @@
 //! Fit, measure the noise, look for disturbances, fit again.
 
+use nalgebra::Matrix3;
 use recording::Error;
-use sensor::{EffectRef, Quantity, Sensor};
+use sensor::{Base, EffectRef, Quantity, Sensor};
 
 use super::data::{Cut, Data};
 use super::fit::JointFit;
@@ -53,8 +54,11 @@ pub fn fit_joint(request: &JointRequest<'_>) -> Result<JointFit, Error> {
 type Begun<'a> = (Run<'a>, Option<Point>);
 
 /// The rests, turns and noise of the recordings.
-fn cut_up(cuts: &[Cut<'_>]) -> Data {
-    let mut data = Data::default();
+fn cut_up(cuts: &[Cut<'_>], axes: Matrix3<f64>) -> Data {
+    let mut data = Data {
+        axes_at_rest: axes,
+        ..Data::default()
+    };
     cuts.iter().for_each(|cut| data.add(cut));
     data.forget_what_some_know();
     data
@@ -68,7 +72,7 @@ fn begin<'a>(
 ) -> Result<Begun<'a>, Error> {
     let mut data = request
         .before
-        .map_or_else(|| cut_up(cuts), |before| before.data.clone());
+        .map_or_else(|| cut_up(cuts, start.axes), |before| before.data.clone());
     let look = |effect: &EffectRef| {
         let mut needs = effect.needs().into_iter();
         needs.any(Quantity::is_told_by_intervals)
@@ -95,7 +99,11 @@ fn begin<'a>(
     if covariates && point.is_some() {
         point = Some(run.know(cuts, point.as_ref())?);
     }
-    Ok((run, point.or(first)))
+    let point = point.or(first);
+    if let Some(reached) = &point {
+        run.data.axes_at_rest = run.axes(reached);
+    }
+    Ok((run, point))
 }
 
 /// From a fit of the same recordings with other effects: what these change is small.
@@ -173,6 +181,13 @@ impl Run<'_> {
         (0..self.data.sources.len()).map(of).collect()
     }
 
+    /// `T` of the gyroscope at a fit.
+    fn axes(&self, point: &Point) -> Matrix3<f64> {
+        let models = self.models(point);
+        let gyroscope = models.first().map(|(_, rate)| rate.as_slice());
+        gyroscope.map_or_else(Matrix3::identity, |p| Base::from_parameters(p).t)
+    }
+
     fn run(&self, before: Option<Point>) -> Result<JointFit, Error> {
         let mut weights = self.weights_near(before.as_ref());
         let mut point = self.approach(&weights, before.as_ref())?;
@@ -195,5 +210,35 @@ impl Run<'_> {
             }
         }
         self.finish(&point, weights)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use recording::intervals::{Detector, segment};
+    use simulate::Spec;
+
+    use super::*;
+    use crate::methods::earth::on_the_earth;
+
+    #[test]
+    fn rates_at_rest_that_no_bias_explains_do_not_turn_the_axes() {
+        for (seed, size) in [(1, 5.0), (3, 8.0), (1, 30.0)] {
+            let mut spec = Spec::hand_held(seed);
+            let own = [("size".to_owned(), size)].into();
+            spec.effects.insert("gyro_g_sensitivity".into(), own);
+            let recording = spec.run().unwrap().recording;
+            let segmentation = segment(&recording, &Detector::default()).unwrap();
+            let (gyroscope, vertical) = on_the_earth(gyroscope::model(), 48.0);
+            let fit = fit_joint(&JointRequest {
+                gyroscope,
+                held: vec![vertical],
+                ..JointRequest::new(vec![(&recording, &segmentation)], spec.gravity)
+            });
+            let fit = fit.unwrap();
+            let square = |chords: &[f64]| chords.iter().map(|c| c * c).sum::<f64>();
+            let (before, after) = (square(&fit.chords_before), square(&fit.chords));
+            assert!(after < before, "{seed} {size}: {after} of {before}");
+        }
     }
 }

@@ -36,7 +36,7 @@ impl Rows<'_> {
         let mut columns = Columns::zeros(self.groups(), count, of_group);
         for mean in self.means(Sensor::Gyroscope) {
             let rest = mean.chunk.rest;
-            let base = Base::from_parameters(&self.local(x, Sensor::Gyroscope, rest));
+            let base = Base::from_parameters(&self.local_at_rest(x, Sensor::Gyroscope, rest));
             let through = inverse(&base.t).unwrap_or_else(Matrix3::identity);
             let seen = through * into_body(attitudes.at_rest(rest));
             for i in 0..3 {

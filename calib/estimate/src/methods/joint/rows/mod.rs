@@ -220,6 +220,17 @@ impl<'a> Rows<'a> {
         columns.iter().map(|&c| x[c]).collect()
     }
 
+    /// The same with which the static means of a rest are predicted: a gyroscope's `T` is that of the data.
+    pub(crate) fn local_at_rest(&self, x: &[f64], sensor: Sensor, rest: usize) -> Vec<f64> {
+        let mut p = self.local(x, sensor, rest);
+        if sensor == Sensor::Gyroscope {
+            for (value, place) in p.iter_mut().zip(PLACES) {
+                *value = self.data.axes_at_rest[place];
+            }
+        }
+        p
+    }
+
     /// The direction of a rest.
     pub fn direction(&self, x: &[f64], rest: usize) -> Vector3<f64> {
         let at = self.layout.direction(rest);
@@ -318,7 +329,7 @@ impl<'a> Rows<'a> {
     ) -> Vector3<f64> {
         let model = self.model(sensor);
         let columns = self.columns_at(sensor, chunk.rest);
-        let p: Vec<f64> = columns.iter().map(|&c| x[c]).collect();
+        let p = self.local_at_rest(x, sensor, chunk.rest);
         let base = Base::from_parameters(&p);
         let inverse = inverse(&base.t).unwrap_or_else(|| Matrix3::repeat(f64::NAN));
         let at = self.layout.direction(chunk.rest);
@@ -339,7 +350,8 @@ impl<'a> Rows<'a> {
         let places = part.places(&columns);
         let by_direction = part.places(&[at, at + 1]);
         for i in 0..3 {
-            for (k, (a, b)) in PLACES.iter().enumerate() {
+            let fitted = PLACES.iter().filter(|_| sensor == Sensor::Accelerometer);
+            for (k, (a, b)) in fitted.enumerate() {
                 part.values[(row + i, places[k])] = -inverse[(i, *a)] * reading[*b];
             }
             part.values[(row + i, places[9 + i])] = 1.0;

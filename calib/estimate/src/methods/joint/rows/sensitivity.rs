@@ -70,7 +70,7 @@ impl Rows<'_> {
     }
 
     fn of_mean(&self, x: &[f64], sensor: Sensor, of: &MeanRows<'_>) -> MeanSensitivity {
-        let base = Base::from_parameters(&self.local(x, sensor, of.chunk.rest));
+        let base = Base::from_parameters(&self.local_at_rest(x, sensor, of.chunk.rest));
         let u = self.direction(x, of.chunk.rest);
         MeanSensitivity {
             sensor,

@@ -30,7 +30,7 @@ impl Rows<'_> {
         sensor: Sensor,
         MeanRows { chunk, mean, .. }: &MeanRows<'_>,
     ) -> Vector3<f64> {
-        let p = self.local(x, sensor, chunk.rest);
+        let p = self.local_at_rest(x, sensor, chunk.rest);
         let u = self.direction(x, chunk.rest);
         let truth = self.at_rest(chunk, mean, u);
         let reading = self.model(sensor).distort(&truth, &p);
@@ -44,7 +44,7 @@ impl Rows<'_> {
         let Some(mean) = mean.filter(|_| !model.effects().is_empty()) else {
             return Vector3::zeros();
         };
-        let p = self.local(x, sensor, chunk.rest);
+        let p = self.local_at_rest(x, sensor, chunk.rest);
         let u = self.direction(x, chunk.rest);
         let (mut moment, mut spread) = (Vector3::zeros(), 0.0);
         for k in 0..INSTANTS {
