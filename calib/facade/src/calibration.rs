@@ -1,11 +1,12 @@
 //! The result, and what it makes of readings.
 
 use findings::{Finding, Findings, Front, Kind, Verdict};
+use std::borrow::Cow;
 use std::path::Path;
 use std::sync::Arc;
 
 use calib::calibrate::Outcome;
-use calib::calibration::{Triad, check_units, doubts, load_with, read_calibration};
+use calib::calibration::{Triad, check_units, doubts, in_unit_of, load_with, read_calibration};
 use calib::document::to_json;
 use nalgebra::Vector3;
 use sensor::{PLACES, Sensor, base_names};
@@ -380,7 +381,9 @@ pub fn apply_watched(
     recording: &Recording,
     watch: Option<&Watch>,
 ) -> Result<Recording, Error> {
-    let (own, raw) = (calibration.as_ref(), recording.as_ref());
+    let own = calibration.as_ref();
+    let raw = in_unit_of(own, Cow::Borrowed(recording.as_ref()))?;
+    let raw = raw.as_ref();
     check_units(own, raw)?;
     let mut doubts = doubts(own, raw)?;
     doubts.extend(own.edited().map(|edited| edited.finding()));

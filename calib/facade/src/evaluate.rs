@@ -1,6 +1,8 @@
 //! Evaluation of a calibration on a recording that was not used for it.
 
-use calib::calibration::{check_units, doubts};
+use std::borrow::Cow;
+
+use calib::calibration::{check_units, doubts, in_unit_of};
 use calib::gravity::GravitySource;
 use calib::methods::cut;
 use calib::watch::Stage;
@@ -35,7 +37,13 @@ pub fn evaluate(
 ) -> Result<Evaluation, Error> {
     let how = request.for_calibration(1)?;
     let recording = recording.at_hand_speed();
-    let (recording, calibration) = (recording.as_ref(), calibration.map(AsRef::as_ref));
+    let calibration = calibration.map(AsRef::as_ref);
+    let recording = Cow::Borrowed(recording.as_ref());
+    let recording = match calibration {
+        Some(calibration) => in_unit_of(calibration, recording)?,
+        None => recording,
+    };
+    let recording = recording.as_ref();
     how.watch.step(Stage::Cutting)?;
     if let Some(calibration) = calibration.filter(|_| !request.force_device) {
         check_units(calibration, recording)?;

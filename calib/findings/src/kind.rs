@@ -135,6 +135,10 @@ kinds! {
     UnitByTurns = "unit_by_turns",
     /// The gyroscope's unit is a guess from its largest reading.
     UnitBySize = "unit_by_size",
+    /// Nothing tells the gyroscope's unit, and rad/s is assumed.
+    UnitAssumed = "unit_assumed",
+    /// The gyroscope's unit is that of the recording that the calibration was made from.
+    UnitOfCalibration = "unit_of_calibration",
     /// The readings are raw counts and kept as they are.
     ReadAsCounts = "read_as_counts",
     /// A given unit is another than the file states.
@@ -1027,6 +1031,8 @@ kinds! {
     TurnsImpossible = "turns_impossible",
     /// Turns have the size of another unit.
     TurnsInOtherUnit = "turns_in_other_unit",
+    /// Nothing tells the gyroscope's unit, and that of the calibration's recording was none that can be assumed.
+    UnitUntold = "unit_untold",
     /// Turns have the size of no unit.
     TurnsOff = "turns_off",
     /// A gyroscope at rest reads what none reads in its unit.

@@ -6,7 +6,7 @@ use calib::Recording;
 use calib::calibration::apply_under;
 use calib::recording::{FOLDER_FILES, FolderFile, to_csv, to_parquet};
 
-use crate::commands::shared::inputs::{DeviceArgs, load, read};
+use crate::commands::shared::inputs::{DeviceArgs, load, read_for};
 use crate::exit::Failure;
 use crate::output::{Filled, Folder, Output, Replace};
 use crate::read_args::ReadArgs;
@@ -45,7 +45,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     };
     args.replace.end_if_all_exist()?;
     let calibration = load(&args.calibration)?;
-    let recording = read(&args.recording, &args.read)?;
+    let recording = read_for(Some(&calibration), &args.recording, &args.read)?;
     args.device.check(&calibration, &[&recording])?;
     let mut corrected: Recording = apply_under(&steps::watch(), &calibration, &recording)?;
     let written = target.write(&mut corrected);

@@ -17,7 +17,7 @@ use calib::methods::online_bias::{
 use calib::readings::symptoms;
 
 use crate::commands::shared::first_screen::{Screen, Step, wrote};
-use crate::commands::shared::inputs::{DetectorArgs, DeviceArgs, load, read};
+use crate::commands::shared::inputs::{DetectorArgs, DeviceArgs, load, read_for};
 use crate::commands::shared::names::Names;
 use crate::commands::shared::pictures::{PictureArgs, named};
 use crate::exit::Failure;
@@ -73,7 +73,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let pictures = args.pictures.claim(names, args.replace, &inputs)?;
     args.replace.end_if_all_exist()?;
     let old = load(&args.calibration)?;
-    let recording = read(&args.recording, &args.read)?;
+    let recording = read_for(Some(&old), &args.recording, &args.read)?;
     let mut remarks = recording.warnings.clone();
     // What the old biases make of it is renewed; doubts are about what the new ones leave.
     args.device.refuse(&old, &[&recording])?;

@@ -14,7 +14,7 @@ use serde_json::json;
 use crate::commands::calibrate::limits::{self, LimitArgs};
 use crate::commands::shared::first_screen::{Screen, Step};
 use crate::commands::shared::inputs::{
-    DetectorArgs, DeviceArgs, check_gravity, gates_of, load, named_file, read, spinner,
+    DetectorArgs, DeviceArgs, check_gravity, gates_of, load, named_file, read_for, spinner,
 };
 use crate::commands::shared::names::Names;
 use crate::commands::shared::pictures::PictureArgs;
@@ -85,7 +85,8 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         .claim(&evaluation::PLOTS, args.replace, &inputs)?;
     args.replace.end_if_all_exist()?;
     let (detector, choose) = args.detector.detector()?;
-    let recording = read(&args.recording, &args.read)?.decimated();
+    let first = calibrations.first().map(|(_, calibration)| calibration);
+    let recording = read_for(first, &args.recording, &args.read)?.decimated();
     let mut warnings = recording.warnings.clone();
     warnings.extend(gravities.differ(&calibrations));
     let mut doubts: Vec<Vec<Finding>> = Vec::new();
@@ -125,7 +126,6 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         gravities.raw,
         gyroscope,
     ));
-    let first = calibrations.first().map(|(_, calibration)| calibration);
     let said = implausible(&recording, &choice.segmentation, first, gravities.raw);
     warnings.extend(said.gates);
     warnings.extend(said.warnings);

@@ -97,6 +97,7 @@ fn decided(by: UnitBy) -> &'static str {
         UnitBy::Option => "an option",
         UnitBy::File => "the file",
         UnitBy::Data => "the samples",
+        UnitBy::Nothing => "nothing, and assumed",
     }
 }
 

@@ -36,7 +36,7 @@ pub use provenance::{
     fingerprint, system_name,
 };
 pub use scalar::ScalarValues;
-pub use units::{TriadUnits, check_units};
+pub use units::{TriadUnits, check_units, in_unit_of};
 
 use findings::{Finding, Findings, Kind};
 use nalgebra::{Matrix3, Vector3};

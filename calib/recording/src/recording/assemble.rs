@@ -120,12 +120,12 @@ pub(crate) fn assemble(
         };
         let accel = recording.accelerometer.as_ref();
         let warnings = &mut recording.warnings;
-        let unit = decide::gyro_unit(&name, &stream, accel, said, warnings)?;
+        let (unit, unit_by) = decide::gyro_unit(&name, &stream, accel, said, warnings)?;
         recording.gyroscope = Some(scaled(stream, unit.scale()));
         let sensors = recording.description.sensors.iter_mut();
-        sensors
-            .filter(|described| described.sensor == Sensor::Gyroscope)
-            .for_each(|described| described.unit = unit.name());
+        for described in sensors.filter(|described| described.sensor == Sensor::Gyroscope) {
+            (described.unit, described.unit_by) = (unit.name(), unit_by);
+        }
     }
     let erased = crate::readings::cut_erased_tail(&mut recording);
     recording.warnings.extend(erased);

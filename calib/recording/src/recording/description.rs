@@ -12,6 +12,20 @@ pub enum UnitBy {
     File,
     /// The samples.
     Data,
+    /// Nothing: it is the SI unit, unless the readings are too large for it.
+    Nothing,
+}
+
+impl UnitBy {
+    /// Returns its name: `option`, `file`, `samples` or `nothing`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Option => "option",
+            Self::File => "file",
+            Self::Data => "samples",
+            Self::Nothing => "nothing",
+        }
+    }
 }
 
 /// One sensor of a recording.

@@ -5,7 +5,7 @@ use super::rests::{rest_throughout, rests, sphere};
 use super::turn_unit::{turn_unit, wrong_by};
 use crate::Error;
 use crate::order_statistic::nth_smallest;
-use crate::recording::Stream;
+use crate::recording::{Stream, UnitBy};
 use crate::shown::{shown, significant};
 use crate::source::place::in_file;
 use crate::units::{AccelUnit, GyroUnit, STANDARD_GRAVITY, values};
@@ -232,8 +232,8 @@ fn turns_as_a_hand(stream: &Stream, unit: GyroUnit) -> bool {
     unit == GyroUnit::Counts || 200 * faster.count() <= stream.len()
 }
 
-/// The gyroscope's unit: stated, or told by the turns between rests, else rad/s unless a hand could not turn that
-/// fast.
+/// The gyroscope's unit and what tells it: stated, or told by the turns between rests, else assumed to be rad/s unless a hand
+/// could not turn that fast.
 ///
 /// # Errors
 /// [`Error::Input`] where the file states a unit in which the turns are not those that the accelerometer saw.
@@ -243,7 +243,7 @@ pub(crate) fn gyro_unit(
     accel: Option<&Stream>,
     said: Said<'_, GyroUnit>,
     warnings: &mut Findings,
-) -> Result<GyroUnit, Error> {
+) -> Result<(GyroUnit, UnitBy), Error> {
     let stated = said.given.or(said.stated);
     let by_turns = accel.and_then(|accel| turn_unit(accel, stream));
     if let Some(unit) = stated {
@@ -257,11 +257,11 @@ pub(crate) fn gyro_unit(
         }
     }
     if let Some(unit) = said.given {
-        return Ok(unit);
+        return Ok((unit, UnitBy::Option));
     }
     if let Some(unit) = stated {
         return match turns_as_a_hand(stream, unit) {
-            true => Ok(unit),
+            true => Ok((unit, UnitBy::File)),
             false => Err(in_file(
                 name,
                 Finding::of(Kind::TurnsImpossible)
@@ -290,7 +290,7 @@ pub(crate) fn gyro_unit(
         && let Some([bias, noise]) = rate_at_restless_rest(stream, accel, si)
     {
         warnings.push(as_counts().number("at_rest", bias.max(noise), "1"));
-        return Ok(GyroUnit::Counts);
+        return Ok((GyroUnit::Counts, UnitBy::Nothing));
     }
     if by_turns.is_none() {
         refuse_restless_rest(name, stream, accel, si)?;
@@ -301,9 +301,8 @@ pub(crate) fn gyro_unit(
     // Another unit, as mrad/s: in degrees the turns are not those that the accelerometer saw.
     let is_wrong = |unit| accel.is_some_and(|accel| wrong_by(accel, stream, unit).is_some());
     let (unit, told) = match (by_turns, fastest) {
-        (Some(GyroUnit::RadiansPerSecond), _) | (None, 0.0..FASTEST) => {
-            return Ok(GyroUnit::RadiansPerSecond);
-        }
+        (Some(GyroUnit::RadiansPerSecond), _) => return Ok((si, UnitBy::Data)),
+        (None, 0.0..FASTEST) => (si, told(Kind::UnitAssumed, name, Sensor::Gyroscope)),
         (Some(GyroUnit::Counts), _) => (GyroUnit::Counts, as_counts()),
         (Some(unit), _) => (unit, of(Kind::UnitByTurns, unit)),
         (None, FASTEST..5000.0) if !integers && !is_wrong(GyroUnit::DegreesPerSecond) => {
@@ -319,7 +318,11 @@ pub(crate) fn gyro_unit(
         ),
     };
     warnings.push(told);
-    Ok(unit)
+    let by = match by_turns {
+        Some(_) => UnitBy::Data,
+        None => UnitBy::Nothing,
+    };
+    Ok((unit, by))
 }
 
 /// Refuses a unit in which the turns are not those that the accelerometer saw; `by` says who states it.

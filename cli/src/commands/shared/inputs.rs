@@ -1,10 +1,11 @@
 //! Arguments that commands share, and reading with a spinner.
 
 use ::findings::{Finding, Front};
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use calib::calibration::{check_units, doubts};
+use calib::calibration::{check_units, doubts, in_unit_of};
 use calib::effect_file::{catalogue_with, read_effects};
 use calib::gravity::{ACCEPTED, Gravity, NotOnEarth, normal_gravity};
 use calib::intervals::{Detector, DetectorOptions};
@@ -282,6 +283,20 @@ pub fn read(path: &Path, args: &ReadArgs) -> Result<Recording, Failure> {
     let recording = Recording::read(path, &args.clone().into())?;
     spinner.finish_and_clear();
     Ok(recording)
+}
+
+/// Reads a recording that a calibration is for: where nothing tells the gyroscope's unit, it is that of the calibration's
+/// own recordings.
+pub fn read_for(
+    calibration: Option<&Calibration>,
+    path: &Path,
+    args: &ReadArgs,
+) -> Result<Recording, Failure> {
+    let recording = read(path, args)?;
+    Ok(match calibration {
+        Some(calibration) => in_unit_of(calibration, Cow::Owned(recording))?.into_owned(),
+        None => recording,
+    })
 }
 
 /// Reads all recordings of a file: several where its clock begins again.

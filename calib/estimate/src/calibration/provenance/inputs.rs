@@ -2,6 +2,7 @@
 
 use recording::intervals::{Moments, Segmentation, StaticInterval};
 use recording::{AppliedBefore, Recording, Stream};
+use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -82,6 +83,12 @@ pub struct SensorInput {
     pub rate: Option<f64>,
     /// Unit of the readings: `m/s^2`, `rad/s`, or `raw` where `T` carries another unit to these.
     pub unit: String,
+    /// Unit of the readings in the file, as `deg/s`; absent in files of older versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub file_unit: Option<String>,
+    /// What told it: `option`, `file`, `samples`, or `nothing` where it was assumed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub file_unit_by: Option<String>,
     /// White noise density by the scatter within the static intervals, SI units per √Hz, root mean square over the axes.
     pub noise_density: Option<f64>,
 }
@@ -170,13 +177,18 @@ impl Input {
         let streams = [&recording.accelerometer, &recording.gyroscope];
         let last = streams.into_iter().flatten().filter_map(|s| s.t.last());
         type Of = fn(&StaticInterval) -> Option<Moments>;
-        let sensor = |stream: &Option<Stream>, unit: &str, scale: Option<f64>, of: Of| {
-            let stream = stream.as_ref()?;
+        let sensor = |sensor: Sensor, unit: &str, scale: Option<f64>, of: Of| {
+            let stream = recording.stream(sensor)?;
             let si = scale.is_none_or(|s| (0.5..2.0).contains(&s));
+            let described = recording.description.sensors.iter();
+            let mut described = described.filter(|own| own.sensor == sensor);
+            let in_file = described.next().filter(|own| !own.unit.is_empty());
             Some(SensorInput {
                 samples: stream.len(),
                 rate: stream.usual_step().map(f64::recip),
                 unit: if si { unit } else { "raw" }.into(),
+                file_unit: in_file.map(|own| own.unit.to_owned()),
+                file_unit_by: in_file.map(|own| own.unit_by.name().to_owned()),
                 noise_density: noise_density(stream, intervals, of)
                     .map(|n| n * scale.unwrap_or(1.0)),
             })
@@ -187,10 +199,8 @@ impl Input {
             samples_sha256: fingerprint(recording),
             time_zero: recording.start(),
             end: last.copied().fold(f64::NEG_INFINITY, f64::max),
-            accelerometer: sensor(&recording.accelerometer, "m/s^2", force, |r| {
-                r.accelerometer
-            }),
-            gyroscope: sensor(&recording.gyroscope, "rad/s", rate, |r| r.gyroscope),
+            accelerometer: sensor(Sensor::Accelerometer, "m/s^2", force, |r| r.accelerometer),
+            gyroscope: sensor(Sensor::Gyroscope, "rad/s", rate, |r| r.gyroscope),
             temperature: recording.temperature.as_ref().and_then(|temperature| {
                 let all = &temperature.celsius;
                 (!all.is_empty()).then(|| TemperatureInput {

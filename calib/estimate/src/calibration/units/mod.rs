@@ -1,8 +1,10 @@
 //! Check that a recording has the units that a calibration is for.
 
 mod reading_unit;
+mod untold;
 
 pub use reading_unit::TriadUnits;
+pub use untold::in_unit_of;
 
 use findings::{Finding, Kind};
 use recording::{Error, Recording};

@@ -25,6 +25,18 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             remedies: vec![Remedy::set(OptionName::GyroUnit)],
             ..care(0.5)
         },
+        Kind::UnitAssumed => Entry {
+            reason: "nothing tells the gyroscope's unit, and rad/s is assumed",
+            text: "neither the file nor the readings tell the unit of the gyroscope. The program assumes rad/s",
+            remedies: vec![Remedy::if_wrong([OptionName::GyroUnit])],
+            ..remark(0.001)
+        },
+        Kind::UnitOfCalibration => Entry {
+            reason: "the gyroscope's unit is that of the calibration's own recording",
+            text: "the gyroscope is taken as {unit}, like the recording of the calibration: the file names no unit",
+            remedies: vec![Remedy::if_wrong([OptionName::GyroUnit])],
+            ..remark(0.001)
+        },
         Kind::ReadAsCounts => Entry {
             reason: "the {sensor} is read as raw counts",
             text: "the {sensor} is taken as raw counts (numbers without a physical unit), which are kept as they are[: its \

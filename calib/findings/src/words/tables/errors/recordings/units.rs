@@ -70,6 +70,10 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
                 (OptionName::Columns, "t=NAME"),
             ])],
         ),
+        Kind::UnitUntold => error_by(
+            "neither the file nor the readings tell the unit of the gyroscope, and the recording of the calibration was in {unit}",
+            vec![Remedy::such_as(OptionName::GyroUnit, "deg/s")],
+        ),
         Kind::RestlessRest => error_by(
             "the device never turns, so that no turn shows the gyroscope's unit. In {unit} its noise would be {noise} and its bias (mean at rest) {bias}, as no gyroscope has",
             vec![Remedy::such_as(OptionName::GyroUnit, "deg/s")],
