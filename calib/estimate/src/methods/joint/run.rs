@@ -101,7 +101,7 @@ fn begin<'a>(
     }
     let point = point.or(first);
     if let Some(reached) = &point {
-        run.data.axes_at_rest = run.axes(reached);
+        run.hold_axes(reached);
     }
     Ok((run, point))
 }
@@ -121,6 +121,7 @@ fn go_on<'a>(
     };
     let x = run.begin_at(&run.rows(&[]));
     let point = run.approach(&run.weights_at(x.values()), None)?;
+    run.hold_axes(&point);
     let point = settle_clock(&mut run, Some(point.clone()))?.unwrap_or(point);
     let models = run.models(&point);
     run.write_down(cuts, &models);
@@ -181,16 +182,17 @@ impl Run<'_> {
         (0..self.data.sources.len()).map(of).collect()
     }
 
-    /// `T` of the gyroscope at a fit.
-    fn axes(&self, point: &Point) -> Matrix3<f64> {
-        let models = self.models(point);
-        let gyroscope = models.first().map(|(_, rate)| rate.as_slice());
-        gyroscope.map_or_else(Matrix3::identity, |p| Base::from_parameters(p).t)
+    /// Holds `T` of the gyroscope at rest where the turns of a fit have it.
+    fn hold_axes(&mut self, point: &Point) {
+        if let Some((_, rate)) = self.models(point).first() {
+            self.data.axes_at_rest = Base::from_parameters(rate).t;
+        }
     }
 
-    fn run(&self, before: Option<Point>) -> Result<JointFit, Error> {
+    fn run(&mut self, before: Option<Point>) -> Result<JointFit, Error> {
         let mut weights = self.weights_near(before.as_ref());
         let mut point = self.approach(&weights, before.as_ref())?;
+        self.hold_axes(&point);
         let earth = self.request.earth.then(|| {
             let rows = self.rows(&[]);
             rows.earth_columns(point.plain_values())
@@ -203,6 +205,7 @@ impl Run<'_> {
             let next = self.approach(&weights, Some(&point))?;
             let bend = self.bend(&point, &next, &weights.whitening);
             point = next;
+            self.hold_axes(&point);
             // Readings that no model fits are not judged over and over.
             let spent = self.start.steps.are_spent(self.data.cost_of_a_step());
             if bend < STRAIGHT || spent {
