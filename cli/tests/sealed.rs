@@ -174,3 +174,67 @@ fn an_option_of_the_stepwise_method_asks_for_it_and_is_refused_by_another() {
         "joint"
     );
 }
+
+/// The rows of a table of a recording with the rates in deg/s, under `header`; with `turn` only those in motion, about the fastest.
+fn in_degrees(table: &str, header: &str, turn: bool) -> String {
+    let row = |line: &str| -> Vec<f64> { line.split(',').map(|v| v.parse().unwrap()).collect() };
+    let rows: Vec<Vec<f64>> = table.lines().skip(1).map(row).collect();
+    let speed = |row: &Vec<f64>| row[4..7].iter().map(|v| v * v).sum::<f64>();
+    let fastest = |a: &usize, b: &usize| speed(&rows[*a]).total_cmp(&speed(&rows[*b]));
+    let middle = (0..rows.len()).max_by(fastest).unwrap();
+    let near = |k: &usize| !turn || k.abs_diff(middle) < 40;
+    let mut text = format!("{header}\n");
+    for k in (0..rows.len()).filter(near) {
+        let row = &rows[k];
+        let cells = (0..7).map(|i| match i {
+            0..4 => row[i].to_string(),
+            _ => row[i].to_degrees().to_string(),
+        });
+        text += &(cells.collect::<Vec<_>>().join(",") + "\n");
+    }
+    text
+}
+
+#[test]
+fn a_run_that_names_no_unit_is_in_the_unit_of_the_calibrations_recording() {
+    let (_dir, path) = folder();
+    let table = std::fs::read_to_string(path.join("good.csv")).unwrap();
+    let (bare, named) = (
+        "t,ax,ay,az,gx,gy,gz",
+        "t,ax,ay,az,gx [deg/s],gy [deg/s],gz [deg/s]",
+    );
+    for (name, header, turn) in [
+        ("all.csv", bare, false),
+        ("named.csv", named, false),
+        ("run.csv", bare, true),
+    ] {
+        std::fs::write(path.join(name), in_degrees(&table, header, turn)).unwrap();
+    }
+    done(&path, "calibrate all.csv -o all.json");
+    done(&path, "calibrate named.csv -o named.json");
+    let said = stderr(&done(&path, "apply all.json run.csv -o run_corrected.csv"));
+    assert!(said.contains("deg/s"), "{said}");
+    done(&path, "apply all.json all.csv -o corrected.csv");
+    let [part, whole] = ["run_corrected.csv", "corrected.csv"]
+        .map(|name| std::fs::read_to_string(path.join(name)).unwrap());
+    let rates = |line: &str| -> [f64; 2] {
+        let mut cells = line.split(',').map(|v| v.parse::<f64>().unwrap());
+        [cells.next().unwrap(), cells.nth(3).unwrap()]
+    };
+    let whole: Vec<[f64; 2]> = whole.lines().skip(1).map(rates).collect();
+    for [t, rate] in part.lines().skip(1).map(rates) {
+        let same = whole.iter().find(|[at, _]| *at == t).unwrap();
+        assert!((same[1] - rate).abs() < 1e-9, "{t}: {} {rate}", same[1]);
+    }
+    // Files that name their unit are of another kind.
+    let refused = run(&path, "apply named.json run.csv -o other.csv");
+    assert!(
+        status(&refused) == 3 && stderr(&refused).contains("--gyro-unit deg/s"),
+        "{}",
+        stderr(&refused)
+    );
+    done(
+        &path,
+        "apply named.json run.csv -o other.csv --gyro-unit deg/s",
+    );
+}

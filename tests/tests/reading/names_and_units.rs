@@ -265,3 +265,53 @@ fn what_is_proposed_for_a_missing_sensor_keeps_the_one_that_is_there() {
     let proposed = "t=t,ax=ax,ay=ay,az=az,gx=roll_rate,gy=pitch_rate,gz=yaw_rate";
     assert!(words.contains(proposed), "{words}");
 }
+
+#[test]
+fn a_row_of_units_that_looks_like_names_is_none() {
+    let samples = Samples::of_session();
+    let header = "Shimmer_6749_Timestamp_CAL,Shimmer_6749_Accel_LN_X_CAL,Shimmer_6749_Accel_LN_Y_CAL,\
+                  Shimmer_6749_Accel_LN_Z_CAL,Shimmer_6749_Gyro_X_CAL,Shimmer_6749_Gyro_Y_CAL,Shimmer_6749_Gyro_Z_CAL\n\
+                  s,m/(s^2),m/(s^2),m/(s^2),deg/s,deg/s,deg/s";
+    let mut text = table(&samples, header, [1.0, DEGREE]);
+    // The first static interval alone: nothing tells the unit but the row.
+    let rows = text.iter().enumerate().filter(|(_, byte)| **byte == b'\n');
+    let end = rows.map(|(at, _)| at).nth(200).unwrap();
+    text.truncate(end + 1);
+    let found = read("r.csv", text).unwrap();
+    let expected = &samples.together[..198];
+    assert!(is(&found.gyroscope, expected, 1e-6), "{:?}", found.warnings);
+}
+
+#[test]
+fn the_stamp_of_a_message_goes_before_the_time_of_its_arrival() {
+    let samples = Samples::of_session();
+    let rows = String::from_utf8(table(&samples, "", [1.0, 1.0])).unwrap();
+    let late = |header: &str, stamp: fn(f64) -> String| {
+        let mut text = format!("{header}\n");
+        for line in rows.lines().skip(1) {
+            let (t, readings) = line.split_once(',').unwrap();
+            let t: f64 = t.parse().unwrap();
+            let _ = writeln!(
+                text,
+                "{:.6},{},{readings}",
+                t + 0.03 + 1e-4 * (50.0 * t).sin(),
+                stamp(t)
+            );
+        }
+        read("r.csv", text.into_bytes()).unwrap()
+    };
+    let in_one = late("__time,header/stamp,ax,ay,az,gx,gy,gz", |t| {
+        format!("{t:.6}")
+    });
+    let in_two = late(
+        "Time,header.stamp.secs,header.stamp.nsecs,ax,ay,az,gx,gy,gz",
+        |t| format!("{},{}", t.floor(), ((t - t.floor()) * 1e9).round()),
+    );
+    for found in [in_one, in_two] {
+        for stream in [found.accelerometer, found.gyroscope].into_iter().flatten() {
+            let off = stream.t.iter().zip(&samples.accel.t);
+            let off = off.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(off < 2e-3, "{off}");
+        }
+    }
+}

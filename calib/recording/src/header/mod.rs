@@ -24,7 +24,8 @@ use crate::header::affine::Affine;
 use crate::header::by_unit::by_unit;
 use crate::header::gravity::Split;
 use crate::header::names::{
-    is_like_time, is_temperature_beside, may_be_linear, role_of, stated_unit, take_apart,
+    is_like_time, is_message_stamp, is_temperature_beside, may_be_linear, role_of, stated_unit,
+    take_apart,
 };
 use crate::header::suggest::{nearest, suggestion};
 use crate::header::triads::Triad;
@@ -279,7 +280,9 @@ fn roles_by_name(
             }
             // Stamps in a unit that is known, rather than those in a zone of the earth.
             Some(at) if role == Role::Time => {
-                if strange_unit(&names[roles[at].1]) && !strange_unit(name) {
+                let used = &names[roles[at].1];
+                let better = is_message_stamp(name) && !is_message_stamp(used);
+                if better || (strange_unit(used) && !strange_unit(name)) {
                     roles[at].1 = index;
                 }
             }

@@ -134,7 +134,8 @@ impl Finder<'_> {
         };
         if let Some(text) = before.iter().rfind(|k| !k.comment) {
             return match self.names_sensors(text) {
-                true => Some(text),
+                // Cells that are units may be told apart as sensors, and are no names where there are some above.
+                true => self.above_units(text, before).or(Some(text)),
                 false => above(text)
                     .or_else(|| self.above_units(text, before))
                     .or_else(|| self.unnamed(before))

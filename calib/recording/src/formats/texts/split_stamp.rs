@@ -46,13 +46,16 @@ impl Columns {
     /// Those of a header.
     fn of(header: &str) -> Option<Self> {
         let names: Vec<&str> = places(header).into_iter().map(|at| &header[at]).collect();
-        let whole = names.iter().position(|name| is_whole(name))?;
-        let behind = names.iter().enumerate().skip(whole + 1);
-        let (part, digits) = behind
-            .filter_map(|(at, name)| Some((at, digits(name)?)))
-            .next()?;
+        let wholes: Vec<usize> = (0..names.len()).filter(|&at| is_whole(names[at])).collect();
+        let mut parts = (0..names.len()).filter_map(|at| Some((at, digits(names[at])?)));
+        let (part, digits) =
+            parts.find(|(at, _)| wholes.first().is_some_and(|first| first < at))?;
+        let before = || wholes.iter().copied().filter(|&at| at < part);
+        // `header.stamp.secs` belongs to `header.stamp.nsecs`, and a time before both to neither.
+        let alike =
+            before().find(|&at| stem(names[at]).is_some_and(|own| Some(own) == stem(names[part])));
         Some(Self {
-            whole,
+            whole: alike.or(before().next())?,
             part,
             digits,
         })
@@ -87,6 +90,12 @@ impl Columns {
                 None => stamp.part < before.1,
             }
     }
+}
+
+/// What stands before the last word of a name with several.
+fn stem(name: &str) -> Option<&str> {
+    let (stem, _) = name.rsplit_once(|c: char| !c.is_alphanumeric())?;
+    Some(stem).filter(|stem| !stem.is_empty())
 }
 
 fn is_whole(name: &str) -> bool {
@@ -193,6 +202,10 @@ mod tests {
             (
                 "header.stamp.sec;header.stamp.nanosec;ax\n7;5;0,1\n7;900000000;0,1\n",
                 "header.stamp.sec;part;ax\n7,000000005;5;0,1\n7,900000000;900000000;0,1\n",
+            ),
+            (
+                "Time,header.stamp.secs,header.stamp.nsecs,ax\n7.3,7,5,1\n7.4,7,9,1\n",
+                "Time,header.stamp.secs,part,ax\n7.3,7.000000005,5,1\n7.4,7.000000009,9,1\n",
             ),
             (
                 "time ax msec\n12:00:03 1 7\n12:00:03 1 98\n",

@@ -4,7 +4,7 @@ use sensor::Sensor;
 
 use super::text_format::TextFormat;
 use crate::header::look::Look;
-use crate::header::names::{role_of, stamps_of};
+use crate::header::names::{is_message_stamp, role_of, stamps_of};
 use crate::recording::options::Role;
 use crate::rows::parts::Part;
 
@@ -21,7 +21,7 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
     let at = |wanted: Role| roles.iter().position(|role| *role == Some(wanted));
     let is_time = |at: &usize| roles[*at] == Some(Role::Time) || stamps_of(&names[*at]).is_some();
     let times: Vec<usize> = (0..names.len()).filter(is_time).collect();
-    let mut parts: Vec<Part> = Vec::new();
+    let (mut parts, mut stamps): (Vec<Part>, Vec<usize>) = (Vec::new(), Vec::new());
     for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
         let [Some(x), Some(y), Some(z)] = [0, 1, 2].map(|axis| at(Role::axis(sensor, axis))) else {
             return None;
@@ -32,15 +32,20 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
             .find(|at| stamps_of(&names[**at]) == Some(sensor));
         let mut before = times.iter().rev();
         let before = before.find(|at| **at < x && stamps_of(&names[**at]).is_none());
-        let columns = [*called.or(before)?, x, y, z].map(|at| (at + 1).to_string());
+        let time = *called.or(before)?;
+        stamps.push(time);
+        let columns = [time, x, y, z].map(|at| (at + 1).to_string());
         parts.push(Part {
             padded: true,
             ..Part::of(sensor, columns.each_ref().map(String::as_str))
         });
     }
-    // One time for both is a table like any other.
-    let stamps = |part: &Part| part.columns.first().cloned();
-    (stamps(&parts[0]) != stamps(&parts[1])).then_some(parts)
+    // One time for both is a table like any other, and so is the stamp of a message beside the time when it arrived.
+    let [accel, gyro] = stamps[..] else {
+        return None;
+    };
+    let of_one_message = is_message_stamp(&names[accel]) != is_message_stamp(&names[gyro]);
+    (accel != gyro && !of_one_message).then_some(parts)
 }
 
 #[cfg(test)]
@@ -65,5 +70,6 @@ mod tests {
         assert_eq!(columns(header), Some(expected.to_vec()));
         assert_eq!(columns("time,ax,ay,az,gx,gy,gz,timestamp\n"), None);
         assert_eq!(columns("timestamp,time,ax,ay,az,gx,gy,gz\n"), None);
+        assert_eq!(columns("__time,gx,gy,gz,header/stamp,ax,ay,az\n"), None);
     }
 }

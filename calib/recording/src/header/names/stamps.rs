@@ -17,21 +17,24 @@ const NO_TIME: [&str; 22] = [
 /// Endings of names that count a time.
 const COUNTS: [&str; 4] = ["minutes", "minuten", "hours", "stunden"];
 /// Endings of the names of time columns, with their units.
-const UNITS_OF_TIME: [(&str, TimeUnit); 21] = [
+const UNITS_OF_TIME: [(&str, TimeUnit); 24] = [
     ("millis", TimeUnit::Milliseconds),
     ("millisec", TimeUnit::Milliseconds),
     ("milliseconds", TimeUnit::Milliseconds),
     ("msec", TimeUnit::Milliseconds),
+    ("msecs", TimeUnit::Milliseconds),
     ("ms", TimeUnit::Milliseconds),
     ("micros", TimeUnit::Microseconds),
     ("microsec", TimeUnit::Microseconds),
     ("microseconds", TimeUnit::Microseconds),
     ("usec", TimeUnit::Microseconds),
+    ("usecs", TimeUnit::Microseconds),
     ("us", TimeUnit::Microseconds),
     ("nanos", TimeUnit::Nanoseconds),
     ("nanosec", TimeUnit::Nanoseconds),
     ("nanoseconds", TimeUnit::Nanoseconds),
     ("nsec", TimeUnit::Nanoseconds),
+    ("nsecs", TimeUnit::Nanoseconds),
     ("ns", TimeUnit::Nanoseconds),
     ("seconds", TimeUnit::Seconds),
     ("minutes", TimeUnit::Minutes),
@@ -113,6 +116,13 @@ pub(crate) fn stamps_of(name: &str) -> Option<Sensor> {
     of_one
         .filter(|_| !is(&["x", "y", "z"]))
         .filter(|_| matches!(word.as_str(), "ta" | "tg") || is_like_time(name) || is(TIME))
+}
+
+/// True for the stamp in the header of a message, which says when the readings were taken; a time beside it says when the message
+/// arrived.
+pub(crate) fn is_message_stamp(name: &str) -> bool {
+    let name = name.to_lowercase();
+    name.contains("header") && name.contains("stamp")
 }
 
 #[cfg(test)]

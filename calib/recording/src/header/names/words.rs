@@ -16,6 +16,7 @@ pub(super) const TIME: &[&str] = &[
     "timeelapsed",
     "seconds",
     "sec",
+    "secs",
     "datetime",
     "timems",
     "timeus",
