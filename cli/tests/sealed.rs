@@ -238,3 +238,32 @@ fn a_run_that_names_no_unit_is_in_the_unit_of_the_calibrations_recording() {
         "apply named.json run.csv -o other.csv --gyro-unit deg/s",
     );
 }
+
+#[test]
+fn a_recording_read_with_other_signs_is_refused_and_an_export_says_which() {
+    let (_dir, path) = folder();
+    let table = std::fs::read_to_string(path.join("good.csv")).unwrap();
+    let negated = table.lines().enumerate().map(|(k, line)| {
+        let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+        if k > 0 {
+            cells[4] = (-cells[4].parse::<f64>().unwrap()).to_string();
+        }
+        cells.join(",") + "\n"
+    });
+    std::fs::write(path.join("other.csv"), negated.collect::<String>()).unwrap();
+    done(&path, "calibrate other.csv -o cal.json --flip gx");
+    let refused = run(&path, "apply cal.json other.csv -o corrected.csv");
+    assert!(
+        status(&refused) == 3 && stderr(&refused).contains("--flip gx"),
+        "{}",
+        stderr(&refused)
+    );
+    for same in ["--flip gx", "--columns gx=-gx", "--force-device"] {
+        done(
+            &path,
+            &format!("apply cal.json other.csv -o corrected.csv --force {same}"),
+        );
+    }
+    let said = stderr(&done(&path, "export cal.json --to px4 -o imu.params"));
+    assert!(said.contains("gx flipped"), "{said}");
+}

@@ -320,6 +320,8 @@ kinds! {
     ScalarLeftAsRead = "scalar_left_as_read",
     /// Only the bias of a sensor is known.
     BiasAlone = "bias_alone",
+    /// The calibration is for readings of which axes were flipped.
+    ForFlippedAxes = "for_flipped_axes",
     // Clocks that no choice makes right, and of sampling.
     /// Stamps scatter so much that lost samples cannot be counted.
     ClockUncountable = "clock_uncountable",
@@ -1368,6 +1370,8 @@ kinds! {
     SensorNotInCalibration = "sensor_not_in_calibration",
     /// A calibration is for readings in another unit.
     OfOtherUnits = "of_other_units",
+    /// A calibration is for readings with other axes flipped.
+    FlippedOtherwise = "flipped_otherwise",
     /// Accelerometers of two recordings differ as those of two devices.
     DevicesDiffer = "devices_differ",
     /// The gyroscope of a recording differs as that of another device.

@@ -390,6 +390,7 @@ mod tests {
             unit,
             unit_by: UnitBy::Data,
             turned: false,
+            flipped: Vec::new(),
         };
         let mut recording = Recording {
             accelerometer: Some(Stream {

@@ -78,6 +78,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     outputs.write(&export.files)?;
     gates_of(&calibration).for_each(|gate| show::warn(&gate));
     show::warn_each(&calibration.bias_alone());
+    show::warn_each(&calibration.for_flipped_axes());
     for note in &export.notes {
         show::note(&format!("note: {}", note.text(Front::CommandLine)));
     }

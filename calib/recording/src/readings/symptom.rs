@@ -296,6 +296,7 @@ mod tests {
             unit: "counts",
             unit_by: UnitBy::File,
             turned: false,
+            flipped: Vec::new(),
         });
         let typed = found.in_recording(&recording);
         assert_eq!(typed.numbers[0].unit, "counts");

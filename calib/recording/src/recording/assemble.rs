@@ -13,7 +13,7 @@ use crate::Error;
 use crate::clock::{held, time};
 use crate::devices::mixed;
 use crate::formats::robots::ardupilot_text;
-use crate::header::unclear;
+use crate::header::{affine, unclear};
 use crate::readings::{frozen, frozen_finding, without_frozen, without_stale};
 use crate::recording::{checks, packets, sessions, thermometer};
 use crate::rows::table::Table;
@@ -267,8 +267,22 @@ fn describe(recording: &mut Recording, table: &Table, options: &ReadOptions) {
             unit: "",
             unit_by,
             turned: table.negated && sensor == Sensor::Accelerometer,
+            flipped: flipped(sensor, options),
         });
     }
+}
+
+/// The axes of a sensor that options read with the other sign: `--flip gx`, or `--columns gx=-gyro_x`, and not both.
+fn flipped(sensor: Sensor, options: &ReadOptions) -> Vec<&'static str> {
+    let negated = |role: Role| {
+        let mut columns = options.columns.0.iter().filter(|(own, _)| *own == role);
+        columns
+            .any(|(_, column)| affine::take_apart(column).is_some_and(|(_, own)| own.scale < 0.0))
+    };
+    let axes = (0..3).map(|axis| Role::axis(sensor, axis));
+    axes.filter(|role| options.flip.contains(role) != negated(*role))
+        .map(Role::name)
+        .collect()
 }
 
 /// Builds a finding for each option that contradicts the unit in the file.

@@ -45,6 +45,8 @@ pub struct Described {
     pub unit_by: UnitBy,
     /// The sign was turned to +g on the axis that points up.
     pub turned: bool,
+    /// The axes that options read with the other sign, as `gx`.
+    pub flipped: Vec<&'static str>,
 }
 
 /// Format and sensors of a recording.

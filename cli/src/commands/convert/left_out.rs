@@ -64,6 +64,7 @@ mod tests {
                     unit: "",
                     unit_by: UnitBy::File,
                     turned: false,
+                    flipped: Vec::new(),
                 });
             }
             columns(&recording)

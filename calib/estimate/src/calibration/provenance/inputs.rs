@@ -89,6 +89,9 @@ pub struct SensorInput {
     /// What told it: `option`, `file`, `samples`, or `nothing` where it was assumed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file_unit_by: Option<String>,
+    /// Axes that options read with the other sign, as `gx`: `T` and `bias` are for readings so flipped.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub flipped: Vec<String>,
     /// White noise density by the scatter within the static intervals, SI units per √Hz, root mean square over the axes.
     pub noise_density: Option<f64>,
 }
@@ -167,6 +170,15 @@ pub fn fingerprint(recording: &Recording) -> String {
 }
 
 impl Input {
+    /// Returns the samples of the accelerometer or the gyroscope.
+    pub fn sensor(&self, sensor: Sensor) -> Option<&SensorInput> {
+        match sensor {
+            Sensor::Accelerometer => self.accelerometer.as_ref(),
+            Sensor::Gyroscope => self.gyroscope.as_ref(),
+            Sensor::Magnetometer => None,
+        }
+    }
+
     /// Builds the entry of a recording with the static intervals found in it; `scales` are SI units per unit of its
     /// accelerometer and gyroscope.
     pub fn of(
@@ -188,6 +200,9 @@ impl Input {
                 rate: stream.usual_step().map(f64::recip),
                 unit: if si { unit } else { "raw" }.into(),
                 file_unit: in_file.map(|own| own.unit.to_owned()),
+                flipped: in_file.map_or_else(Vec::new, |own| {
+                    own.flipped.iter().map(|axis| (*axis).to_owned()).collect()
+                }),
                 file_unit_by: in_file.map(|own| own.unit_by.name().to_owned()),
                 noise_density: noise_density(stream, intervals, of)
                     .map(|n| n * scale.unwrap_or(1.0)),

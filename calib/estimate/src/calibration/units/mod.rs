@@ -1,5 +1,6 @@
 //! Check that a recording has the units that a calibration is for.
 
+mod flipped;
 mod reading_unit;
 mod untold;
 
@@ -17,11 +18,12 @@ use crate::calibration::Calibration;
 const PLAUSIBLE: std::ops::Range<f64> = 0.6..1.6;
 
 /// Refuses a recording whose corrected specific force cannot be one: a calibration of raw counts on
-/// readings in SI units, or the reverse, or of another device altogether.
+/// readings in SI units, or the reverse, or of another device altogether; or whose axes have another sign.
 ///
 /// # Errors
-/// [`Error::Input`] with both norms.
+/// [`Error::Input`] with both norms, or with the axes that are flipped in one of them only.
 pub fn check_units(calibration: &Calibration, recording: &Recording) -> Result<(), Error> {
+    flipped::check(calibration, recording)?;
     let (Some(stream), Some(triad)) = (
         &recording.accelerometer,
         calibration.triad(Sensor::Accelerometer),

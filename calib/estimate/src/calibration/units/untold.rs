@@ -41,7 +41,7 @@ pub fn in_unit_of<'a>(
 /// The unit of the gyroscope in the files that a calibration was made from, and what told it there; `None` where they differ.
 fn unit_of_files(calibration: &Calibration) -> Option<(GyroUnit, &str)> {
     let inputs = calibration.provenance.inputs.iter();
-    let mut own = inputs.filter_map(|input| input.gyroscope.as_ref());
+    let mut own = inputs.filter_map(|input| input.sensor(Sensor::Gyroscope));
     let unit_of = |input: &SensorInput| input.file_unit.as_deref()?.parse::<GyroUnit>().ok();
     let first = own.next()?;
     let unit = unit_of(first)?;

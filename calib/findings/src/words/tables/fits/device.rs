@@ -153,6 +153,12 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             text: "only the bias (the reading at rest) of the {sensor} is known. Its scale factors and misalignments are taken as those of a perfect sensor",
             ..remark(0.1)
         },
+        Kind::ForFlippedAxes => Entry {
+            reason: "the calibration is for readings with flipped axes",
+            text: "the recording was read with {axes} flipped, and the calibration is for readings with that sign. What reads the sensor has to flip {axes} too",
+            advice: "look up how the target reads this sensor",
+            ..care(0.5)
+        },
         _ => return None,
     })
 }

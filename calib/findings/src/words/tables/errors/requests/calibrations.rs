@@ -64,6 +64,14 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
                 Remedy::set(OptionName::ForceDevice),
             ],
         ),
+        Kind::FlippedOtherwise => error_with(
+            "the calibration is for readings of the {sensor} with {own} flipped (read with the other sign), and here {other} is",
+            "read this recording as that of the calibration was read",
+            vec![
+                Remedy::set_to(OptionName::Flip, "gx"),
+                Remedy::set(OptionName::ForceDevice),
+            ],
+        ),
         Kind::DevicesDiffer => error_with(
             "{parameter} is {one} in {first} and {two} in {second}, {distance} standard errors apart. The recordings are of different devices, or of one device at different temperatures[ ({celsius})]",
             "calibrate each recording alone if the devices differ; if it is one device, record again at one temperature",
