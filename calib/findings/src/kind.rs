@@ -907,6 +907,8 @@ kinds! {
     NumberNotFinite = "number_not_finite",
     /// A number has separators of thousands.
     ThousandsSeparators = "thousands_separators",
+    /// Points or commas separate thousands, and were read as decimal marks.
+    ThousandsByPoints = "thousands_by_points",
     /// A number has a comma in a file of points.
     DecimalComma = "decimal_comma",
     /// A number is hexadecimal.

@@ -282,6 +282,14 @@ impl Calibration {
         let inputs = recordings.into_iter();
         let inputs = inputs.map(|(r, intervals)| Input::of(r, intervals, scales));
         self.provenance = Provenance::of(inputs.collect(), options);
+        // Turns that were fitted tell the unit: `T` shows it.
+        if self
+            .gyroscope
+            .as_ref()
+            .is_some_and(|own| !own.is_bias_only())
+        {
+            self.warnings.retain(|own| own.kind != Kind::UnitAssumed);
+        }
         self.state_units();
         self.seal();
     }

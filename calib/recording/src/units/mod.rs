@@ -6,6 +6,7 @@ pub(crate) mod field;
 pub(crate) mod repeated;
 pub(crate) mod rests;
 pub(crate) mod swapped;
+mod thousands;
 pub(crate) mod turn_unit;
 pub(crate) mod values;
 

@@ -14,6 +14,7 @@ use crate::recording::stream::least_steps;
 use crate::shown::figure;
 use crate::source::place::{at_line, in_file};
 use crate::units::rests::{rests, sphere};
+use crate::units::thousands::separated;
 
 /// Samples from which on statistics mean something.
 pub(crate) const ENOUGH: usize = 100;
@@ -65,6 +66,13 @@ pub(crate) fn check(
         if let Some(run) = stuck_within(samples, axis) {
             let found = of(Kind::AxisStuck).detail("column", column(sensor, axis));
             return Err(stopped(name, found, samples, axis, run));
+        }
+        if let Some(first) = separated(samples.values.iter().map(|value| value[axis])) {
+            let value = samples.values[first][axis];
+            let found = of(Kind::ThousandsByPoints)
+                .detail("value", figure(value))
+                .detail("thousands", figure(1e3 * value));
+            return Err(at_line(name, samples.line(first), found));
         }
         let peak = high.max(-low);
         if peak > 0.0 && peak < TINIEST {

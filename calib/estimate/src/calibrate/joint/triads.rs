@@ -11,11 +11,8 @@ use crate::methods::joint::{BiasMotion, JointFit, Source};
 /// Chance moves a bias by so much in fewer recordings than this.
 const MOVED: f64 = 1e-3;
 
-/// A bias that moved leaves more than this of a corrected orientation, ° ([`Finding::severity`]): 9 mm/s² or 18 °/h at either end.
+/// A bias that moved or wanders leaves more than this of a corrected orientation, ° ([`Finding::severity`]): 9 mm/s² or 18 °/h.
 const SHOWS: f64 = 0.05;
-
-/// The same of one that wanders: 17 mm/s² or 36 °/h, more than any sensor's noise makes in minutes.
-const WANDERS: f64 = 0.1;
 
 /// The accelerometer.
 pub fn force_triad(fit: &JointFit, fitted: &Fitted, moved: Option<&BiasMotion>) -> Triad {
@@ -71,7 +68,7 @@ pub fn biases_that_moved(
         // A Brownian path of density q lies q √(T/6) from its mean over T, root mean square.
         let size = walk * (moved.span.length() / 6.0).sqrt();
         let wandering = found(Kind::BiasWandered, "size", size, size);
-        (wandering.severity() > WANDERS).then_some(wandering)
+        (wandering.severity() > SHOWS).then_some(wandering)
     };
     let sources = &fit.data.sources;
     motions.iter().zip(sources).filter_map(of).collect()

@@ -101,8 +101,10 @@ fn stem(name: &str) -> Option<&str> {
 fn is_whole(name: &str) -> bool {
     let word = compact(&take_apart(name).0);
     let is_called = || SECONDS.iter().any(|end| word.ends_with(end));
-    matches!(stated_unit(name), None | Some(TimeUnit::Seconds))
-        && (role_of(name, None) == Some(Role::Time) || is_like_time(name) || is_called())
+    match stated_unit(name) {
+        Some(unit) => unit == TimeUnit::Seconds,
+        None => role_of(name, None) == Some(Role::Time) || is_like_time(name) || is_called(),
+    }
 }
 
 /// The digits of a part of a second that is called so.
@@ -206,6 +208,10 @@ mod tests {
             (
                 "Time,header.stamp.secs,header.stamp.nsecs,ax\n7.3,7,5,1\n7.4,7,9,1\n",
                 "Time,header.stamp.secs,part,ax\n7.3,7.000000005,5,1\n7.4,7.000000009,9,1\n",
+            ),
+            (
+                "tv_sec,tv_usec,ax\n7,500000,1\n8,0,1\n",
+                "tv_sec,part,ax\n7.500000,500000,1\n8.000000,0,1\n",
             ),
             (
                 "time ax msec\n12:00:03 1 7\n12:00:03 1 98\n",

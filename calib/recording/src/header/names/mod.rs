@@ -31,7 +31,13 @@ pub(crate) fn role_of(name: &str, only: Option<Sensor>) -> Option<Role> {
     let ends = name[..bracket]
         .match_indices(['.', '/'])
         .map(|(at, _)| &name[at + 1..]);
-    let is_word = |end: &&str| end.chars().filter(|c| c.is_alphanumeric()).nth(1).is_some();
+    let is_word = |end: &&str| {
+        let word = end.split(OPENING).next().unwrap_or_default();
+        word.chars()
+            .filter(|c| c.is_alphanumeric())
+            .nth(1)
+            .is_some()
+    };
     let qualified = std::iter::once(name).chain(ends.filter(is_word));
     qualified
         .into_iter()

@@ -46,6 +46,10 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "`{cell}` in {column} has thousands separators",
             "export the file without digit grouping",
         ),
+        Kind::ThousandsByPoints => error(
+            "{axis} of the {sensor} has whole numbers below 1000, and from 1 on numbers with three decimals: {value} seems to be {thousands} with a separator of thousands",
+            "export the file without digit grouping",
+        ),
         Kind::DecimalComma => error(
             "`{cell}` in {column} has a decimal comma, and the other numbers of the file have decimal points",
             "export the file with decimal points only",
