@@ -7,21 +7,21 @@ use sensor::Sensor;
 use crate::calibration::Calibration;
 
 impl Calibration {
-    /// Returns the axes of a sensor that its recordings were read with the other sign, as `gx`; none where the recordings differ.
-    pub fn flipped(&self, sensor: Sensor) -> &[String] {
+    /// Returns the axes of a sensor that its recordings were read with the other sign, as `gx`; `None` where they differ, or
+    /// where nobody wrote down how they were read.
+    pub fn flipped(&self, sensor: Sensor) -> Option<&[String]> {
         let inputs = self.provenance.inputs.iter();
         let mut inputs = inputs.filter_map(|input| input.sensor(sensor));
-        let first = inputs.next().map_or(&[][..], |input| &input.flipped);
-        match inputs.all(|input| input.flipped == first) {
-            true => first,
-            false => &[],
-        }
+        let first = inputs.next()?;
+        let is_known = first.file_unit.is_some();
+        let is_same = inputs.all(|input| input.flipped == first.flipped);
+        (is_known && is_same).then_some(&first.flipped[..])
     }
 
     /// Says that the calibration is for readings with flipped axes.
     pub fn for_flipped_axes(&self) -> Option<Finding> {
         let axes = [Sensor::Accelerometer, Sensor::Gyroscope].map(|sensor| self.flipped(sensor));
-        let axes = axes.concat();
+        let axes = axes.map(Option::unwrap_or_default).concat();
         (!axes.is_empty())
             .then(|| Finding::of(Kind::ForFlippedAxes).detail("axes", axes.join(", ")))
     }
@@ -31,9 +31,10 @@ impl Calibration {
 pub(super) fn check(calibration: &Calibration, recording: &Recording) -> Result<(), Error> {
     for described in &recording.description.sensors {
         let own = calibration.flipped(described.sensor);
-        if calibration.triad(described.sensor).is_none() || own == described.flipped {
+        let own = own.filter(|own| *own != described.flipped);
+        let Some(own) = own.filter(|_| calibration.triad(described.sensor).is_some()) else {
             continue;
-        }
+        };
         let said = |axes: &[String]| match axes {
             [] => "none".to_owned(),
             axes => axes.join(", "),
