@@ -2,8 +2,11 @@
 
 mod left_out;
 
-use ::findings::Front;
+use ::findings::{Finding, Front, Kind};
 use std::path::PathBuf;
+
+use calib::Recording;
+use calib::recording::UnitBy;
 
 use super::apply::Target;
 use crate::commands::shared::inputs::read;
@@ -56,10 +59,23 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let mut recording = read(&args.recording, &args.read)?;
     let written = target.write(&mut recording);
     let mut warnings = recording.warnings.texts(Front::CommandLine);
+    let assumed = recording.unit_assumed();
+    warnings.extend(assumed.map(|found| found.text(Front::CommandLine)));
+    warnings.extend(counts_in_file(&recording));
     warnings.extend(left_out::columns(&recording));
     if extension.is_some() {
         warnings.extend(left_out::samples(&recording));
     }
     warnings.iter().for_each(|warning| show::warn(warning));
     written
+}
+
+/// A warning for every sensor that the file states to be in counts: they are written as they are.
+fn counts_in_file(recording: &Recording) -> impl Iterator<Item = String> + '_ {
+    let sensors = recording.description.sensors.iter();
+    let stated = sensors.filter(|own| own.unit == "counts" && own.unit_by == UnitBy::File);
+    stated.map(|own| {
+        let found = Finding::of(Kind::ReadAsCounts).in_recording(&recording.name);
+        found.of_sensor(own.sensor).text(Front::CommandLine)
+    })
 }

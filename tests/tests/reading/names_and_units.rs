@@ -315,3 +315,19 @@ fn the_stamp_of_a_message_goes_before_the_time_of_its_arrival() {
         }
     }
 }
+
+#[test]
+fn the_stamp_of_another_topic_is_no_clock_of_the_sensors() {
+    let samples = Samples::of_session();
+    let rows = String::from_utf8(table(&samples, "", [1.0, 1.0])).unwrap();
+    let mut text =
+        "__time,/camera/header/stamp,/imu/ax,/imu/ay,/imu/az,/imu/gx,/imu/gy,/imu/gz\n".to_owned();
+    for line in rows.lines().skip(1) {
+        let (t, readings) = line.split_once(',').unwrap();
+        let at: f64 = t.parse().unwrap();
+        let _ = writeln!(text, "{t},{:.3},{readings}", at + 5.0);
+    }
+    let found = read("r.csv", text.into_bytes()).unwrap();
+    let first = found.accelerometer.unwrap().t[0];
+    assert!((first - samples.accel.t[0]).abs() < 1e-3, "{first}");
+}

@@ -36,7 +36,7 @@ pub use provenance::{
     fingerprint, system_name,
 };
 pub use scalar::ScalarValues;
-pub use units::{TriadUnits, check_units, in_unit_of};
+pub use units::{TriadUnits, check_units, in_unit_of, read_in_unit_of};
 
 use findings::{Finding, Findings, Kind};
 use nalgebra::{Matrix3, Vector3};
@@ -282,14 +282,6 @@ impl Calibration {
         let inputs = recordings.into_iter();
         let inputs = inputs.map(|(r, intervals)| Input::of(r, intervals, scales));
         self.provenance = Provenance::of(inputs.collect(), options);
-        // Turns that were fitted tell the unit: `T` shows it.
-        if self
-            .gyroscope
-            .as_ref()
-            .is_some_and(|own| !own.is_bias_only())
-        {
-            self.warnings.retain(|own| own.kind != Kind::UnitAssumed);
-        }
         self.state_units();
         self.seal();
     }

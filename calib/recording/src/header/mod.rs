@@ -262,6 +262,10 @@ fn roles_by_name(
         Some(Sensor::Gyroscope) => matches!(role, Role::Accel(_)),
         _ => false,
     };
+    let is_reading =
+        |name: &&String| role_of(name, only).is_some_and(|role| role.reading().is_some());
+    let reading = names.iter().find(is_reading);
+    let is_stamp = |name: &str| reading.is_some_and(|reading| is_message_stamp(name, reading));
     let mut temperatures = Vec::new();
     for (index, name) in names.iter().enumerate() {
         let said = roles[..given].iter().any(|(_, column)| *column == index);
@@ -281,7 +285,7 @@ fn roles_by_name(
             // Stamps in a unit that is known, rather than those in a zone of the earth.
             Some(at) if role == Role::Time => {
                 let used = &names[roles[at].1];
-                let better = is_message_stamp(name) && !is_message_stamp(used);
+                let better = is_stamp(name) && !is_stamp(used);
                 if better || (strange_unit(used) && !strange_unit(name)) {
                     roles[at].1 = index;
                 }

@@ -1,7 +1,11 @@
 //! Format, columns and units of a recording, for `info`.
 
+use findings::{Finding, Kind};
 use sensor::Sensor;
 use serde::{Deserialize, Serialize};
+
+use super::Recording;
+use crate::units::GyroUnit;
 
 /// Source of a sensor's unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,6 +53,14 @@ pub struct Described {
     pub flipped: Vec<&'static str>,
 }
 
+impl Described {
+    /// Returns the names of the columns of the axes x, y, z.
+    pub fn axes(&self) -> Vec<String> {
+        let axes = self.columns.iter().filter(|(role, _)| *role != "t");
+        axes.map(|(_, column)| column.clone()).collect()
+    }
+}
+
 /// Format and sensors of a recording.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Description {
@@ -58,6 +70,18 @@ pub struct Description {
     pub sensors: Vec<Described>,
     /// Corrections that systems had applied to the readings before they were recorded.
     pub applied_before: Vec<AppliedBefore>,
+}
+
+impl Recording {
+    /// Says that rad/s is assumed for the gyroscope, where neither the file nor the readings tell its unit.
+    pub fn unit_assumed(&self) -> Option<Finding> {
+        let si = GyroUnit::RadiansPerSecond.name();
+        let is_assumed = |own: &Described| own.unit_by == UnitBy::Nothing && own.unit == si;
+        let mut sensors = self.description.sensors.iter();
+        let found = sensors.find(|own| own.sensor == Sensor::Gyroscope && is_assumed(own))?;
+        let finding = Finding::of(Kind::UnitAssumed).in_recording(&self.name);
+        Some(finding.of_sensor(found.sensor))
+    }
 }
 
 /// A correction that a system had applied to the readings of a sensor before they were recorded.

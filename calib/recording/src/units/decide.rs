@@ -302,7 +302,7 @@ pub(crate) fn gyro_unit(
     let is_wrong = |unit| accel.is_some_and(|accel| wrong_by(accel, stream, unit).is_some());
     let (unit, told) = match (by_turns, fastest) {
         (Some(GyroUnit::RadiansPerSecond), _) => return Ok((si, UnitBy::Data)),
-        (None, 0.0..FASTEST) => (si, told(Kind::UnitAssumed, name, Sensor::Gyroscope)),
+        (None, 0.0..FASTEST) => return Ok((si, UnitBy::Nothing)),
         (Some(GyroUnit::Counts), _) => (GyroUnit::Counts, as_counts()),
         (Some(unit), _) => (unit, of(Kind::UnitByTurns, unit)),
         (None, FASTEST..5000.0) if !integers && !is_wrong(GyroUnit::DegreesPerSecond) => {

@@ -161,12 +161,12 @@ const WORDS: [(&str, &str); 25] = [
     ("米", "m"),
 ];
 
-/// Lower case without blanks, underscores and brackets, words as their signs: `deg per sec` as `deg/s`.
+/// Lower case without blanks, underscores, brackets and raised dots, words as their signs: `deg per sec` as `deg/s`.
 fn normal(text: &str) -> String {
     let text = text.trim().replace('μ', "µ");
     let text = text
         .chars()
-        .filter(|c| !c.is_whitespace() && !matches!(c, '_' | '(' | ')'))
+        .filter(|c| !c.is_whitespace() && !matches!(c, '_' | '(' | ')' | '·' | '⋅'))
         .flat_map(char::to_lowercase)
         .collect();
     WORDS

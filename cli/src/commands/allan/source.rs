@@ -81,7 +81,9 @@ impl<'a> Source<'a> {
                 return Ok(curves);
             }
         }
-        let recording = read(&args.recording, &args.read)?;
+        let mut recording = read(&args.recording, &args.read)?;
+        let assumed = recording.unit_assumed();
+        recording.warnings.extend(assumed);
         show::warn_each(&recording.warnings);
         let curves = RecordingCurves::of(&recording, within);
         self.recording = Some(recording);

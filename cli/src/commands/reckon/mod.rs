@@ -15,7 +15,7 @@ use nalgebra::Vector3;
 use solve::{Known, Named, Run};
 
 use crate::commands::shared::first_screen::wrote;
-use crate::commands::shared::inputs::{DeviceArgs, as_paths, load, named_file, numbers, read};
+use crate::commands::shared::inputs::{DeviceArgs, as_paths, load, named_file, numbers, read_for};
 use crate::commands::shared::pictures::{PictureArgs, named};
 use crate::exit::{Failure, NOT_ENOUGH};
 use crate::output::{Output, Replace};
@@ -196,7 +196,8 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let calibrations = calibrations(args)?;
     let (mut runs, mut remarks) = (Vec::new(), Vec::new());
     for (k, path) in args.recordings.iter().enumerate() {
-        let recording = read(path, &args.read)?;
+        let first = calibrations.iter().find_map(Named::of_file);
+        let recording = read_for(first, path, &args.read)?;
         remarks.extend(recording.warnings.texts(Front::CommandLine));
         for calibration in calibrations.iter().filter_map(Named::of_file) {
             args.device.check(calibration, &[&recording])?;

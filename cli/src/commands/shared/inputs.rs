@@ -1,16 +1,15 @@
 //! Arguments that commands share, and reading with a spinner.
 
 use ::findings::{Finding, Front};
-use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use calib::calibration::{check_units, doubts, in_unit_of};
+use calib::calibration::{check_units, doubts, read_in_unit_of};
 use calib::effect_file::{catalogue_with, read_effects};
 use calib::gravity::{ACCEPTED, Gravity, NotOnEarth, normal_gravity};
 use calib::intervals::{Detector, DetectorOptions};
 use calib::methods::joint::ClockMode;
-use calib::recording::figure;
+use calib::recording::{ReadOptions, figure};
 use calib::{Calibration, Recording};
 use indicatif::ProgressBar;
 use sensor::EffectRef;
@@ -292,11 +291,23 @@ pub fn read_for(
     path: &Path,
     args: &ReadArgs,
 ) -> Result<Recording, Failure> {
-    let recording = read(path, args)?;
-    Ok(match calibration {
-        Some(calibration) => in_unit_of(calibration, Cow::Owned(recording))?.into_owned(),
-        None => recording,
-    })
+    let Some(calibration) = calibration else {
+        return read(path, args);
+    };
+    let spinner = spinner(&format!("reading {}", show::path(path)));
+    let recording = read_in_unit_of(calibration, |unit| {
+        let options = ReadOptions::from(args.clone());
+        let gyro_unit = options.gyro_unit.or(unit);
+        Recording::read(
+            path,
+            &ReadOptions {
+                gyro_unit,
+                ..options
+            },
+        )
+    })?;
+    spinner.finish_and_clear();
+    Ok(recording)
 }
 
 /// Reads all recordings of a file: several where its clock begins again.

@@ -1,7 +1,7 @@
 //! Inputs of a calibration: recordings, options, conventions.
 
 use recording::intervals::{Moments, Segmentation, StaticInterval};
-use recording::{AppliedBefore, Recording, Stream};
+use recording::{AppliedBefore, Described, Recording, Stream};
 use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -56,6 +56,9 @@ pub struct Input {
     pub recording: String,
     /// SHA-256 of its samples ([`fingerprint`]): the same for the same samples in another file or format.
     pub samples_sha256: String,
+    /// Name of the file's format; absent in files of older versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub format: Option<String>,
     /// The time that effects of time count from: the first stamp, s on the recording's clock.
     pub time_zero: f64,
     /// The last stamp, s.
@@ -92,6 +95,9 @@ pub struct SensorInput {
     /// Axes that options read with the other sign, as `gx`: `T` and `bias` are for readings so flipped.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub flipped: Vec<String>,
+    /// Names of the columns of the axes x, y, z; empty in files of older versions.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub columns: Vec<String>,
     /// White noise density by the scatter within the static intervals, SI units per √Hz, root mean square over the axes.
     pub noise_density: Option<f64>,
 }
@@ -199,6 +205,7 @@ impl Input {
                 samples: stream.len(),
                 rate: stream.usual_step().map(f64::recip),
                 unit: if si { unit } else { "raw" }.into(),
+                columns: in_file.map_or_else(Vec::new, Described::axes),
                 file_unit: in_file.map(|own| own.unit.to_owned()),
                 flipped: in_file.map_or_else(Vec::new, |own| {
                     own.flipped.iter().map(|axis| (*axis).to_owned()).collect()
@@ -212,6 +219,7 @@ impl Input {
         Self {
             recording: recording.name.clone(),
             samples_sha256: fingerprint(recording),
+            format: Some(recording.description.format.to_owned()).filter(|name| !name.is_empty()),
             time_zero: recording.start(),
             end: last.copied().fold(f64::NEG_INFINITY, f64::max),
             accelerometer: sensor(Sensor::Accelerometer, "m/s^2", force, |r| r.accelerometer),

@@ -5,7 +5,7 @@ mod reading_unit;
 mod untold;
 
 pub use reading_unit::TriadUnits;
-pub use untold::in_unit_of;
+pub use untold::{in_unit_of, read_in_unit_of};
 
 use findings::{Finding, Kind};
 use recording::{Error, Recording};

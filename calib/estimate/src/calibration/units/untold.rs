@@ -3,17 +3,45 @@
 use std::borrow::Cow;
 
 use findings::{Finding, Kind, OptionName, Remedy};
-use recording::{Error, GyroUnit, Recording, UnitBy};
+use recording::{Described, Error, GyroUnit, Recording, UnitBy};
 use sensor::Sensor;
 
 use crate::calibration::{Calibration, SensorInput};
 
-/// Carries the gyroscope of a recording whose unit nothing tells to the unit that the calibration's recordings had. A logger
-/// that names no unit writes all its files in the same.
+/// Reads a recording for a calibration. `read` takes the unit of the gyroscope that is to be assumed.
 ///
 /// # Errors
-/// [`Error::Input`] where the files of the calibration named another unit than this one was assumed to have: it is of another
-/// kind, and its unit may be either.
+/// As `read` and [`in_unit_of`].
+pub fn read_in_unit_of(
+    calibration: &Calibration,
+    read: impl Fn(Option<GyroUnit>) -> Result<Recording, Error>,
+) -> Result<Recording, Error> {
+    let error = match read(None) {
+        Ok(recording) => return Ok(in_unit_of(calibration, Cow::Owned(recording))?.into_owned()),
+        Err(error) => error,
+    };
+    // A device that only rests is refused where its rates are none in rad/s.
+    let (true, Some((unit, by))) = (
+        error.finding().kind == Kind::RestlessRest,
+        unit_of_files(calibration),
+    ) else {
+        return Err(error);
+    };
+    let mut recording = read(Some(unit))?;
+    if by == UnitBy::File.name() || !is_of_same_logger(calibration, &recording) {
+        return Err(error);
+    }
+    let said = found(Kind::UnitOfCalibration, &recording, unit);
+    recording.warnings.push(said);
+    Ok(recording)
+}
+
+/// Carries the gyroscope of a recording whose unit nothing tells to the unit that the calibration's recordings had, where it is
+/// of the same logger: one that names no unit writes all its files in the same.
+///
+/// # Errors
+/// [`Error::Input`] where the recording is of another kind and the unit of the calibration's files is not the assumed one: it may be
+/// either.
 pub fn in_unit_of<'a>(
     calibration: &Calibration,
     recording: Cow<'a, Recording>,
@@ -21,11 +49,18 @@ pub fn in_unit_of<'a>(
     let mut sensors = recording.description.sensors.iter();
     let untold =
         sensors.position(|own| own.sensor == Sensor::Gyroscope && own.unit_by == UnitBy::Nothing);
-    let (Some(place), Some((unit, by))) = (untold, unit_of_files(calibration)) else {
+    let Some(place) = untold else {
         return Ok(recording);
     };
+    let Some((unit, by)) = unit_of_files(calibration) else {
+        return Ok(Cow::Owned(with_assumption(recording.into_owned())));
+    };
     let assumed = recording.description.sensors[place].unit;
-    if by == UnitBy::File.name() && assumed != unit.name() {
+    let is_same = by != UnitBy::File.name() && is_of_same_logger(calibration, &recording);
+    if !is_same && assumed == unit.name() {
+        return Ok(Cow::Owned(with_assumption(recording.into_owned())));
+    }
+    if !is_same {
         let remedy = Remedy::set_to(OptionName::GyroUnit, unit.name());
         let found = found(Kind::UnitUntold, &recording, unit).only_remedies([remedy]);
         return Err(Error::input(found));
@@ -50,9 +85,31 @@ fn unit_of_files(calibration: &Calibration) -> Option<(GyroUnit, &str)> {
         .then_some((unit, by))
 }
 
+/// True where the files of a calibration have the format of this one and the same names of the gyroscope's columns.
+fn is_of_same_logger(calibration: &Calibration, recording: &Recording) -> bool {
+    let description = &recording.description;
+    let is_gyroscope = |own: &&Described| own.sensor == Sensor::Gyroscope;
+    let axes = description.sensors.iter().find(is_gyroscope);
+    let Some(axes) = axes.map(Described::axes) else {
+        return false;
+    };
+    calibration.provenance.inputs.iter().all(|input| {
+        let own = input.sensor(Sensor::Gyroscope);
+        let same_format = input.format.as_deref() == Some(description.format);
+        own.is_none_or(|own| same_format && own.columns == axes)
+    })
+}
+
+/// The recording with the warning that its unit is assumed.
+fn with_assumption(mut recording: Recording) -> Recording {
+    let assumed = recording.unit_assumed();
+    recording.warnings.extend(assumed);
+    recording
+}
+
 /// The recording with a gyroscope in `unit`, which is described at `place`; its readings grow by `factor`.
 fn taken_as(unit: GyroUnit, mut recording: Recording, (place, factor): (usize, f64)) -> Recording {
-    let guesses = [Kind::UnitAssumed, Kind::UnitBySize, Kind::ReadAsCounts];
+    let guesses = [Kind::UnitBySize, Kind::ReadAsCounts];
     recording.warnings.retain(|own| {
         !(guesses.contains(&own.kind) && own.place.sensor == Some(Sensor::Gyroscope))
     });

@@ -21,7 +21,7 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
     let at = |wanted: Role| roles.iter().position(|role| *role == Some(wanted));
     let is_time = |at: &usize| roles[*at] == Some(Role::Time) || stamps_of(&names[*at]).is_some();
     let times: Vec<usize> = (0..names.len()).filter(is_time).collect();
-    let (mut parts, mut stamps): (Vec<Part>, Vec<usize>) = (Vec::new(), Vec::new());
+    let (mut parts, mut stamps): (Vec<Part>, Vec<(usize, bool)>) = (Vec::new(), Vec::new());
     for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
         let [Some(x), Some(y), Some(z)] = [0, 1, 2].map(|axis| at(Role::axis(sensor, axis))) else {
             return None;
@@ -30,10 +30,14 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
         let called = times
             .iter()
             .find(|at| stamps_of(&names[**at]) == Some(sensor));
-        let mut before = times.iter().rev();
+        // The stamp of another message's header is no clock of this sensor.
+        let of_another = |at: usize| {
+            names[at].to_lowercase().contains("header") && !is_message_stamp(&names[at], &names[x])
+        };
+        let mut before = times.iter().rev().filter(|at| !of_another(**at));
         let before = before.find(|at| **at < x && stamps_of(&names[**at]).is_none());
         let time = *called.or(before)?;
-        stamps.push(time);
+        stamps.push((time, is_message_stamp(&names[time], &names[x])));
         let columns = [time, x, y, z].map(|at| (at + 1).to_string());
         parts.push(Part {
             padded: true,
@@ -44,8 +48,8 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
     let [accel, gyro] = stamps[..] else {
         return None;
     };
-    let of_one_message = is_message_stamp(&names[accel]) != is_message_stamp(&names[gyro]);
-    (accel != gyro && !of_one_message).then_some(parts)
+    let of_one_message = accel.1 != gyro.1;
+    (accel.0 != gyro.0 && !of_one_message).then_some(parts)
 }
 
 #[cfg(test)]

@@ -118,11 +118,12 @@ pub(crate) fn stamps_of(name: &str) -> Option<Sensor> {
         .filter(|_| matches!(word.as_str(), "ta" | "tg") || is_like_time(name) || is(TIME))
 }
 
-/// True for the stamp in the header of a message, which says when the readings were taken; a time beside it says when the message
-/// arrived.
-pub(crate) fn is_message_stamp(name: &str) -> bool {
-    let name = name.to_lowercase();
-    name.contains("header") && name.contains("stamp")
+/// True for the stamp in the header of the message that has the column `reading` too: it says when the readings were taken, and a
+/// time beside it when the message arrived.
+pub(crate) fn is_message_stamp(name: &str, reading: &str) -> bool {
+    let (name, reading) = (name.to_lowercase(), reading.to_lowercase());
+    let topic = name.find("header").map(|at| &name[..at]);
+    name.contains("stamp") && topic.is_some_and(|topic| reading.starts_with(topic))
 }
 
 #[cfg(test)]
