@@ -226,8 +226,20 @@ fn a_run_that_names_no_unit_is_in_the_unit_of_the_calibrations_recording() {
         let same = whole.iter().find(|[at, _]| *at == t).unwrap();
         assert!((same[1] - rate).abs() < 1e-9, "{t}: {} {rate}", same[1]);
     }
+    // Another logger may write another unit.
+    let other = "time,acc_x,acc_y,acc_z,gyro_x,gyro_y,gyro_z";
+    std::fs::write(path.join("other.csv"), in_degrees(&table, other, true)).unwrap();
+    let refused = run(&path, "apply all.json other.csv -o refused.csv");
+    assert!(
+        status(&refused) == 3 && stderr(&refused).contains("--gyro-unit deg/s"),
+        "{}",
+        stderr(&refused)
+    );
+    done(&path, "calibrate good.csv -o good.json");
+    let said = stderr(&done(&path, "apply good.json other.csv -o assumed.csv"));
+    assert!(said.contains("assumes rad/s"), "{said}");
     // Files that name their unit are of another kind.
-    let refused = run(&path, "apply named.json run.csv -o other.csv");
+    let refused = run(&path, "apply named.json run.csv -o named_corrected.csv");
     assert!(
         status(&refused) == 3 && stderr(&refused).contains("--gyro-unit deg/s"),
         "{}",
@@ -235,7 +247,7 @@ fn a_run_that_names_no_unit_is_in_the_unit_of_the_calibrations_recording() {
     );
     done(
         &path,
-        "apply named.json run.csv -o other.csv --gyro-unit deg/s",
+        "apply named.json run.csv -o named_corrected.csv --gyro-unit deg/s",
     );
 }
 
