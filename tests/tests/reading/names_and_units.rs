@@ -269,9 +269,7 @@ fn what_is_proposed_for_a_missing_sensor_keeps_the_one_that_is_there() {
 #[test]
 fn a_row_of_units_that_looks_like_names_is_none() {
     let samples = Samples::of_session();
-    let header = "Shimmer_6749_Timestamp_CAL,Shimmer_6749_Accel_LN_X_CAL,Shimmer_6749_Accel_LN_Y_CAL,\
-                  Shimmer_6749_Accel_LN_Z_CAL,Shimmer_6749_Gyro_X_CAL,Shimmer_6749_Gyro_Y_CAL,Shimmer_6749_Gyro_Z_CAL\n\
-                  s,m/(s^2),m/(s^2),m/(s^2),deg/s,deg/s,deg/s";
+    let header = "t,ax,ay,az,gx,gy,gz\ns,m/(s^2),m/(s^2),m/(s^2),deg/s,deg/s,deg/s";
     let mut text = table(&samples, header, [1.0, DEGREE]);
     // The first static interval alone: nothing tells the unit but the row.
     let rows = text.iter().enumerate().filter(|(_, byte)| **byte == b'\n');

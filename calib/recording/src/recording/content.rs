@@ -1,14 +1,14 @@
 //! One recording of one device.
 
-use findings::Findings;
+use findings::{Finding, Findings, Kind};
 use sensor::Sensor;
 
-use super::description::Description;
+use super::description::{Described, Description, UnitBy};
 use super::frozen::Frozen;
 use super::magnetometer::Magnetometer;
 use super::scalar::ScalarStream;
 use super::stream::{Stream, Temperature};
-use crate::units::AccelUnit;
+use crate::units::{AccelUnit, GyroUnit};
 
 /// One recording of one device.
 #[derive(Clone, Debug, Default)]
@@ -49,6 +49,16 @@ impl Recording {
             Sensor::Gyroscope => self.gyroscope.as_ref(),
             Sensor::Magnetometer => self.magnetometer.as_ref().map(|field| &field.stream),
         }
+    }
+
+    /// Says that rad/s is assumed for the gyroscope, where neither the file nor the readings tell its unit.
+    pub fn unit_assumed(&self) -> Option<Finding> {
+        let si = GyroUnit::RadiansPerSecond.name();
+        let is_assumed = |own: &Described| own.unit_by == UnitBy::Nothing && own.unit == si;
+        let mut sensors = self.description.sensors.iter();
+        let found = sensors.find(|own| own.sensor == Sensor::Gyroscope && is_assumed(own))?;
+        let finding = Finding::of(Kind::UnitAssumed).in_recording(&self.name);
+        Some(finding.of_sensor(found.sensor))
     }
 
     /// The readings of a sensor, to be changed.

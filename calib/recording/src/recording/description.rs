@@ -1,11 +1,7 @@
 //! Format, columns and units of a recording, for `info`.
 
-use findings::{Finding, Kind};
 use sensor::Sensor;
 use serde::{Deserialize, Serialize};
-
-use super::Recording;
-use crate::units::GyroUnit;
 
 /// Source of a sensor's unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,18 +66,6 @@ pub struct Description {
     pub sensors: Vec<Described>,
     /// Corrections that systems had applied to the readings before they were recorded.
     pub applied_before: Vec<AppliedBefore>,
-}
-
-impl Recording {
-    /// Says that rad/s is assumed for the gyroscope, where neither the file nor the readings tell its unit.
-    pub fn unit_assumed(&self) -> Option<Finding> {
-        let si = GyroUnit::RadiansPerSecond.name();
-        let is_assumed = |own: &Described| own.unit_by == UnitBy::Nothing && own.unit == si;
-        let mut sensors = self.description.sensors.iter();
-        let found = sensors.find(|own| own.sensor == Sensor::Gyroscope && is_assumed(own))?;
-        let finding = Finding::of(Kind::UnitAssumed).in_recording(&self.name);
-        Some(finding.of_sensor(found.sensor))
-    }
 }
 
 /// A correction that a system had applied to the readings of a sensor before they were recorded.

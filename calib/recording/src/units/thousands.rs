@@ -1,8 +1,7 @@
 //! Numbers whose points or commas separate thousands: `982`, `-1.458` for -1458.
 
-use super::values::ENOUGH;
-
-/// Whole numbers and others that a column has at least, as a share.
+/// Whole numbers and others that a column has at least, and as a share.
+const LEAST: f64 = 10.0;
 const SHARE: f64 = 0.01;
 
 /// Thousands end with a zero one time in ten; numbers that are rounded to tenths or quarters nearly always do in thousandths.
@@ -31,7 +30,7 @@ pub(crate) fn separated(values: impl Iterator<Item = f64>) -> Option<usize> {
         }
     }
     let count: f64 = whole + with_point;
-    let enough = |part: f64| part >= 0.1 * ENOUGH as f64 && part >= SHARE * count;
+    let enough = |part: f64| part >= LEAST && part >= SHARE * count;
     first.filter(|_| {
         enough(whole) && enough(with_point) && end_with_zero < END_WITH_ZERO * with_point
     })
