@@ -389,5 +389,6 @@ pub fn apply_watched(
     doubts.extend(own.edited().map(|edited| edited.finding()));
     let mut corrected = calib::calibration::apply_under(&Watch::of_call(watch), own, raw)?;
     corrected.warnings.extend(doubts);
+    corrected.warnings.extend(raw.unit_assumed());
     Ok(corrected.into())
 }

@@ -3,7 +3,7 @@
 use findings::{Finding, Findings, Kind};
 use sensor::Sensor;
 
-use super::description::{Described, Description, UnitBy};
+use super::description::{Description, UnitBy};
 use super::frozen::Frozen;
 use super::magnetometer::Magnetometer;
 use super::scalar::ScalarStream;
@@ -54,11 +54,10 @@ impl Recording {
     /// Says that rad/s is assumed for the gyroscope, where neither the file nor the readings tell its unit.
     pub fn unit_assumed(&self) -> Option<Finding> {
         let si = GyroUnit::RadiansPerSecond.name();
-        let is_assumed = |own: &Described| own.unit_by == UnitBy::Nothing && own.unit == si;
-        let mut sensors = self.description.sensors.iter();
-        let found = sensors.find(|own| own.sensor == Sensor::Gyroscope && is_assumed(own))?;
+        let described = self.description.of(Sensor::Gyroscope)?;
+        let is_assumed = described.unit_by == UnitBy::Nothing && described.unit == si;
         let finding = Finding::of(Kind::UnitAssumed).in_recording(&self.name);
-        Some(finding.of_sensor(found.sensor))
+        is_assumed.then(|| finding.of_sensor(described.sensor))
     }
 
     /// The readings of a sensor, to be changed.

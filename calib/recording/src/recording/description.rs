@@ -68,6 +68,13 @@ pub struct Description {
     pub applied_before: Vec<AppliedBefore>,
 }
 
+impl Description {
+    /// Returns where a sensor comes from.
+    pub fn of(&self, sensor: Sensor) -> Option<&Described> {
+        self.sensors.iter().find(|own| own.sensor == sensor)
+    }
+}
+
 /// A correction that a system had applied to the readings of a sensor before they were recorded.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct AppliedBefore {

@@ -47,11 +47,8 @@ impl Calibration {
     /// Returns the statement of its recordings about the correction of a sensor's readings.
     pub fn readings(&self, sensor: Sensor) -> Readings<'_> {
         let inputs = self.provenance.inputs.iter();
-        let inputs = inputs.filter(|input| match sensor {
-            Sensor::Accelerometer => input.accelerometer.is_some(),
-            Sensor::Gyroscope => input.gyroscope.is_some(),
-            Sensor::Magnetometer => true,
-        });
+        let inputs =
+            inputs.filter(|input| sensor == Sensor::Magnetometer || input.sensor(sensor).is_some());
         let claims: Vec<Readings<'_>> = inputs.map(|i| claim(&i.applied_before, sensor)).collect();
         let Some(first) = claims.first().copied() else {
             return Readings::NotStated;

@@ -198,9 +198,8 @@ impl Input {
         let sensor = |sensor: Sensor, unit: &str, scale: Option<f64>, of: Of| {
             let stream = recording.stream(sensor)?;
             let si = scale.is_none_or(|s| (0.5..2.0).contains(&s));
-            let described = recording.description.sensors.iter();
-            let mut described = described.filter(|own| own.sensor == sensor);
-            let in_file = described.next().filter(|own| !own.unit.is_empty());
+            let described = recording.description.of(sensor);
+            let in_file = described.filter(|own| !own.unit.is_empty());
             Some(SensorInput {
                 samples: stream.len(),
                 rate: stream.usual_step().map(f64::recip),

@@ -17,7 +17,12 @@ pub fn read_in_unit_of(
     read: impl Fn(Option<GyroUnit>) -> Result<Recording, Error>,
 ) -> Result<Recording, Error> {
     let error = match read(None) {
-        Ok(recording) => return Ok(in_unit_of(calibration, Cow::Owned(recording))?.into_owned()),
+        Ok(recording) => {
+            let mut recording = in_unit_of(calibration, Cow::Owned(recording))?.into_owned();
+            let assumed = recording.unit_assumed();
+            recording.warnings.extend(assumed);
+            return Ok(recording);
+        }
         Err(error) => error,
     };
     // A device that only rests is refused where its rates are none in rad/s.
@@ -46,31 +51,20 @@ pub fn in_unit_of<'a>(
     calibration: &Calibration,
     recording: Cow<'a, Recording>,
 ) -> Result<Cow<'a, Recording>, Error> {
-    let mut sensors = recording.description.sensors.iter();
-    let untold =
-        sensors.position(|own| own.sensor == Sensor::Gyroscope && own.unit_by == UnitBy::Nothing);
-    let Some(place) = untold else {
+    let described = recording.description.of(Sensor::Gyroscope);
+    let untold = described.filter(|own| own.unit_by == UnitBy::Nothing);
+    let (Some(untold), Some((unit, by))) = (untold, unit_of_files(calibration)) else {
         return Ok(recording);
     };
-    let Some((unit, by)) = unit_of_files(calibration) else {
-        return Ok(Cow::Owned(with_assumption(recording.into_owned())));
-    };
-    let assumed = recording.description.sensors[place].unit;
-    let is_same = by != UnitBy::File.name() && is_of_same_logger(calibration, &recording);
-    if !is_same && assumed == unit.name() {
-        return Ok(Cow::Owned(with_assumption(recording.into_owned())));
+    if by != UnitBy::File.name() && is_of_same_logger(calibration, &recording) {
+        return Ok(Cow::Owned(taken_as(unit, recording.into_owned())));
     }
-    if !is_same {
-        let remedy = Remedy::set_to(OptionName::GyroUnit, unit.name());
-        let found = found(Kind::UnitUntold, &recording, unit).only_remedies([remedy]);
-        return Err(Error::input(found));
+    if untold.unit == unit.name() {
+        return Ok(recording);
     }
-    let factor = unit.scale() / assumed.parse().map_or(1.0, GyroUnit::scale);
-    Ok(Cow::Owned(taken_as(
-        unit,
-        recording.into_owned(),
-        (place, factor),
-    )))
+    let remedy = Remedy::set_to(OptionName::GyroUnit, unit.name());
+    let found = found(Kind::UnitUntold, &recording, unit).only_remedies([remedy]);
+    Err(Error::input(found))
 }
 
 /// The unit of the gyroscope in the files that a calibration was made from, and what told it there; `None` where they differ.
@@ -88,9 +82,7 @@ fn unit_of_files(calibration: &Calibration) -> Option<(GyroUnit, &str)> {
 /// True where the files of a calibration have the format of this one and the same names of the gyroscope's columns.
 fn is_of_same_logger(calibration: &Calibration, recording: &Recording) -> bool {
     let description = &recording.description;
-    let is_gyroscope = |own: &&Described| own.sensor == Sensor::Gyroscope;
-    let axes = description.sensors.iter().find(is_gyroscope);
-    let Some(axes) = axes.map(Described::axes) else {
+    let Some(axes) = description.of(Sensor::Gyroscope).map(Described::axes) else {
         return false;
     };
     calibration.provenance.inputs.iter().all(|input| {
@@ -100,29 +92,25 @@ fn is_of_same_logger(calibration: &Calibration, recording: &Recording) -> bool {
     })
 }
 
-/// The recording with the warning that its unit is assumed.
-fn with_assumption(mut recording: Recording) -> Recording {
-    let assumed = recording.unit_assumed();
-    recording.warnings.extend(assumed);
-    recording
-}
-
-/// The recording with a gyroscope in `unit`, which is described at `place`; its readings grow by `factor`.
-fn taken_as(unit: GyroUnit, mut recording: Recording, (place, factor): (usize, f64)) -> Recording {
+/// The recording with a gyroscope in `unit` instead of the assumed one.
+fn taken_as(unit: GyroUnit, mut recording: Recording) -> Recording {
     let guesses = [Kind::UnitBySize, Kind::ReadAsCounts];
     recording.warnings.retain(|own| {
         !(guesses.contains(&own.kind) && own.place.sensor == Some(Sensor::Gyroscope))
     });
-    let described = &mut recording.description.sensors[place];
-    described.unit_by = UnitBy::Data;
-    if described.unit != unit.name() {
-        described.unit = unit.name();
-        let said = found(Kind::UnitOfCalibration, &recording, unit);
+    let said = found(Kind::UnitOfCalibration, &recording, unit);
+    let mut sensors = recording.description.sensors.iter_mut();
+    let Some(own) = sensors.find(|own| own.sensor == Sensor::Gyroscope) else {
+        return recording;
+    };
+    let assumed = std::mem::replace(&mut own.unit, unit.name());
+    own.unit_by = UnitBy::Data;
+    if assumed != unit.name() {
+        let factor = unit.scale() / assumed.parse().map_or(1.0, GyroUnit::scale);
+        let rates = recording.gyroscope.iter_mut();
+        let rates = rates.flat_map(|stream| &mut stream.values);
+        rates.for_each(|rate| *rate *= factor);
         recording.warnings.push(said);
-    }
-    if let Some(stream) = &mut recording.gyroscope {
-        let values = stream.values.iter_mut();
-        values.for_each(|rate| *rate *= factor);
     }
     recording
 }

@@ -28,10 +28,7 @@ impl Columns {
             Sensor::Magnetometer => ["mx", "my", "mz"],
         };
         let first = recordings.first();
-        let described = first.and_then(|recording| {
-            let mut sensors = recording.description.sensors.iter();
-            sensors.find(|described| described.sensor == sensor)
-        });
+        let described = first.and_then(|recording| recording.description.of(sensor));
         let field = first.and_then(|recording| recording.magnetometer.as_ref());
         let columns = match (sensor, field) {
             (Sensor::Magnetometer, Some(field)) => Some(&field.columns),
