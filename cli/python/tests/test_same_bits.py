@@ -11,6 +11,11 @@ from stillpoint import Calibration, Recording
 README = Path(__file__).parents[1] / "README.md"
 
 
+def but_for_its_source(document):
+    """A document without what tells arrays from a file: the name of the format, and the hash over the inputs that it is part of."""
+    return re.sub(r'"(format": "(arrays|csv)|basis_sha256": "[0-9a-f]{64})"', "", document)
+
+
 def test_the_ten_lines_of_the_readme_run(folder):
     code = re.search(r"```python\n(.*?)```", README.read_text(), re.S).group(1)
     assert len(code.strip().splitlines()) <= 12
@@ -25,16 +30,18 @@ def test_a_calibration_of_arrays_equals_the_command_s_to_the_byte(arrays, comman
     t, accel, gyro = arrays
     recording = Recording.from_arrays(t, accel, gyro, name="phone.csv")
     calibration = stillpoint.calibrate(recording, method=method, gravity=9.80665)
-    assert calibration.to_json() == Path("cal.json").read_text()
+    written = Path("cal.json").read_text()
+    assert but_for_its_source(calibration.to_json()) == but_for_its_source(written)
     read = stillpoint.calibrate(Recording.from_file("phone.csv"), method=method, gravity=9.80665)
-    assert read.to_json() == calibration.to_json()
+    assert read.to_json() == written
 
 
 def test_without_gravity_given_both_assume_the_same(arrays, command):
     command("calibrate", "phone.csv", "-o", "cal.json")
     t, accel, gyro = arrays
     recording = Recording.from_arrays(t, accel, gyro, name="phone.csv")
-    assert stillpoint.calibrate(recording).to_json() == Path("cal.json").read_text()
+    made = stillpoint.calibrate(recording).to_json()
+    assert but_for_its_source(made) == but_for_its_source(Path("cal.json").read_text())
 
 
 def test_findings_equal_the_command_s_to_the_byte(arrays, command):
@@ -42,7 +49,7 @@ def test_findings_equal_the_command_s_to_the_byte(arrays, command):
     t, accel, gyro = arrays
     recording = Recording.from_arrays(t, accel, gyro, name="phone.csv")
     findings = stillpoint.discover(recording, gravity=9.80665)
-    assert findings.to_json() == Path("findings.json").read_text()
+    assert but_for_its_source(findings.to_json()) == but_for_its_source(Path("findings.json").read_text())
     assert findings.effects[0]["name"] == "gyro_g_sensitivity"
 
 
