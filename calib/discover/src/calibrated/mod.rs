@@ -4,7 +4,7 @@ mod settle;
 
 use ::findings::{Finding, Kind};
 use estimate::calibrate::{
-    Account, Frame, beside_the_others, gyroscope_of_one_device, written_down,
+    Account, Frame, beside_the_others, count_motion, gyroscope_of_one_device, written_down,
 };
 use estimate::calibration::Calibration;
 use estimate::methods::earth;
@@ -117,6 +117,7 @@ fn written(
         warnings,
         ..calibration
     };
+    count_motion(&mut calibration);
     calibration.carry_gravity(session.request.gravity_source);
     Ok(calibration)
 }

@@ -5,10 +5,10 @@ use recording::intervals::Segmentation;
 use recording::{Error, Recording};
 use sensor::{BASE_PARAMETERS, Base, Model, PLACES, Sensor, base_names};
 
+use super::bias::at_rest::rest_bias;
 use super::cut::Cut;
 use super::left_out::left_out_by_norms;
 use super::request::{Frame, Request};
-use super::rest_bias::rest_bias;
 use super::static_norm::{StaticNorms, per_degree_of_freedom};
 use super::{checks, noise};
 use crate::calibration::{

@@ -5,6 +5,7 @@ use recording::intervals::{Segmentation, Span, is_of};
 use recording::readings::{FASTEST_HAND, Symptom, tremor};
 use recording::{Error, Recording};
 
+use super::bias::count_motion;
 use super::cut::Cut;
 use super::magnetic::with_magnetometer;
 use super::outcome::Outcome;
@@ -167,6 +168,7 @@ fn with_changes(mut outcome: Outcome, recordings: &[&Recording], gravity: f64) -
         checks::say_dead_axes(&mut outcome.calibration.failed_gates, recording);
     }
     outcome.calibration.warnings.extend(warnings);
+    count_motion(&mut outcome.calibration);
     outcome
 }
 

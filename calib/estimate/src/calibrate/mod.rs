@@ -8,6 +8,7 @@
 //! ```
 
 mod assemble;
+mod bias;
 mod checks;
 mod cut;
 mod fit;
@@ -21,13 +22,13 @@ pub mod own_effects;
 mod part_way;
 mod prepared;
 pub(crate) mod request;
-mod rest_bias;
 mod same_device;
 mod scalar;
 mod static_norm;
 mod stepwise;
 mod unusable_turns;
 
+pub use bias::count_motion;
 pub(crate) use checks::few_directions;
 pub use checks::{
     Said, corrected_before, implausible, implausible_base, not_in_one_plane, of_the_detector,

@@ -4,7 +4,7 @@ use findings::{Finding, Kind, Remedy};
 use recording::Recording;
 use recording::intervals::{Segmentation, TurnFault};
 
-use super::rest_bias::rest_bias;
+use super::bias::at_rest::rest_bias;
 use crate::calibration::{NotCalibrated, NotCalibratedReason};
 
 /// A turn has two numbers; so many parameters has the gyroscope without its bias, and one turn more checks them.

@@ -119,14 +119,14 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
         },
         Kind::BiasMoved => Entry {
             reason: "the bias of the {sensor} moved by {change} during the recording[, {like}]",
-            text: "the bias (the reading at rest) of the {sensor} moved by {change} from the first static interval to the last, more than it walks by. The calibration states its mean over that time",
+            text: "the bias (the reading at rest) of the {sensor} moved by {change} from the first static interval to the last, more than it walks by. The calibration states its mean over that time, and its errors count the motion",
             advice: "let the device warm up before you record",
             remedies: vec![Remedy::Discover],
             ..care(0.1)
         },
         Kind::BiasWandered => Entry {
             reason: "the readings of the {sensor} at rest wandered by {size}",
-            text: "the readings of the {sensor} at rest lay {size} (rms) off their mean, as where its bias walks or steps or the device was not quite still. The calibration states the mean bias, and its errors count that motion as noise",
+            text: "the readings of the {sensor} at rest lay {size} (rms) off their mean, as where its bias walks or steps or the device was not quite still. The calibration states the mean bias, and its errors count that motion",
             advice: "let the device warm up, and lay it down in every placement",
             remedies: vec![Remedy::Discover],
             ..care(0.1)
