@@ -376,6 +376,8 @@ kinds! {
     // Units, ranges and axes that the fit shows.
     /// One axis reads in another unit or range.
     AxisUnit = "axis_unit",
+    /// An axis reads more or less than the others of its sensor, by a factor that no unit or range explains.
+    AxisApart = "axis_apart",
     /// Raw counts per unit differ from axis to axis.
     CountsDiffer = "counts_differ",
     /// All axes read too much or too little.

@@ -115,6 +115,19 @@ fn cases() -> Vec<Case> {
             ..clean()
         },
         Case {
+            name: "an axis of the accelerometer a tenth larger than the others",
+            damage: |r| {
+                r.accelerometer
+                    .iter_mut()
+                    .flat_map(|s| &mut s.values)
+                    .for_each(|f| f.x *= 1.1)
+            },
+            level: Grade::Care,
+            reasons: &[Kind::AxisApart],
+            step: is_setting,
+            ..clean()
+        },
+        Case {
             name: "an axis of the gyroscope with the other sign",
             damage: |r| {
                 r.gyroscope

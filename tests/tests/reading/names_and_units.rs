@@ -305,7 +305,13 @@ fn the_stamp_of_a_message_goes_before_the_time_of_its_arrival() {
         "Time,header.stamp.secs,header.stamp.nsecs,ax,ay,az,gx,gy,gz",
         |t| format!("{},{}", t.floor(), ((t - t.floor()) * 1e9).round()),
     );
-    for found in [in_one, in_two] {
+    let nanoseconds = |t: f64| format!("{:.0}", t * 1e9);
+    let of_sensor = late("time,sensor_time_ns,ax,ay,az,gx,gy,gz", nanoseconds);
+    // A header that nobody fills leaves the time of arrival.
+    let unfilled = late("__time,header/stamp,ax,ay,az,gx,gy,gz", |_| "0".into());
+    let arrived = unfilled.accelerometer.unwrap().t[0] - samples.accel.t[0];
+    assert!((arrived - 0.03).abs() < 2e-3, "{arrived}");
+    for found in [in_one, in_two, of_sensor] {
         for stream in [found.accelerometer, found.gyroscope].into_iter().flatten() {
             let off = stream.t.iter().zip(&samples.accel.t);
             let off = off.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);

@@ -24,8 +24,8 @@ use crate::header::affine::Affine;
 use crate::header::by_unit::by_unit;
 use crate::header::gravity::Split;
 use crate::header::names::{
-    is_like_time, is_message_stamp, is_temperature_beside, may_be_linear, role_of, stated_unit,
-    take_apart,
+    is_like_time, is_message_stamp, is_sampling_stamp, is_temperature_beside, may_be_linear,
+    role_of, stated_unit, take_apart,
 };
 use crate::header::suggest::{nearest, suggestion};
 use crate::header::triads::Triad;
@@ -78,6 +78,7 @@ impl Layout {
         let gravity = gravity::summed(&names, map, only, &mut roles);
         let by_unit = by_unit(&names, only, &mut roles);
         of_the_one(&names, only, &mut roles);
+        as_sampled(&names, map, &mut roles);
         let times = likely_times(&names, &roles);
         if let [time] = times[..] {
             roles.push((Role::Time, time));
@@ -145,6 +146,18 @@ impl Layout {
             .detail("columns", shown_list(self.names.iter()))
             .only_remedies([suggestion(&self.names)])
             .into())
+    }
+
+    /// Takes another time where that of the layout stands still, as the stamp of a header that nobody fills does.
+    pub fn take_time_that_moves(&mut self, stands_still: impl Fn(usize) -> bool) {
+        let is_time = |at: &usize| role_of(&self.names[*at], None) == Some(Role::Time);
+        let moves = |at: &usize| !self.is_read(*at) && is_time(at) && !stands_still(*at);
+        if self.time.is_some_and(&stands_still)
+            && let Some(other) = (0..self.names.len()).find(moves)
+        {
+            self.time = Some(other);
+            self.state_units();
+        }
     }
 
     /// True if three columns are a sensor's.
@@ -318,6 +331,25 @@ fn roles_by_name(
         roles.push((Role::Temperature, temperature));
     }
     Ok(())
+}
+
+/// Takes the stamps of sampling instead of a time beside them that may be the arrival's, where they are called so.
+fn as_sampled(names: &[String], map: &ColumnMap, roles: &mut [(Role, usize)]) {
+    let free = |at: &usize| roles.iter().all(|(_, column)| column != at);
+    let Some(time) = roles.iter().position(|(role, _)| *role == Role::Time) else {
+        return;
+    };
+    let used = &names[roles[time].1];
+    let is_given = map.names(Role::Time);
+    let is_stamp = |at: &usize| is_sampling_stamp(&names[*at], used);
+    let mut stamps = (0..names.len()).filter(free).filter(is_stamp);
+    if let (Some(stamp), None, false) = (
+        stamps.next(),
+        stamps.next(),
+        is_given || is_sampling_stamp(used, ""),
+    ) {
+        roles[time].1 = stamp;
+    }
 }
 
 /// True for a time whose name ends with something in brackets that is no unit.

@@ -58,3 +58,16 @@ pub(super) fn ends_empty(rows: &[&Kept], dialect: Dialect) -> bool {
 pub(super) fn only_integers(rows: &[&Kept]) -> bool {
     rows.iter().all(|row| !row.bytes.contains(&b'.'))
 }
+
+/// Fewest rows that show that a column stands still.
+const FEWEST_STANDING: usize = 5;
+
+/// True if the cells of a column are the same in all rows.
+pub(super) fn stands_still(rows: &[&Kept], dialect: Dialect, column: usize) -> bool {
+    let cell = |row: &&Kept| {
+        let own = cells(&row.bytes, dialect).get(column)?.clone();
+        Some(row.bytes[own].to_vec())
+    };
+    let first = rows.first().and_then(cell);
+    rows.len() >= FEWEST_STANDING && rows.iter().all(|row| cell(row) == first)
+}

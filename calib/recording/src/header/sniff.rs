@@ -8,7 +8,9 @@ use super::preface::{
     Finder, Kept, Preface, cells, decode, is_comment, without_comment_mark, words,
 };
 use super::quotes::open_quote;
-use super::row_shape::{ends_empty, first_row, only_integers, rows_are_numbered, usual_width};
+use super::row_shape::{
+    ends_empty, first_row, only_integers, rows_are_numbered, stands_still, usual_width,
+};
 use super::suggest::suggestion;
 use super::unit_row;
 use super::unnamed::Unnamed;
@@ -290,6 +292,10 @@ impl Start {
             names.resize(width, String::new());
         }
         self.layout = Layout::of_names(names, &options.columns, only).map_err(refuse)?;
+        if !options.columns.names(Role::Time) {
+            let stands_still = |column| stands_still(rows, self.dialect, column);
+            self.layout.take_time_that_moves(stands_still);
+        }
         self.warnings.extend(self.layout.by_unit.clone());
         Ok(())
     }

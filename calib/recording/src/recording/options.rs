@@ -208,6 +208,11 @@ impl ColumnMap {
         self.0.iter().any(makes)
     }
 
+    /// True if it names the column of a role.
+    pub(crate) fn names(&self, wanted: Role) -> bool {
+        self.0.iter().any(|(role, _)| *role == wanted)
+    }
+
     /// True if it names a column of the accelerometer or of the gyroscope.
     pub(crate) fn names_a_sensor(&self) -> bool {
         let is_sensor = |role: &Role| matches!(role, Role::Accel(_) | Role::Gyro(_));
@@ -222,8 +227,7 @@ impl ColumnMap {
 
     /// True if it names the columns of a thermometer and no others.
     pub(crate) fn is_of_a_thermometer(&self) -> bool {
-        let names = |wanted: Role| self.0.iter().any(|(role, _)| *role == wanted);
-        self.0.len() == 2 && names(Role::Time) && names(Role::Temperature)
+        self.0.len() == 2 && self.names(Role::Time) && self.names(Role::Temperature)
     }
 }
 

@@ -15,10 +15,7 @@ use crate::methods::small_sample::widening;
 /// significant the variance of the mean grows by `(1 + ρ)/(1 − ρ)`, at most to that of a single rest.
 /// Of steps wider than the noise `LSB/√12` stays: the bias is the same in every rest, and so is what rounding makes of it. A dead zone
 /// leaves an error of its own.
-pub fn rest_bias(
-    recording: &Recording,
-    segmentation: &Segmentation,
-) -> Option<RecordingBias> {
+pub fn rest_bias(recording: &Recording, segmentation: &Segmentation) -> Option<RecordingBias> {
     let rests: Vec<Moments> = segmentation
         .statics
         .iter()

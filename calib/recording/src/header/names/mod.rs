@@ -9,8 +9,8 @@ use sensor::Sensor;
 use self::parts::{LONGEST, OPENING};
 pub(crate) use self::parts::{compact, take_apart};
 pub(crate) use self::stamps::{
-    is_like_time, is_message_stamp, is_temperature_beside, says_unknown_unit, stamps_of,
-    stated_unit,
+    is_like_time, is_message_stamp, is_sampling_stamp, is_temperature_beside, says_unknown_unit,
+    stamps_of, stated_unit,
 };
 use self::words::{ACCEL, GYRO, TEMPERATURE, TIME};
 pub(crate) use self::words::{is_field, sensor_of};

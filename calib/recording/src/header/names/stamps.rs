@@ -126,6 +126,39 @@ pub(crate) fn is_message_stamp(name: &str, reading: &str) -> bool {
     name.contains("stamp") && topic.is_some_and(|topic| reading.starts_with(topic))
 }
 
+/// Words of a stamp that says when the readings were taken ...
+const OF_SAMPLING: [&str; 10] = [
+    "sample", "sampled", "sampling", "sensor", "hw", "hardware", "device", "measured", "captured",
+    "header",
+];
+/// ... and of one that says when they arrived.
+const OF_ARRIVAL: [&str; 8] = [
+    "recv",
+    "received",
+    "arrival",
+    "host",
+    "log",
+    "logged",
+    "publish",
+    "published",
+];
+
+/// True for a stamp that by its name says when the readings were taken and in which unit, as a time beside it may not:
+/// `sensor_time_ns`, `header_stamp_us`; `timestamp_sample` has the unit of the `timestamp` beside it.
+pub(crate) fn is_sampling_stamp(name: &str, beside: &str) -> bool {
+    let words = |name: &str| -> Vec<String> {
+        let words = name.split(|c: char| !c.is_alphanumeric());
+        words.map(str::to_lowercase).collect()
+    };
+    let own = words(name);
+    let has = |parts: &[&str]| own.iter().any(|word| parts.contains(&word.as_str()));
+    let says_more = || own.starts_with(&words(beside)) && own.len() > words(beside).len();
+    is_like_time(name)
+        && has(&OF_SAMPLING)
+        && !has(&OF_ARRIVAL)
+        && (stated_unit(name).is_some() || says_more())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -163,6 +196,18 @@ mod tests {
             assert_eq!(stamps_of(name), Some(Sensor::Accelerometer), "{name}");
         }
         assert_eq!(stamps_of("gyro_t"), Some(Sensor::Gyroscope));
+        for (name, beside, is_one) in [
+            ("timestamp_sample", "timestamp", true),
+            ("sensor_time_ns", "time", true),
+            ("header_stamp_us", "t", true),
+            // Ticks of a unit that nobody states, an arrival, and no stamps at all.
+            ("sensor_time", "time", false),
+            ("host_time_us", "time", false),
+            ("sample", "t", false),
+            ("sampling_interval_ms", "t", false),
+        ] {
+            assert_eq!(is_sampling_stamp(name, beside), is_one, "{name}");
+        }
         assert_eq!(
             stamps_of("gyro_x")
                 .or(stamps_of("acc_count"))

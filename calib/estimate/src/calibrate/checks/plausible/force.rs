@@ -6,7 +6,8 @@ use sensor::Sensor;
 use super::Said;
 use super::apart::ForceFit;
 use super::columns::Columns;
-use super::scales::{Scales, cause, rounded};
+use super::odd_axis::say_odd_axis;
+use super::scales::{Scales, rounded, undone};
 use crate::gravity::STANDARD_GRAVITY;
 
 /// All axes off by so much, alike to this part of it, are the unit or gravity rather than the sensor ...
@@ -37,27 +38,9 @@ pub(super) fn said(fit: &ForceFit<'_>, columns: &Columns) -> Said {
         return said;
     };
     let is_si = columns.is_si(fit.unit.is_si());
-    let odd = scales.odd();
-    if let Some((axis, factor)) = odd {
-        let (times, undone) = cause(factor);
-        let others: Vec<&str> = (0..3)
-            .filter(|k| *k != axis)
-            .map(|k| columns.roles[k])
-            .collect();
-        let found = Finding::of(Kind::AxisUnit)
-            .of_sensor(Sensor::Accelerometer)
-            .detail("axis", columns.roles[axis])
-            .detail("times", times)
-            .detail("others", others.join(" and "))
-            .detail("what", "force")
-            .only_remedies([columns.scaled(&[(axis, undone)])]);
-        match is_si {
-            true => said.gate(found),
-            false => said.warn(found),
-        }
-    }
+    let has_odd = say_odd_axis(Sensor::Accelerometer, &scales, columns, is_si, &mut said);
     if !is_si {
-        if odd.is_none() && scales.spread() > COUNTS_APART {
+        if !has_odd && scales.spread() > COUNTS_APART {
             let [x, y, z] = scales.each();
             said.warn(
                 Finding::of(Kind::CountsDiffer)
@@ -71,7 +54,7 @@ pub(super) fn said(fit: &ForceFit<'_>, columns: &Columns) -> Said {
         said.warnings.extend(counts(fit));
         return said;
     }
-    if odd.is_none() {
+    if !has_odd {
         of_all(fit, columns, &scales, &mut said);
     }
     for axis in 0..3 {
@@ -106,8 +89,7 @@ fn of_all(fit: &ForceFit<'_>, columns: &Columns, scales: &Scales, said: &mut Sai
     if !(alike || far) || !scales.tell(off) {
         return;
     }
-    let (_, undone) = cause(common);
-    let read = columns.scaled(&[0, 1, 2].map(|axis| (axis, undone)));
+    let read = columns.scaled(&[0, 1, 2].map(|axis| (axis, undone(common))));
     let found = Finding::of(Kind::ScaleOff)
         .of_sensor(Sensor::Accelerometer)
         .number("reads", common * fit.gravity, "m/s^2")

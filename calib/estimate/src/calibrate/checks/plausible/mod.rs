@@ -14,6 +14,7 @@ mod axes;
 mod columns;
 mod field;
 mod force;
+mod odd_axis;
 mod rate;
 mod readings;
 mod scales;

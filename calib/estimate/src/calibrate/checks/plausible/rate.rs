@@ -7,7 +7,8 @@ use super::Said;
 use super::apart::RateFit;
 use super::axes::SignedAxes;
 use super::columns::Columns;
-use super::scales::{Scales, cause, rounded};
+use super::odd_axis::say_odd_axis;
+use super::scales::{Scales, rounded};
 use crate::calibrate::checks::determined::LOST;
 
 /// An element of the gyroscope's matrix this far from that of aligned axes is no misalignment.
@@ -92,18 +93,7 @@ fn of_axes(fit: &RateFit<'_>, columns: &Columns, force: &Columns, said: &mut Sai
 /// Scales that are off on all axes, or on one.
 fn of_scales(fit: &RateFit<'_>, columns: &Columns, scales: &Scales, said: &mut Said) {
     let si = columns.is_si(fit.force_is_si);
-    if let Some((axis, factor)) = scales.odd() {
-        let (times, undone) = cause(factor);
-        let found = of(Kind::AxisUnit)
-            .detail("axis", columns.roles[axis])
-            .detail("times", times)
-            .detail("others", "the other two")
-            .detail("what", "rate")
-            .only_remedies([columns.scaled(&[(axis, undone)])]);
-        match si {
-            true => said.gate(found),
-            false => said.warn(found),
-        }
+    if say_odd_axis(Sensor::Gyroscope, scales, columns, si, said) {
         return;
     }
     let all = scales.all_off(COMMON_SCALE);

@@ -3,6 +3,8 @@
 use nalgebra::{Matrix3, Vector3};
 use sensor::inverse;
 
+use crate::gravity::STANDARD_GRAVITY;
+
 /// An axis that reads so much more or less than the other two is no axis of one sensor: five per cent either way are its own.
 const APART: f64 = 1.075;
 /// The other two agree to this part of that.
@@ -76,31 +78,56 @@ impl Scales {
     }
 }
 
-/// Factors between an axis and the others that have a cause: how it reads, and what undoes it.
-const CAUSES: [(f64, &str, f64); 4] = [
-    (2.0, "twice", 0.5),
-    (0.5, "half", 2.0),
-    (
-        1.0 / crate::gravity::STANDARD_GRAVITY,
-        "1/9.8 times",
-        crate::gravity::STANDARD_GRAVITY,
-    ),
-    (
-        crate::gravity::STANDARD_GRAVITY,
-        "9.8 times",
-        1.0 / crate::gravity::STANDARD_GRAVITY,
-    ),
+/// A factor with a cause: how it reads, and what undoes it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cause {
+    factor: f64,
+    words: &'static str,
+    pub undone: f64,
+}
+
+const CAUSES: [Cause; 4] = [
+    Cause {
+        factor: 2.0,
+        words: "twice",
+        undone: 0.5,
+    },
+    Cause {
+        factor: 0.5,
+        words: "half",
+        undone: 2.0,
+    },
+    Cause {
+        factor: 1.0 / STANDARD_GRAVITY,
+        words: "1/9.8 times",
+        undone: STANDARD_GRAVITY,
+    },
+    Cause {
+        factor: STANDARD_GRAVITY,
+        words: "9.8 times",
+        undone: 1.0 / STANDARD_GRAVITY,
+    },
 ];
 /// A sensor's own scale error beside such a factor.
 const OWN: f64 = 0.08;
 
-/// `twice`, and the factor that undoes it.
-pub(super) fn cause(factor: f64) -> (String, f64) {
-    let near = |known: &&(f64, &str, f64)| (factor / known.0 - 1.0).abs() < OWN;
-    match CAUSES.iter().find(near) {
-        Some((_, words, undone)) => ((*words).to_owned(), *undone),
-        None => (format!("{factor:.3} times"), rounded(factor.recip())),
-    }
+/// The cause of a factor, a range or a unit, if it has one.
+pub(super) fn cause(factor: f64) -> Option<Cause> {
+    let near = |known: &Cause| (factor / known.factor - 1.0).abs() < OWN;
+    CAUSES.into_iter().find(near)
+}
+
+/// A factor in words, `twice` or `1.100 times`.
+pub(super) fn in_words(factor: f64) -> String {
+    cause(factor).map_or_else(
+        || format!("{factor:.3} times"),
+        |cause| cause.words.to_owned(),
+    )
+}
+
+/// The factor that undoes another.
+pub(super) fn undone(factor: f64) -> f64 {
+    cause(factor).map_or_else(|| rounded(factor.recip()), |cause| cause.undone)
 }
 
 /// Four significant digits: no more is known of a factor.

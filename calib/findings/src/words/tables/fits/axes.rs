@@ -13,6 +13,13 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             remedies: vec![Remedy::such_as(OptionName::Columns, "az=az*0.5")],
             ..bad(30.0)
         },
+        Kind::AxisApart => Entry {
+            reason: "{axis} of the {sensor} reads {times} what {others} read",
+            text: "{axis} of the {sensor} reads {times} what {others} read of the same {what}. Sensors seldom differ so much from axis to axis, and no unit or range explains it. The calibration corrects it",
+            advice: "use this calibration if the sensor itself is that unusual; if the file was changed, correct the column",
+            remedies: vec![Remedy::such_as(OptionName::Columns, "az=az*0.91")],
+            ..care(1.0)
+        },
         Kind::CountsDiffer => Entry {
             reason: "the axes of the {sensor} differ in their range",
             text: "the axes of the {sensor} read {x}, {y} and {z} raw whole numbers (counts) per m/s². These differ by {share}: the axes may have different ranges. The calibration converts each axis by its own number",
