@@ -63,14 +63,17 @@ impl Look {
     }
 }
 
-/// The cells of a line without quotes, blanks and the mark of a comment, by the separator it holds most of.
+/// The cells of a line without quotes, blanks and the mark of a comment, by the separator it holds most of; else by blanks.
 pub(crate) fn cells(line: &str) -> Vec<String> {
     let line = String::from_utf8_lossy(without_comment_mark(line.as_bytes())).into_owned();
     let count = |separator: &char| line.matches(*separator).count();
     // A tie goes to the last: semicolons and tabs separate, commas may also be decimal marks.
     let separator = [',', '\t', ';'].into_iter().max_by_key(count);
     let cell = |cell: &str| cell.trim().trim_matches('"').trim().to_owned();
-    line.split(separator.unwrap_or(',')).map(cell).collect()
+    match separator.filter(|separator| count(separator) > 0) {
+        Some(separator) => line.split(separator).map(cell).collect(),
+        None => line.split_whitespace().map(cell).collect(),
+    }
 }
 
 /// Returns the number of the column called `name`, counted from 1, as `--columns` takes it.

@@ -138,7 +138,17 @@ fn numbers(line: &str) -> Option<Numbers<'_>> {
         sensors.push(None);
         rest
     });
-    let separates = |c: char| matches!(c, ',' | ';' | ' ' | '\t' | ':' | '=' | '|');
+    let separates = |c: char| {
+        matches!(
+            c,
+            ',' | ';' | ' ' | '\t' | ':' | '=' | '|' | '(' | ')' | '[' | ']'
+        )
+    };
+    // The unit of the numbers that follow, as in `Acc (mg) [ 1, 2, 3 ]`.
+    let stands_in_parentheses = |word: &str| {
+        let begin = word.as_ptr() as usize - rest.as_ptr() as usize;
+        rest[..begin].ends_with('(') && rest[begin + word.len()..].starts_with(')')
+    };
     let (mut name, mut sensor) = ("", None);
     let (mut accel_unit, mut gyro_unit) = (None, None);
     for word in rest.split(separates).filter(|word| !word.is_empty()) {
@@ -153,6 +163,11 @@ fn numbers(line: &str) -> Option<Numbers<'_>> {
             _ if !pairs.is_empty() && word.contains('/') && word.parse::<GyroUnit>().is_ok() => {
                 gyro_unit = word.parse().ok();
             }
+            _ if stands_in_parentheses(word) && !name.is_empty() => match sensor {
+                Some(Sensor::Accelerometer) => accel_unit = word.parse().ok().or(accel_unit),
+                Some(Sensor::Gyroscope) => gyro_unit = word.parse().ok().or(gyro_unit),
+                _ => {}
+            },
             // Dates and torn numbers are no names.
             _ if word.starts_with(char::is_alphabetic) => {
                 name = word;
@@ -414,6 +429,32 @@ mod tests {
             .unwrap();
         let first = "10,-0.070,0.124,9.883,0.0111,-0.0001,0.0060,25.3";
         assert_eq!(rows.lines().next(), Some(first));
+    }
+
+    #[test]
+    fn numbers_in_brackets_belong_to_the_name_before_them_and_its_unit() {
+        for line in [
+            "Scaled. Acc (mg) [ -00018.99, -00032.07,  00982.16 ], Gyr (DPS) [ -1.4,  0.1,  1.5 ], Mag (uT) [ 2.7, -4.4, -3.0 ], Tmp (C) [ 24.0 ]",
+            "Acc = (-18.99, -32.07, 982.16) m/s^2  Gyr = (-1.4, 0.1, 1.5) deg/s",
+        ] {
+            let found = numbers(line).unwrap();
+            let roles: Vec<Role> = found.roles().into_iter().flatten().collect();
+            let axes = [0, 1, 2]
+                .map(Role::Accel)
+                .into_iter()
+                .chain([0, 1, 2].map(Role::Gyro));
+            assert!(
+                roles
+                    .iter()
+                    .copied()
+                    .zip(axes)
+                    .all(|(own, axis)| own == axis),
+                "{line}"
+            );
+            assert_eq!(found.gyro_unit, Some(GyroUnit::DegreesPerSecond), "{line}");
+        }
+        let found = numbers("Acc (mg) [ -18.99, -32.07, 982.16 ]").unwrap();
+        assert_eq!(found.accel_unit, "mg".parse().ok());
     }
 
     #[test]

@@ -192,8 +192,13 @@ fn columns(look: &Look, row: &str, label: usize) -> Option<[String; 4]> {
         _ => {
             let t = time.or_else(|| free.first().copied())?;
             free.retain(|at| *at != t);
-            // Of more columns nobody knows which.
-            let [x, y, z] = free[..] else { return None };
+            // Of more columns nobody knows which, but that a system states its biases behind what it has not corrected.
+            let has_biases = take_apart(&numbers[label]).0.ends_with("uncalibrated");
+            let [x, y, z] = match free[..] {
+                [x, y, z] => [x, y, z],
+                [x, y, z, _, _, _] if has_biases => [x, y, z],
+                _ => return None,
+            };
             [t, x, y, z]
         }
     };
@@ -259,6 +264,12 @@ mod tests {
             "a,1,2,3,0,4\naccel,1,2,3,0,4\ngyro,4,5,6,0,4\naccel,1,2,3,0,4\ngyro,4,5,6,0,4\n";
         assert_eq!(columns_of(unnamed), None);
         assert_eq!(columns_of("1,acc,1,2,3\n2,acc,1,2,3\n"), None);
+        let uncalibrated =
+            "ACCELEROMETER_UNCALIBRATED,7,1,2,3,0,0,0\nGYROSCOPE_UNCALIBRATED,8,4,5,6,0,0,0\n";
+        let expected: Vec<String> = ["2", "3", "4", "5"].map(str::to_owned).into();
+        assert_eq!(columns_of(&uncalibrated.repeat(2)), Some(expected.clone()));
+        let blanks = "ACC 7 1 2 3\nGYR 8 4 5 6\n";
+        assert_eq!(columns_of(&blanks.repeat(2)), Some(expected));
         // Numbers are labels in a column of types alone.
         let rows = "7,1,1,2,3\n8,4,4,5,6\n9,1,1,2,3\n9,4,4,5,6\n";
         assert!(columns_of(&format!("t,sensor_type,x,y,z\n{rows}")).is_some());

@@ -31,6 +31,7 @@ pub(super) const TIME: &[&str] = &[
     "timestampns",
     "timestamps",
     "millis",
+    "cts",
     "micros",
     "nanos",
     "sampletimefine",
