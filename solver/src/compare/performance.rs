@@ -160,3 +160,27 @@ fn escaped(word: &str) -> String {
         .replace('<', "&lt;")
         .replace('>', "&gt;")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_grid_labels_shares_and_octaves_at_their_places() {
+        let mut svg = String::new();
+        let across = |ratio: f64| 100.0 * ratio.log2();
+        grid(&mut svg, 3, &across, &|share| 1000.0 * share);
+        for (share, y) in [("0.0", 4), ("0.2", 204), ("0.6", 604), ("1.0", 1004)] {
+            let label = format!("y=\"{y}\" text-anchor=\"end\">{share}<");
+            assert!(svg.contains(&label), "{share}: {svg}");
+        }
+        for (x, ratio) in [(0, 1), (100, 2), (200, 4), (300, 8)] {
+            let label = format!("<text x=\"{x}\" y=\"388\" text-anchor=\"middle\">{ratio}<");
+            assert!(svg.contains(&label), "{ratio}: {svg}");
+        }
+        // Of many octaves every second, third, … is labelled.
+        let mut wide = String::new();
+        grid(&mut wide, 17, &across, &|share| share);
+        assert_eq!(wide.matches("text-anchor=\"middle\">").count(), 6 + 1);
+    }
+}
