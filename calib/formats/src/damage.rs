@@ -62,6 +62,9 @@ fn apart() -> Vec<(&'static str, [usize; 2], Vec<f64>)> {
 #[test]
 fn variables_with_a_time_of_their_own_are_joined() {
     let content = read(&make::matrices_of(&apart())).unwrap().unwrap();
+    // Fields of a structure are as variables.
+    let of_structure = read(&make::structure_of("imu", &apart())).unwrap().unwrap();
+    assert_eq!(of_structure.streams, content.streams);
     let found = |quantity| {
         let mut streams = content.streams.iter();
         streams.find(|stream| stream.quantity == quantity).unwrap()

@@ -9,7 +9,7 @@ mod zip;
 
 pub use db3::db3;
 pub use logs::{ardupilot, ulog};
-pub use matlab::{mat, matrices_of};
+pub use matlab::{mat, matrices_of, structure_of};
 pub use ros::{Packer, Ros, bag, mcap};
 pub use tables::{SheetCell, hdf5, workbook};
 pub use zip::{Packing, zip};

@@ -67,12 +67,27 @@ impl Variables {
         self.recorder.content.cut = Some(why);
     }
 
-    /// Takes the samples of a variable.
+    /// Takes the samples of a variable; of a structure those of its fields, as if they stood beside each other.
     ///
     /// # Errors
     /// Damage, or more samples than the limit.
     pub fn add(&mut self, variable: &Variable<'_>, objects: Option<&Objects>) -> Result<(), Error> {
         let Variable { name, class, value } = variable;
+        self.take(name, class.as_deref(), value, objects)
+    }
+
+    fn take(
+        &mut self,
+        name: &str,
+        class: Option<&str>,
+        value: &Value<'_>,
+        objects: Option<&Objects>,
+    ) -> Result<(), Error> {
+        if let (Value::Structure(fields), None) = (value, class) {
+            return fields
+                .iter()
+                .try_for_each(|(field, value)| self.take(field, None, value, objects));
+        }
         let what = match class {
             Some(class) => format!("object of class {class}"),
             None => value.described(),
@@ -88,12 +103,10 @@ impl Variables {
             Value::Numbers { dims, real, .. } if !read => self.loose.keep(name, dims, *real),
             _ => false,
         };
-        if !read && !kept && may_be_sensor(name, value, class.as_deref()) {
-            self.recorder.content.unclear.push(name.clone());
+        if !read && !kept && may_be_sensor(name, value, class) {
+            self.recorder.content.unclear.push(name.to_owned());
         }
-        let unread = class
-            .as_deref()
-            .filter(|class| !read && *class != "timetable");
+        let unread = class.filter(|class| !read && *class != "timetable");
         if let Some(class) = unread {
             let unread = Finding::of(Kind::VariableNotRead)
                 .detail("variable", shown(name))

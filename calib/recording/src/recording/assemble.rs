@@ -189,13 +189,13 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
     recording
         .warnings
         .extend(overridden(&name, stated, options));
+    let said = decide::Said {
+        given: options.accel_unit,
+        stated: stated.accel,
+        strange: table.strange[0].as_deref(),
+    };
     let (accelerometer, gyroscope) = rayon::join(
         || {
-            let said = decide::Said {
-                given: options.accel_unit,
-                stated: stated.accel,
-                strange: table.strange[0].as_deref(),
-            };
             finish(
                 &name,
                 Sensor::Accelerometer,
@@ -213,7 +213,7 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
         let sensors = recording.description.sensors.iter_mut();
         sensors
             .filter(|described| described.sensor == Sensor::Accelerometer)
-            .for_each(|described| described.unit = unit.name());
+            .for_each(|own| (own.unit, own.unit_by) = (unit.name(), said.by()));
     }
     let gyroscope = match gyroscope {
         Err(_) if options.accelerometer_alone => None,
@@ -230,24 +230,11 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
 
 /// Adds where the sensors of a table come from; their units are filled in when they are decided.
 fn describe(recording: &mut Recording, table: &Table, options: &ReadOptions) {
-    let by = |given: bool, stated: bool| match (given, stated) {
-        (true, _) => UnitBy::Option,
-        (_, true) => UnitBy::File,
-        _ => UnitBy::Data,
-    };
     let sensors = [
-        (
-            Sensor::Accelerometer,
-            &table.accel,
-            by(options.accel_unit.is_some(), table.stated.accel.is_some()),
-        ),
-        (
-            Sensor::Gyroscope,
-            &table.gyro,
-            by(options.gyro_unit.is_some(), table.stated.gyro.is_some()),
-        ),
+        (Sensor::Accelerometer, &table.accel),
+        (Sensor::Gyroscope, &table.gyro),
     ];
-    for (sensor, samples, unit_by) in sensors {
+    for (sensor, samples) in sensors {
         if samples.t.is_empty() {
             continue;
         }
@@ -265,7 +252,7 @@ fn describe(recording: &mut Recording, table: &Table, options: &ReadOptions) {
                 .collect(),
             unused: table.unused.clone(),
             unit: "",
-            unit_by,
+            unit_by: UnitBy::Nothing,
             turned: table.negated && sensor == Sensor::Accelerometer,
             flipped: flipped(sensor, options),
         });

@@ -49,6 +49,17 @@ pub(crate) struct Said<'a, U> {
     pub strange: Option<&'a str>,
 }
 
+impl<U> Said<'_, U> {
+    /// Who says the unit; the data where nobody does.
+    pub fn by(&self) -> UnitBy {
+        match (&self.given, &self.stated) {
+            (Some(_), _) => UnitBy::Option,
+            (_, Some(_)) => UnitBy::File,
+            _ => UnitBy::Data,
+        }
+    }
+}
+
 /// Builds a finding about a sensor of the recording `name`.
 fn told(kind: Kind, name: &str, sensor: Sensor) -> Finding {
     Finding::of(kind).in_recording(name).of_sensor(sensor)

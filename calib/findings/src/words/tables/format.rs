@@ -115,8 +115,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
         },
         Kind::VariablesUnknown => Entry {
             reason: "no variable is called as a sensor is",
-            text: "the file has no variable with a name that the program knows. It reads matrices `acc` and `gyro` with the columns t, x, y, z, or `t`, `acc` and `gyro` apart, or `t`, `ax` to `gz`",
-            advice: "rename the variables, or write the fields of a structure S as variables (in MATLAB: save('FILE', '-struct', 'S'))",
+            text: "the file has no variable with a name that the program knows. It reads matrices `acc` and `gyro` with the columns t, x, y, z, or `t`, `acc` and `gyro` apart, or `t`, `ax` to `gz`, or a structure with such fields",
+            advice: "rename the variables",
             ..care(1.0)
         },
         Kind::SheetHidden => Entry {
