@@ -58,8 +58,9 @@ impl Coverage {
             [one] => format!("1 more placement: {one}"),
             all => format!("{} more placements: {}", all.len(), turns::numbered(all)),
         };
+        let each = if wanted.len() > 1 { " in each" } else { "" };
         Some(format!(
-            "Make a second recording with {placements}. Leave the device still for {:.0} s in each, and calibrate both \
+            "Make a second recording with {placements}. Leave the device still for {:.0} s{each}, and calibrate both \
              recordings together",
             plan::REQUIREMENT.rest
         ))

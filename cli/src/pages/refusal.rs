@@ -67,8 +67,8 @@ pub fn page(
     let turns = session.turns.iter().filter(|t| t.fault.is_none()).count();
     let mut figures = vec![Figure::new(
         "Found",
-        format!("{} static intervals", session.rests.len()),
-        format!("and {turns} turns between them"),
+        show::counted(session.rests.len(), "static interval"),
+        format!("and {} between them", show::counted(turns, "turn")),
     )];
     figures.extend(coverage.as_ref().map(Coverage::figure));
     figures.push(Residual::measured(&session).figure());

@@ -89,20 +89,21 @@ impl Residual {
     /// The figure at the head of a page.
     pub fn figure(&self) -> Figure {
         let [rests, turns] = self.count;
+        let turns = show::counted(turns, "turn");
         let through = show::arrow(self.after_turn, "°");
         let (value, note) = match show::arrow(self.at_rest, " mm/s²") {
             Some(value) => {
-                let through =
-                    through.map(|text| format!("; direction through {turns} turns {text}"));
+                let through = through.map(|text| format!("; direction through {turns} {text}"));
                 let note = format!(
-                    "norm of {rests} static intervals{}",
+                    "norm of {}{}",
+                    show::counted(rests, "static interval"),
                     through.unwrap_or_default()
                 );
                 (value, note)
             }
             None => (
                 through.unwrap_or("none".into()),
-                format!("direction through {turns} turns"),
+                format!("direction through {turns}"),
             ),
         };
         Figure::new("Residual, raw → calibrated", value, note)

@@ -294,6 +294,24 @@ mod tests {
     }
 
     #[test]
+    fn least_seen_is_what_dependent_columns_do_not_see() {
+        // The third column is twice the first less three times the second.
+        let two = tall();
+        let j = Mat::from_fn(7, 3, |i, k| match k {
+            2 => 2.0 * two[(i, 0)] - 3.0 * two[(i, 1)],
+            _ => two[(i, k)],
+        });
+        let scale = [2.0, 0.5, 3.0];
+        let v = QrFactor::new(j.as_ref(), &scale).least_seen().unwrap();
+        for i in 0..7 {
+            let seen: f64 = (0..3).map(|k| j[(i, k)] * v[k]).sum();
+            assert!(seen.abs() < 1e-12, "{seen}");
+        }
+        let length: f64 = (0..3).map(|k| (scale[k] * v[k]).powi(2)).sum();
+        assert!((length - 1.0).abs() < 1e-12, "{length}");
+    }
+
+    #[test]
     fn rotating_the_damping_in_equals_the_qr_of_the_stack() {
         for (rows, n) in [(1, 1), (3, 3), (2, 5), (9, 9)] {
             let r = Triangle::from_fn(rows, n, |i, k| {

@@ -261,3 +261,21 @@ impl System for Robust<'_> {
         self.inner.offers_second_derivatives()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn variance_is_hubers_for_few_residuals_worked_out_by_hand() {
+        // Curvatures 1, 1 and 0; Σ (ρ′ r)² = 0.25 + 0.25 + 1.
+        let losses = Losses::new(Loss::Huber(LossScale::Given(1.0)), &[]);
+        let few: f64 = 1.0 + 1.0 / 3.0 * (2.0 / 9.0) / (4.0 / 9.0);
+        let expected = few * few * 1.5 / 2.0 / (2.0 / 3.0);
+        let found = losses.variance(&[0.5, -0.5, 3.0], 1).unwrap();
+        assert!((found - expected).abs() < 1e-12, "{found} {expected}");
+        let square = Losses::new(Loss::Quadratic, &[]);
+        assert_eq!(square.variance(&[1.0, 2.0, 3.0], 1), Some(7.0));
+        assert_eq!(square.variance(&[1.0], 1), None);
+    }
+}

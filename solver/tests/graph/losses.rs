@@ -165,3 +165,13 @@ fn the_sandwich_sees_that_readings_of_a_factor_share_their_error() {
     let sandwich = products.sandwich(&[x]).unwrap()[0][0];
     assert!((400.0 * sandwich - 1.0).abs() < 0.2, "{sandwich}");
 }
+
+#[test]
+fn a_loss_whose_scale_squared_is_nothing_is_refused() {
+    for scale in [1e-200, 0.0, -1.0, f64::NAN, 1e200] {
+        let loss = Loss::Tukey(LossScale::Given(scale));
+        let (graph, _) = graph(&with_outliers(1), &[4.0, 0.5, 0.5], loss);
+        let error = solve_graph(&graph, &GraphOptions::default()).unwrap_err();
+        assert!(error.to_string().contains("scale"), "{scale}: {error}");
+    }
+}
