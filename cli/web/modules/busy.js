@@ -1,5 +1,5 @@
 // What is said while the program runs, and the button that ends it.
-import { Cancelled } from "./program.js";
+import { Cancelled, Replaced } from "./program.js";
 
 const STAGES = {
     cutting: "looking for static intervals and turns",
@@ -14,44 +14,55 @@ export class Busy {
     constructor(section, program) {
         this.section = section;
         this.program = program;
-        this.text = section.querySelector("p");
-        this.abort = undefined;
-        section.querySelector("button").addEventListener("click", () => this.cancel());
+        [this.stage, this.count] = section.querySelectorAll("p span");
+        this.running = undefined;
+        section.querySelector("button").addEventListener("click", () => this.end(new Cancelled("cancelled")));
         document.addEventListener("keydown", (event) => {
             if (event.key === "Escape") {
-                this.cancel();
+                this.end(new Cancelled("cancelled"));
             }
         });
     }
 
-    cancel() {
-        this.abort?.abort(new Cancelled("cancelled"));
+    /** Ends what runs, for a reason. */
+    end(reason) {
+        this.running?.abort.abort(reason);
     }
 
-    /** Runs a call; what runs already is cancelled. */
+    /** Runs a call in place of what runs already; the same call is not begun again. */
     async run(what, words, files) {
-        this.cancel();
-        const abort = new AbortController();
-        this.abort = abort;
+        const isSame = this.running?.files === files && this.running.words.join("\n") === words.join("\n");
+        if (isSame) {
+            throw new Replaced("the same runs already");
+        }
+        this.end(new Replaced("replaced"));
+        const running = { abort: new AbortController(), words, files };
+        this.running = running;
         const begin = performance.now();
-        let doing = "";
+        let steps = "";
+        this.stage.textContent = what;
         const say = () => {
             const seconds = ((performance.now() - begin) / 1000).toFixed(0);
-            this.text.textContent = `${what}${doing}, ${seconds} s`;
+            this.count.textContent = `${steps}, ${seconds} s`;
         };
         const timer = setInterval(say, 250);
         say();
         this.section.hidden = false;
         document.body.setAttribute("aria-busy", "true");
-        const told = ({ stage, steps }) => {
-            doing = `: ${STAGES[stage] ?? stage}, step ${steps}`;
+        const told = (progress) => {
+            const stage = `${what}: ${STAGES[progress.stage] ?? progress.stage}`;
+            steps = `, step ${progress.steps}`;
+            // Only what changes is read out.
+            if (this.stage.textContent !== stage) {
+                this.stage.textContent = stage;
+            }
         };
         try {
-            return await this.program.run(words, files, told, abort.signal);
+            return await this.program.run(words, files, told, running.abort.signal);
         } finally {
             clearInterval(timer);
-            if (this.abort === abort) {
-                this.abort = undefined;
+            if (this.running === running) {
+                this.running = undefined;
                 this.section.hidden = true;
                 document.body.removeAttribute("aria-busy");
             }

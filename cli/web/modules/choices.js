@@ -1,5 +1,6 @@
 // What a person may choose before a recording is calibrated, as options of the command line.
 import { element } from "./elements.js";
+import { pairs } from "./options.js";
 import { quoted, split } from "./shell_words.js";
 
 const PLACE = [
@@ -10,12 +11,11 @@ const PLACE = [
 const READ = [
     ["--accel-unit", "Unit of the accelerometer", ["m/s^2", "g", "mg", "cm/s^2", "counts"]],
     ["--gyro-unit", "Unit of the gyroscope", ["rad/s", "deg/s", "mdeg/s", "counts"]],
+    ["--mag-unit", "Unit of the magnetometer", ["uT", "nT", "mT", "T", "G", "mG", "counts"]],
     ["--rate", "Sampling rate, Hz", "such as 100"],
 ];
 /** Options that say how a calibration is made, not how a recording is read. */
 const NOT_READING = new Set(["--latitude", "--altitude", "--gravity", "--sensor", "--method", "--effects", "--clock"]);
-/** Options without a value. */
-const ALONE = new Set(["--sort-time"]);
 
 /** The form of choices. */
 export class Choices {
@@ -23,9 +23,9 @@ export class Choices {
         this.fields = new Map();
         this.more = form.querySelector("#more-options");
         const place = form.querySelector("#place");
-        const read = form.querySelector("#read");
+        const after = form.querySelector("#read > label");
         PLACE.forEach((choice) => place.append(this.field(...choice)));
-        READ.forEach((choice) => read.prepend(this.field(...choice)));
+        READ.forEach((choice) => after.before(this.field(...choice)));
         form.addEventListener("input", changed);
     }
 
@@ -69,6 +69,12 @@ export class Choices {
         return !NOT_READING.has(split(line)[0]);
     }
 
+    /** Whether a line of options is given already. */
+    has(line) {
+        const given = this.pairs().map((pair) => pair.join(" "));
+        return pairs(split(line)).every((pair) => given.includes(pair.join(" ")));
+    }
+
     clear() {
         [...this.fields.values(), this.more].forEach((field) => {
             field.value = "";
@@ -95,18 +101,4 @@ export class Choices {
 /** A value that begins like an option has to stand behind the sign of equality. */
 function joined([option, ...values]) {
     return values.length === 1 && values[0].startsWith("-") ? [`${option}=${values[0]}`] : [option, ...values];
-}
-
-function pairs(words) {
-    const found = [];
-    for (const word of words) {
-        const [option, value] = word.startsWith("--") && word.includes("=") ? [word.slice(0, word.indexOf("=")), word.slice(word.indexOf("=") + 1)] : [word];
-        const last = found.at(-1);
-        if (word.startsWith("--") || !last || last.length > 1 || ALONE.has(last[0])) {
-            found.push(value === undefined ? [option] : [option, value]);
-        } else {
-            last.push(word);
-        }
-    }
-    return found;
 }

@@ -3,19 +3,19 @@
 /** The most that is read, bytes. What is read takes several times as much of the browser's memory. */
 export const LARGEST = 300e6;
 
-/** Files of a drop, as pairs of a path and a file; folders are followed. */
+/** What is dropped: of each thing its files, as pairs of a path and a file. Folders are followed. */
 export async function dropped(transfer) {
     const entries = [...transfer.items].map((item) => item.webkitGetAsEntry?.()).filter(Boolean);
     if (entries.length === 0) {
         return chosen(transfer.files);
     }
-    const found = await Promise.all(entries.map((entry) => inEntry(entry, "")));
-    return found.flat();
+    return Promise.all(entries.map((entry) => inEntry(entry, "")));
 }
 
-/** Files of a field. */
+/** The same of a field, which has files or one folder. */
 export function chosen(files) {
-    return [...files].map((file) => [file.webkitRelativePath || file.name, file]);
+    const pairs = [...files].map((file) => [file.webkitRelativePath || file.name, file]);
+    return pairs.some(([path]) => path.includes("/")) ? [pairs] : pairs.map((pair) => [pair]);
 }
 
 async function inEntry(entry, before) {

@@ -10,8 +10,19 @@ export function element(name, properties = {}, ...children) {
             made[key] = value;
         }
     }
-    made.append(...children.flat().filter((child) => child !== null && child !== undefined && child !== ""));
+    const all = children.flat().filter((child) => child !== null && child !== undefined && child !== "");
+    made.append(...all.flatMap((child) => (typeof child === "string" ? unbroken(child) : child)));
     return made;
+}
+
+/** A text whose options stay whole at the end of a line. */
+function unbroken(text) {
+    return text.split(/(--[a-z][a-z-]*)/).map((part, k) => {
+        const option = document.createElement("span");
+        option.className = "option";
+        option.textContent = part;
+        return k % 2 === 1 ? option : part;
+    });
 }
 
 /** A button. */

@@ -3,6 +3,9 @@
 /** Bytes that are read ahead of a file on the disk. */
 const AHEAD = 4 << 20;
 
+/** A file that cannot be read any more. */
+export class Gone extends Error {}
+
 /** A file that a person chose: read where it is asked for, never held as a whole. */
 export class ChosenFile {
     constructor(blob) {
@@ -20,11 +23,19 @@ export class ChosenFile {
         const offset = at - this.begin;
         if (offset < 0 || offset >= this.held.length) {
             const part = this.blob.slice(at, at + Math.max(length, AHEAD));
-            this.held = new Uint8Array(new FileReaderSync().readAsArrayBuffer(part));
+            this.held = new Uint8Array(this.bytesOf(part));
             this.begin = at;
         }
         const from = at - this.begin;
         return this.held.subarray(from, from + length);
+    }
+
+    bytesOf(part) {
+        try {
+            return new FileReaderSync().readAsArrayBuffer(part);
+        } catch {
+            throw new Gone(`${this.blob.name} was changed or removed after it was chosen; choose it again`);
+        }
     }
 }
 

@@ -1,8 +1,10 @@
 // What can be done with a calibration: look for what it lacks, export it, correct or judge another recording with it, keep it.
-import { chosen, recordings } from "./dropped.js";
+import { parsed } from "./documents.js";
+import { chosen, recordings, tooLarge } from "./dropped.js";
 import { copied, element, focus, saved, show } from "./elements.js";
-import { failureOf, failureView, parsed } from "./failure_view.js";
+import { failureOf, failureView } from "./failure_view.js";
 import { Kept } from "./kept.js";
+import { RESULTS, named } from "./names.js";
 import { reportViews } from "./report_view.js";
 import { commandLine } from "./shell_words.js";
 
@@ -29,15 +31,14 @@ export class Further {
     constructor(page) {
         this.page = page;
         this.calibration = undefined;
-        this.kept = new Kept($("kept"), (name, bytes) => this.offer(name, bytes));
+        this.kept = new Kept($("kept"), (name, bytes) => this.use(name, bytes));
         $("target").append(...TARGETS.map(([value, name]) => element("option", { value }, name)));
         $("discover").addEventListener("click", () => this.discover());
         $("export").addEventListener("click", () => this.export());
         $("choose-other").addEventListener("click", () => $("other").click());
         $("other").addEventListener("change", () => {
-            this.other = chosen($("other").files);
+            this.takeOther(chosen($("other").files));
             $("other").value = "";
-            this.showOther();
         });
         $("correct").addEventListener("click", () => this.correct());
         $("evaluate").addEventListener("click", () => this.evaluate());
@@ -62,12 +63,46 @@ export class Further {
         $("of").textContent = name;
     }
 
-    /** A calibration that was dropped. */
-    async takeCalibration(files) {
-        const [path, file] = files[0];
-        this.page.files = [];
-        this.offer(path, new Uint8Array(await file.arrayBuffer()));
-        $("discovery").hidden = true;
+    /** Offers what can be done with a calibration that was dropped, if the program reads it; gives the failures. */
+    async takeCalibration([[, file]]) {
+        return this.checked(file.name, new Uint8Array(await file.arrayBuffer()));
+    }
+
+    /** The same for one that was kept; a failure is said. */
+    async use(name, bytes) {
+        await this.page.guarded(async () => {
+            const failures = await this.checked(name, bytes);
+            this.page.say(failures.map(({ message }) => message).join(" "));
+        });
+    }
+
+    async checked(name, bytes) {
+        const [calibration] = named([[[name, bytes]]], []);
+        const words = ["export", calibration[0], "--to", "toml", "-o", "read.toml"];
+        const failure = failureOf(await this.page.busy.run(`Reading ${name}`, words, [calibration]));
+        if (failure) {
+            return [failure];
+        }
+        this.offer(...calibration);
+        return [];
+    }
+
+    /** Takes another recording, if it is not too large. */
+    takeOther(things) {
+        const files = things.flat();
+        const refused = tooLarge(files);
+        this.other = refused || files.length === 0 ? undefined : things;
+        if (refused) {
+            const words = ["apply", this.calibration[0], ...recordings(files), "-o", "corrected.csv"];
+            show($("done"), failureView({ message: refused }, this.page), copied(commandLine(words)));
+        }
+        this.showOther();
+        $(refused ? "choose-other" : "correct").focus();
+    }
+
+    /** Its files, under names that are free beside the calibration. */
+    otherFiles() {
+        return named(this.other, [...RESULTS, this.calibration[0]]);
     }
 
     async discover() {
@@ -83,7 +118,7 @@ export class Further {
                 $("discovered"),
                 element("h2", {}, "Discovery"),
                 copied(commandLine(words)),
-                failure ? failureView(failure, (line, isOpen) => page.choose(line, isOpen)) : null,
+                failure ? failureView(failure, page, () => this.discover()) : null,
                 element("p", { className: "choices" }, [...made].map(([name, bytes]) => saved(name, bytes))),
                 ...(report ? reportViews(new TextDecoder().decode(report)) : []),
             );
@@ -97,40 +132,44 @@ export class Further {
 
     /** What to record next. */
     async plan() {
-        await this.finish("Planning", ["plan", this.calibration[0]], []);
+        const [name] = this.calibration;
+        await this.finish("Planning", `Plan after ${name}`, ["plan", name], [], () => this.plan());
     }
 
     async export() {
         const [target, , file] = TARGETS.find(([value]) => value === $("target").value);
         const [name] = this.calibration;
-        await this.finish("Exporting", ["export", name, "--to", target, "-o", file], []);
+        await this.finish("Exporting", `Export of ${name}`, ["export", name, "--to", target, "-o", file], [], () => this.export());
     }
 
     async correct() {
         const [name] = this.calibration;
-        const words = ["apply", name, ...recordings(this.other), ...this.page.choices.reading(), "-o", "corrected.csv"];
-        await this.finish("Correcting", words, this.other);
+        const files = this.otherFiles();
+        const words = ["apply", name, ...recordings(files), ...this.page.choices.reading(), "-o", "corrected.csv"];
+        await this.finish("Correcting", `Correction with ${name}`, words, files, () => this.correct());
     }
 
     async evaluate() {
         const [name] = this.calibration;
-        const words = ["evaluate", ...recordings(this.other), "--calibration", `this=${name}`, "--report", "evaluation.html"];
-        await this.finish("Evaluating", words, this.other);
+        const files = this.otherFiles();
+        const options = this.page.choices.reading();
+        const words = ["evaluate", ...recordings(files), ...options, "--calibration", `cal=${name}`, "--report", "evaluation.html"];
+        await this.finish("Evaluating", `Evaluation of ${name}`, words, files, () => this.evaluate());
     }
 
-    /** Runs a call on the calibration and other files, and shows what it says and makes. */
-    async finish(what, words, files) {
+    /** Runs a call on the calibration and other files, and shows under a title what it says and makes. */
+    async finish(doing, title, words, files, again) {
         const { page } = this;
         await page.guarded(async () => {
-            const result = await page.busy.run(what, words, [...files, this.calibration]);
+            const result = await page.busy.run(doing, words, [...files, this.calibration]);
             const failure = failureOf(result);
             const report = result.files.find(([name]) => name.endsWith(".html"));
             const notes = [result.output, failure ? "" : result.error].join("\n").trim();
             show(
                 $("done"),
-                element("h2", {}, `${what} with ${this.calibration[0]}`),
+                element("h2", {}, title),
                 copied(commandLine(words)),
-                failure ? failureView(failure, () => {}) : null,
+                failure ? failureView(failure, page, again) : null,
                 element("p", { className: "choices" }, result.files.map(([name, bytes]) => saved(name, bytes))),
                 notes && !report ? element("pre", { tabIndex: 0 }, notes) : null,
                 ...(report ? reportViews(new TextDecoder().decode(report[1])) : []),
@@ -140,7 +179,7 @@ export class Further {
     }
 
     showOther() {
-        const names = this.other ? recordings(this.other).join(", ") : "";
+        const names = this.other ? recordings(this.other.flat()).join(", ") : "";
         $("other-name").textContent = names || "no file chosen";
         $("correct").disabled = !this.other;
         $("evaluate").disabled = !this.other;

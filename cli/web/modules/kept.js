@@ -1,5 +1,6 @@
 // Calibrations that are kept in the browser, where a person has asked for it.
 import { button, element } from "./elements.js";
+import { isCalibration, parsed } from "./documents.js";
 
 const BEFORE = "stillpoint/";
 
@@ -34,7 +35,7 @@ export class Kept {
                 this.show();
             });
             forget.setAttribute("aria-label", `Forget ${label}`);
-            return element("li", {}, use, " ", forget);
+            return element("li", {}, use, forget);
         });
         this.section.replaceChildren(element("h2", {}, "Kept in this browser"), element("ul", { className: "plain" }, rows));
     }
@@ -42,7 +43,7 @@ export class Kept {
 
 function storedKeys() {
     try {
-        return Object.keys(localStorage).filter((key) => key.startsWith(BEFORE)).sort();
+        return Object.keys(localStorage).filter((key) => key.startsWith(BEFORE) && isCalibration(parsed(localStorage.getItem(key)))).sort();
     } catch {
         // A browser may refuse a page from the disk its storage.
         return [];

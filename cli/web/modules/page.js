@@ -1,12 +1,14 @@
 // The page: drop a recording, see what is in it, calibrate it.
 import { Busy } from "./busy.js";
 import { Choices } from "./choices.js";
+import { isCalibration, parsed } from "./documents.js";
 import { chosen, dropped, joined, recordings, tooLarge } from "./dropped.js";
 import { button, copied, element, focus, saved, show } from "./elements.js";
-import { failureOf, failureView, parsed } from "./failure_view.js";
+import { failureOf, failureView } from "./failure_view.js";
 import { Further } from "./further.js";
 import { infoView, optionsOf } from "./info_view.js";
-import { Cancelled, Program } from "./program.js";
+import { named, renamed } from "./names.js";
+import { Cancelled, Program, Replaced } from "./program.js";
 import { commandLine } from "./shell_words.js";
 import { verdictView } from "./verdict_view.js";
 import { reportViews } from "./report_view.js";
@@ -48,29 +50,39 @@ class Page {
             event.preventDefault();
             this.calibrate();
         });
-        $("look").addEventListener("click", () => this.look());
+        $("look").addEventListener("click", () => this.again());
     }
 
-    /** Takes files of a drop or a field. */
-    take(files) {
+    /** Takes what was dropped or chosen in place of what was there. */
+    take(things) {
+        const files = named(things);
         if (files.length === 0) {
             return;
         }
+        this.busy.end(new Replaced("replaced"));
+        this.say("");
         this.files = files;
+        this.again = () => this.look();
         this.choices.clear();
+        this.forget();
+        $("choices").hidden = true;
+        show($("what"));
+        const refused = tooLarge(files);
+        $("recording").hidden = !refused;
+        if (refused) {
+            const line = commandLine(["calibrate", ...recordings(files), "-o", "cal.json"]);
+            show($("what"), failureView({ message: refused }, this), copied(line));
+            return;
+        }
+        this.look();
+    }
+
+    /** Takes a result away that is not of what is read now. */
+    forget() {
         this.results = undefined;
         $("result").hidden = true;
         show($("pictures"));
         this.further.hide();
-        const refused = tooLarge(files);
-        if (refused) {
-            $("recording").hidden = false;
-            $("choices").hidden = true;
-            const line = commandLine(["calibrate", ...recordings(files), "-o", "cal.json"]);
-            show($("what"), failureView({ message: refused }, () => {}), copied(line));
-            return;
-        }
-        this.look();
     }
 
     /** A simulated recording, for those who have none at hand. */
@@ -79,7 +91,7 @@ class Page {
             const result = await this.busy.run("Simulating", ["demo", "--out", "demo"], []);
             const made = result.files.find(([path]) => path === "demo/recording.csv");
             if (made) {
-                this.take([["recording.csv", new File([made[1]], "recording.csv")]]);
+                this.take([[["recording.csv", new File([made[1]], "recording.csv")]]]);
             }
         });
     }
@@ -87,58 +99,57 @@ class Page {
     /** Shows what is in the files. */
     async look() {
         await this.guarded(async () => {
-            $("recording").hidden = false;
-            $("choices").hidden = true;
-            show($("what"));
             const seen = [];
             for (const name of recordings(this.files)) {
                 const words = ["info", name, ...this.choices.reading()];
                 const result = await this.busy.run(`Reading ${name}`, [...words, "--json"], this.files);
                 seen.push([words, result]);
             }
-            this.shown(seen);
+            this.forget();
+            await this.shown(seen);
         });
     }
 
-    shown(seen) {
+    async shown(seen) {
         const documents = seen.flatMap(([, { output }]) => parsed(output)?.files ?? []);
         const ours = documents.filter((document) => document.format?.startsWith("stillpoint."));
         const failures = seen.map(([, result]) => failureOf(result)).filter(Boolean);
-        if (ours.length > 0 && ours.length === documents.length) {
-            this.further.takeCalibration(this.files);
+        if (failures.length === 0 && documents.length > 0 && documents.every(({ format }) => isCalibration({ schema: format }))) {
+            failures.push(...(await this.further.takeCalibration(this.files)));
         }
         this.files = joined(this.files, documents);
-        const choose = (line, isOpen) => this.choose(line, isOpen);
         // A log of several sensors has been read as far as this: which of them is asked.
         const options = optionsOf(documents.flatMap((document) => document.streams ?? []));
-        const asked = options.map((line) => button(`Use ${line}`, () => choose(line, false)));
+        const asked = options.map((line) => button(`Use ${line}`, () => this.choose(line, false)));
         show(
             $("what"),
             ...documents.map(infoView),
+            element("p", {}, renamed(this.files)),
             asked.length > 0 ? element("p", { className: "choices" }, "Choose one: ", asked) : null,
-            ...failures.map((failure) => failureView(failure, choose)),
+            ...failures.map((failure) => failureView(failure, this)),
             copied(commandLine(seen.length === 1 ? seen[0][0] : ["info", ...recordings(this.files), ...this.choices.reading()])),
         );
         const isReadable = documents.some((document) => document.sensors);
         $("choices").hidden = ours.length > 0 || (documents.length === 0 && failures.length === 0);
+        $("recording").hidden = false;
+        $("choices").classList.toggle("unread", !isReadable);
         $("calibrate").disabled = !isReadable;
         this.showCommand();
         focus($("recording"));
     }
 
-    /** An option that a message has offered; what is left open in it is a person's to complete. */
-    choose(line, isOpen) {
+    /** An option that a message has offered, and what is done `again` with it; what is left open in it is a person's to complete. */
+    choose(line, isOpen, again = () => (this.choices.isReading(line) ? this.look() : this.calibrate())) {
         if (isOpen) {
+            this.again = again;
+            $("choices").hidden = false;
             this.choices.complete(line);
             this.showCommand();
             return;
         }
         this.choices.add(line);
-        if (this.choices.isReading(line)) {
-            this.look();
-        } else {
-            this.calibrate();
-        }
+        this.showCommand();
+        again();
     }
 
     /** The call that is equal to the button. */
@@ -152,9 +163,9 @@ class Page {
 
     async calibrate() {
         await this.guarded(async () => {
-            this.further.hide();
             const words = this.words();
             const result = await this.busy.run("Calibrating", [...words, "--json"], this.files);
+            this.forget();
             this.results = new Map(result.files);
             const calibration = this.results.get("cal.json");
             $("result").hidden = false;
@@ -176,26 +187,30 @@ class Page {
         show($("pictures"), rest);
         const next = verdictView(document, head, this);
         return [
-            failure ? failureView(failure, (line, isOpen) => this.choose(line, isOpen), report && !calibration) : null,
             ...(document ? [next, head] : [head, next]),
+            failure ? failureView(failure, this, undefined, Boolean(report)) : null,
             links.length > 0 ? element("p", { className: "choices" }, links) : null,
         ];
     }
 
     /** Work that may fail or be cancelled. */
     async guarded(work) {
-        const problem = $("problem");
-        problem.hidden = true;
+        this.say("");
         try {
             await work();
         } catch (error) {
             if (error instanceof Cancelled) {
-                problem.textContent = "Cancelled. Nothing was changed.";
-            } else {
-                problem.textContent = `This did not work: ${error.message ?? error}. Load the page again.`;
+                this.say("Cancelled. Nothing was changed.");
+            } else if (!(error instanceof Replaced)) {
+                this.say(`This did not work: ${error.message ?? error}. Load the page again.`);
             }
-            problem.hidden = false;
         }
+    }
+
+    /** Says what went wrong; nothing where the text is empty. */
+    say(problem) {
+        $("problem").textContent = problem;
+        $("problem").hidden = problem === "";
     }
 }
 

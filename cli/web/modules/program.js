@@ -1,7 +1,10 @@
 // The command line's program, run on files of the page.
 
-/** A run that was cancelled. */
+/** The end of a run that a person cancelled. */
 export class Cancelled extends Error {}
+
+/** The end of a run that another one took the place of. */
+export class Replaced extends Error {}
 
 /** The program, which the page carries as base64 of its compressed bytes. */
 export class Program {
@@ -24,7 +27,7 @@ export class Program {
         const worker = new Worker(this.script);
         try {
             return await new Promise((resolve, reject) => {
-                signal?.addEventListener("abort", () => reject(new Cancelled("cancelled")));
+                signal?.addEventListener("abort", () => reject(signal.reason));
                 worker.onerror = (event) => reject(new Error(event.message));
                 worker.onmessage = ({ data }) => {
                     if (data.progress) {

@@ -1,5 +1,5 @@
 // Next steps of a verdict, each with a button where the page can do it.
-import { offered } from "./advice.js";
+import { inCommand } from "./advice.js";
 import { button, element } from "./elements.js";
 
 /** A list of steps; null where there are none. */
@@ -27,7 +27,7 @@ function action(command, page) {
             return ["Show the plan", () => page.further.plan()];
         case "apply":
         case "evaluate":
-            return ["Choose a recording", () => document.getElementById("choose-other").focus()];
+            return ["Choose a recording", () => document.getElementById("choose-other").click()];
         case "calibrate":
             return option(command, page);
         default:
@@ -44,6 +44,6 @@ function option(command, page) {
     if (/ --(gravity|latitude|altitude) /.test(command)) {
         return ["Give the place", () => page.choose("--latitude …", true)];
     }
-    const [first] = offered(command);
+    const first = inCommand(command);
     return first ? [`Use ${first.line}`, () => page.choose(first.line, first.isOpen)] : null;
 }

@@ -1,5 +1,5 @@
 // One run of the program in a thread of its own, which the page ends to cancel.
-import { ChosenFile, Folder, HeldFile } from "./file_tree.js";
+import { ChosenFile, Folder, Gone, HeldFile } from "./file_tree.js";
 import { Host } from "./wasi.js";
 
 /** A line of progress begins so on standard error. */
@@ -25,17 +25,20 @@ export function run(module, words, files, told) {
     });
     const outputs = { 1: (bytes) => output.take(bytes), 2: (bytes) => error.take(bytes) };
     const host = new Host(["stillpoint", ...words], ["STILLPOINT_PROGRESS=1"], root, outputs);
-    let failure = null;
+    let [failure, gone] = [null, null];
     let code = 7;
     try {
         code = host.run(module);
     } catch (end) {
         failure = String(end);
+        gone = end instanceof Gone ? end.message : null;
     }
-    const made = [...root.files()].filter(([, file]) => !given.has(file));
+    // What was begun and not ended is no result.
+    const made = failure ? [] : [...root.files()].filter(([, file]) => !given.has(file));
     return {
         code,
         failure,
+        gone,
         output: output.text(),
         error: error.text(),
         files: made.map(([path, file]) => [path, file.content()]),

@@ -154,7 +154,7 @@ def test_discovery_export_and_another_recording_follow_a_calibration(browser, fo
     assert browser.saved("corrected.csv").startswith(b"t,ax,ay,az,gx,gy,gz")
     browser.click("#evaluate")
     browser.until("document.querySelector('#done .shown')")
-    assert "Evaluating" in browser.text("#done h2")
+    assert "Evaluation" in browser.text("#done h2")
 
 
 def test_the_keyboard_alone_is_enough_and_escape_cancels(browser, folder):
