@@ -330,7 +330,7 @@ fn judged(case: &Case, seed: u64) -> Result<(), String> {
 }
 
 #[test]
-fn the_verdict_on_eighty_sessions_is_that_of_a_person_of_the_field() {
+fn the_verdict_on_every_session_is_that_of_a_person_of_the_field() {
     let mut wrong = Vec::new();
     let mut count = 0;
     for case in cases() {
@@ -341,7 +341,7 @@ fn the_verdict_on_eighty_sessions_is_that_of_a_person_of_the_field() {
             }
         }
     }
-    assert_eq!(count, 80);
+    assert_eq!(count, 85);
     assert!(
         wrong.len() <= 2,
         "{} of {count}:\n{}",
