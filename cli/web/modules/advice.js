@@ -30,7 +30,7 @@ export function offered(message) {
             // A value that is an example is not the answer.
             const isOpen = !isAlone(option) && (!value || value.includes("…") || before !== "(");
             const line = isAlone(option) ? option : `${option} ${value ?? "…"}`;
-            found.set(line, { what: what.trim().replace(/^(or |give )+/, ""), isOpen });
+            found.set(line, { what: what.trim().replace(/^.*\b(?:give|or) /s, ""), isOpen });
         }
     }
     return [...found].map(([line, { what, isOpen }]) => ({ line, what, isOpen }));

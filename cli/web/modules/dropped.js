@@ -40,6 +40,11 @@ export function recordings(files) {
     return [...new Set(files.map(([path]) => path.split("/")[0]))];
 }
 
+/** The files of each recording. */
+export function apart(files) {
+    return recordings(files).map((name) => files.filter(([path]) => path.split("/")[0] === name));
+}
+
 /** What is said of files that are too large together; an empty text where they are not. */
 export function tooLarge(files) {
     const bytes = files.reduce((sum, [, file]) => sum + file.size, 0);

@@ -17,7 +17,7 @@ export function element(name, properties = {}, ...children) {
 
 /** A text whose options stay whole at the end of a line. */
 function unbroken(text) {
-    return text.split(/(--[a-z][a-z-]*)/).map((part, k) => {
+    return text.split(/((?<![\w-])--?[a-z][a-z-]{0,24})/).map((part, k) => {
         const option = document.createElement("span");
         option.className = "option";
         option.textContent = part;

@@ -77,7 +77,7 @@ export class Further {
     }
 
     async checked(name, bytes) {
-        const [calibration] = named([[[name, bytes]]], []);
+        const [calibration] = named([[[name, bytes]]]);
         const words = ["export", calibration[0], "--to", "toml", "-o", "read.toml"];
         const failure = failureOf(await this.page.busy.run(`Reading ${name}`, words, [calibration]));
         if (failure) {

@@ -43,7 +43,8 @@ export class Kept {
 
 function storedKeys() {
     try {
-        return Object.keys(localStorage).filter((key) => key.startsWith(BEFORE) && isCalibration(parsed(localStorage.getItem(key)))).sort();
+        const isOurs = (key) => key.startsWith(BEFORE) && isCalibration(parsed(localStorage.getItem(key))?.schema);
+        return Object.keys(localStorage).filter(isOurs).sort();
     } catch {
         // A browser may refuse a page from the disk its storage.
         return [];

@@ -2,12 +2,12 @@
 import { Busy } from "./busy.js";
 import { Choices } from "./choices.js";
 import { isCalibration, parsed } from "./documents.js";
-import { chosen, dropped, joined, recordings, tooLarge } from "./dropped.js";
+import { apart, chosen, dropped, joined, recordings, tooLarge } from "./dropped.js";
 import { button, copied, element, focus, saved, show } from "./elements.js";
 import { failureOf, failureView } from "./failure_view.js";
 import { Further } from "./further.js";
 import { infoView, optionsOf } from "./info_view.js";
-import { named, renamed } from "./names.js";
+import { RESULTS, named, renamed } from "./names.js";
 import { Cancelled, Program, Replaced } from "./program.js";
 import { commandLine } from "./shell_words.js";
 import { verdictView } from "./verdict_view.js";
@@ -114,10 +114,11 @@ class Page {
         const documents = seen.flatMap(([, { output }]) => parsed(output)?.files ?? []);
         const ours = documents.filter((document) => document.format?.startsWith("stillpoint."));
         const failures = seen.map(([, result]) => failureOf(result)).filter(Boolean);
-        if (failures.length === 0 && documents.length > 0 && documents.every(({ format }) => isCalibration({ schema: format }))) {
+        if (failures.length === 0 && documents.length > 0 && documents.every(({ format }) => isCalibration(format))) {
             failures.push(...(await this.further.takeCalibration(this.files)));
+        } else {
+            this.files = joined(named(apart(this.files), RESULTS), documents);
         }
-        this.files = joined(this.files, documents);
         // A log of several sensors has been read as far as this: which of them is asked.
         const options = optionsOf(documents.flatMap((document) => document.streams ?? []));
         const asked = options.map((line) => button(`Use ${line}`, () => this.choose(line, false)));

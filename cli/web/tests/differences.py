@@ -34,7 +34,7 @@ def in_errors(one, other):
     largest = 0.0
     for sensor in ("accelerometer", "gyroscope"):
         for value, std in (("T", "T_std"), ("bias", "bias_std")):
-            triples = zip(*(numbers(part) for part in (one[sensor].get(value), other[sensor].get(value), one[sensor].get(std))))
+            triples = zip(*(numbers((of.get(sensor) or {}).get(name)) for of, name in ((one, value), (other, value), (one, std))))
             largest = max([largest, *(abs(a - b) / s for a, b, s in triples if s)])
     return largest
 

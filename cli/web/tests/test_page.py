@@ -7,6 +7,7 @@ STILLPOINT_BIN   the program
 import json
 import os
 import subprocess
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -124,6 +125,28 @@ def test_a_choice_that_a_message_offers_is_a_button(browser, folder):
     assert "--instance 1" in browser.run("document.getElementById('command').textContent")
 
 
+def offers(browser, where="#what"):
+    return browser.run(f"[...document.querySelectorAll('{where} .failure button')].map((b) => b.textContent)")
+
+
+def test_what_a_message_offers_is_whole_and_only_what_a_person_can_take(browser, folder):
+    (folder / "unnamed.csv").write_text("p,q,r,s\n" + "1,2,3,4\n" * 30)
+    given(browser, folder / "unnamed.csv")
+    assert any("--columns t=1,ax=2,ay=3,az=4" in offer for offer in offers(browser)), offers(browser)
+    with zipfile.ZipFile(folder / "days.zip", "w") as days:
+        for name in ("it's early.csv", "late.csv"):
+            days.write(folder / "session.csv", name)
+    given(browser, folder / "days.zip")
+    assert offers(browser) == ["Use --entry 'it'\\''s early.csv'", "Use --entry late.csv"]
+    browser.click("#what .failure button")
+    browser.until("document.querySelectorAll('#what table').length > 0")
+    idle(browser)
+    browser.run("document.getElementById('option--latitude').value = '95'")
+    browser.click("#calibrate")
+    browser.until("document.querySelector('#verdict .failure')")
+    assert "95" in browser.text("#verdict") and offers(browser, "#verdict") == []
+
+
 def test_a_log_of_several_sensors_asks_for_an_accelerometer_with_its_gyroscope(browser):
     log = Path(os.environ.get("STILLPOINT_DATA", Path(__file__).resolve().parents[4] / "shared/data")) / "formats/px4_sample_log_small.ulg"
     if not log.exists():
@@ -155,6 +178,84 @@ def test_discovery_export_and_another_recording_follow_a_calibration(browser, fo
     browser.click("#evaluate")
     browser.until("document.querySelector('#done .shown')")
     assert "Evaluation" in browser.text("#done h2")
+
+
+def evaluated(browser, recording):
+    browser.choose("#other", recording)
+    browser.until("!document.getElementById('evaluate').disabled")
+    browser.click("#evaluate")
+    browser.until("document.getElementById('done').children.length > 0")
+    idle(browser)
+
+
+def test_another_recording_is_read_with_the_options_or_with_those_that_its_failure_offers(browser, folder):
+    given(browser, folder / "session.csv")
+    calibrated(browser)
+    evaluated(browser, folder / "two.csv")
+    assert offers(browser, "#done") == ["Use --instance 0", "Use --instance 1"]
+    browser.click("#done .failure button")
+    browser.until("document.querySelector('#done .shown')")
+    assert "--instance 0" in browser.text("#done .command")
+
+
+def test_a_result_stays_until_there_is_a_new_one(browser, folder):
+    given(browser, folder / "session.csv")
+    calibrated(browser)
+    browser.click("#calibrate")
+    browser.key("Escape", 27)
+    browser.until("!document.getElementById('problem').hidden")
+    assert not browser.run("document.getElementById('further').hidden")
+    # Nobody cancels by pressing twice.
+    browser.run("document.getElementById('verdict').replaceChildren()")
+    browser.run("(() => { const all = document.getElementById('calibrate'); all.click(); all.click(); })()")
+    browser.until("document.getElementById('verdict').children.length > 0")
+    idle(browser)
+    assert browser.run("document.getElementById('problem').hidden")
+    browser.run("document.getElementById('more-options').value = '--rate 50'")
+    browser.click("#look")
+    browser.until("document.getElementById('result').hidden")
+    idle(browser)
+    browser.click("#calibrate")
+    given(browser, folder / "two.csv")
+    assert browser.run("document.getElementById('problem').hidden && document.getElementById('result').hidden")
+
+
+def test_files_may_have_the_names_of_options_of_results_and_of_each_other(browser, folder):
+    for name in ("cal.json", "--help.csv"):
+        (folder / "odd").mkdir(exist_ok=True)
+        (folder / "odd" / name).write_bytes((folder / "session.csv").read_bytes())
+        given(browser, folder / "odd" / name)
+        assert f"{name} is called 2-{name} here" in browser.text("#what")
+        calibrated(browser)
+    (folder / "odd/session.csv").write_bytes((folder / "session.csv").read_bytes())
+    given(browser, folder / "session.csv", folder / "odd/session.csv")
+    assert "calibrate session.csv 2-session.csv" in browser.run("document.getElementById('command').textContent")
+
+
+def test_a_file_that_is_changed_after_it_was_chosen_is_named(browser, folder):
+    fleeting = folder / "fleeting.csv"
+    fleeting.write_bytes((folder / "session.csv").read_bytes())
+    given(browser, fleeting)
+    fleeting.unlink()
+    browser.click("#calibrate")
+    browser.until("document.querySelector('#verdict .failure')")
+    assert "fleeting.csv was changed or removed after it was chosen; choose it again" in browser.text("#verdict")
+    assert not browser.run("document.querySelector('#verdict a')")
+
+
+def test_what_is_no_calibration_is_not_used_as_one(browser, folder):
+    assert command_line(folder, "calibrate", "session.csv", "-o", "whole.json", "--force").returncode == 0
+    broken = json.loads((folder / "whole.json").read_text())
+    broken["accelerometer"]["T"][0][0] = "broken"
+    (folder / "broken.json").write_text(json.dumps(broken))
+    given(browser, folder / "broken.json")
+    assert "broken.json" in browser.text("#what .failure")
+    assert browser.run("document.getElementById('further').hidden")
+    given(browser, folder / "whole.json")
+    assert not browser.run("document.getElementById('further').hidden")
+    browser.run("localStorage.setItem('stillpoint/2026-01-01T00:00:00 cal.json', 'no calibration')")
+    browser.open(PAGE)
+    assert browser.run("document.getElementById('kept').hidden")
 
 
 def test_the_keyboard_alone_is_enough_and_escape_cancels(browser, folder):
@@ -229,5 +330,6 @@ def test_a_calibration_is_kept_only_on_request(browser, folder):
     browser.open(PAGE)
     assert "cal.json" in browser.text("#kept")
     browser.click("#kept button")
+    browser.until("!document.getElementById('further').hidden")
     browser.click("#export")
     browser.until("document.querySelector('#done a')")
