@@ -59,6 +59,8 @@ kinds! {
     Frozen = "frozen",
     /// All readings from a row on repeat one pattern: memory that was never written.
     ErasedTail = "erased_tail",
+    /// Single samples are zero on every axis: the sensor was not read.
+    FailedReads = "failed_reads",
     /// The device sets its zero anew while it rests.
     Rezeroed = "rezeroed",
     /// Single readings stand far from their neighbours on both sides.

@@ -37,7 +37,7 @@ fn an_axis_in_another_unit_or_range_fails_the_gate_by_every_method_with_what_men
         let content = csv(&column(at, |v| v * factor));
         calibrate(content, &["--method", "stepwise"])
             .ends(0)
-            .says(&["With care", "that unusual", option]);
+            .says(&["that unusual", option]);
     }
     let content = csv(&column(3, |v| v * 2.0));
     calibrate(&content, &["--columns", "az=az*0.5"]).ends(0);

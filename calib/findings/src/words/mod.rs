@@ -136,13 +136,30 @@ impl Finding {
         template::filled(template, self)
     }
 
+    /// True where the advice is to use the result under a condition.
+    pub fn allows_use(&self) -> bool {
+        entry(self.kind).advice.starts_with("use th")
+    }
+
+    /// True where the result must not be used.
+    pub fn forbids_use(&self) -> bool {
+        self.level >= Level::Bad || entry(self.kind).advice.starts_with("do not use")
+    }
+
     /// Returns the advice; `None` if nothing helps or nothing has to be done.
     pub fn advice(&self, front: Front) -> Option<String> {
         let own = template::filled(entry(self.kind).advice, self);
         let own = (!own.is_empty()).then_some(own);
+        let all: Vec<String> = own.into_iter().chain(self.ways_out(front)).collect();
+        (!all.is_empty()).then(|| all.join(", or "))
+    }
+
+    /// The remedies in words; `None` where there are none.
+    pub fn ways_out(&self, front: Front) -> Option<String> {
         let remedies = self.remedies.iter();
-        let remedies = remedies.map(|remedy| remedies::words(remedy, front));
-        let all: Vec<String> = own.into_iter().chain(remedies).collect();
+        let all: Vec<String> = remedies
+            .map(|remedy| remedies::words(remedy, front))
+            .collect();
         (!all.is_empty()).then(|| all.join(", or "))
     }
 }

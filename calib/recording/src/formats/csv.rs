@@ -28,7 +28,9 @@ impl Format for Csv {
 
     fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
         let input = text(source, self)?;
-        let (name, only) = (input.name.clone(), sensor_of_file(&input.name));
+        let name = input.name.clone();
+        // Who says which columns are a sensor's needs no name of the file for it.
+        let only = sensor_of_file(&name).filter(|_| !options.columns.names_a_sensor());
         let tables = match parts::with_own_stamps(&options.columns) {
             Some(parts) => parts::read(input, &parts, options)?,
             None => vec![Table::read(input, only, None, options)?],

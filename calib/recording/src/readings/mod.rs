@@ -28,6 +28,7 @@ pub use only_noise::only_noise;
 pub use quantisation::{COARSE, error_of_steps};
 pub use quietest::{Quiet, quietest};
 pub(crate) use repeated::erased_tail::cut_erased_tail;
+pub(crate) use repeated::failed_reads::without_failed_reads;
 pub(crate) use repeated::frozen::{frozen, frozen_finding, without_frozen};
 pub(crate) use repeated::stale::without_stale;
 pub(crate) use repeated::stopped::refuse_stopped;

@@ -14,7 +14,9 @@ use crate::clock::{held, time};
 use crate::devices::mixed;
 use crate::formats::robots::ardupilot_text;
 use crate::header::{affine, unclear};
-use crate::readings::{frozen, frozen_finding, without_frozen, without_stale};
+use crate::readings::{
+    frozen, frozen_finding, without_failed_reads, without_frozen, without_stale,
+};
 use crate::recording::{checks, packets, sessions, thermometer};
 use crate::rows::table::Table;
 use crate::shown::figure;
@@ -326,6 +328,7 @@ fn finish<U>(
         t: samples.t,
         values: samples.values,
     };
+    let stream = without_failed_reads(name, sensor, stream, &mut warnings);
     let frozen = frozen(sensor, &stream);
     let stream = held::without_held(name, sensor, stream, &mut warnings);
     let stream = without_stale(name, sensor, stream, &frozen, &mut warnings);

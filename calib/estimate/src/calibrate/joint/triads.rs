@@ -68,7 +68,9 @@ pub fn biases_that_moved(
         // A Brownian path of density q lies q √(T/6) from its mean over T, root mean square.
         let size = walk * (moved.span.length() / 6.0).sqrt();
         let wandering = found(Kind::BiasWandered, "size", size, size);
-        (wandering.severity() > SHOWS).then_some(wandering)
+        // A walk is allowed for where none is seen, and is then as large as the noise can hide.
+        let wanders = wandering.severity() > SHOWS && fit.chance_without_walks(sensor) < MOVED;
+        wanders.then_some(wandering)
     };
     let sources = &fit.data.sources;
     motions.iter().zip(sources).filter_map(of).collect()

@@ -3,10 +3,14 @@
 use std::borrow::Cow;
 
 use findings::{Finding, Kind, OptionName, Remedy};
+use nalgebra::Vector3;
 use recording::{Described, Error, GyroUnit, Recording, UnitBy};
 use sensor::Sensor;
 
 use crate::calibration::{Calibration, SensorInput};
+
+/// The usual largest range of a gyroscope is 2000 °/s: beyond this, rad/s, a unit that nothing told is another.
+const FASTEST: f64 = 40.0;
 
 /// Reads a recording for a calibration. `read` takes the unit of the gyroscope that is to be assumed.
 ///
@@ -57,14 +61,25 @@ pub fn in_unit_of<'a>(
         return Ok(recording);
     };
     if by != UnitBy::File.name() && is_of_same_logger(calibration, &recording) {
-        return Ok(Cow::Owned(taken_as(unit, recording.into_owned())));
+        let taken = taken_as(unit, recording.into_owned());
+        if fastest(&taken) > FASTEST {
+            let found = found(Kind::UnitUntold, &taken, unit).detail("faster", unit.name());
+            return Err(Error::input(found));
+        }
+        return Ok(Cow::Owned(taken));
     }
     if untold.unit == unit.name() {
         return Ok(recording);
     }
     let remedy = Remedy::set_to(OptionName::GyroUnit, unit.name());
-    let found = found(Kind::UnitUntold, &recording, unit).only_remedies([remedy]);
-    Err(Error::input(found))
+    let found = found(Kind::UnitUntold, &recording, unit).detail("other", unit.name());
+    Err(Error::input(found.only_remedies([remedy])))
+}
+
+/// The largest reading of the gyroscope, rad/s.
+fn fastest(recording: &Recording) -> f64 {
+    let rates = recording.gyroscope.iter().flat_map(|stream| &stream.values);
+    rates.map(Vector3::amax).fold(0.0, f64::max)
 }
 
 /// The unit of the gyroscope in the files that a calibration was made from, and what told it there; `None` where they differ.

@@ -48,6 +48,12 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
                memory of a logger does. The program leaves them out",
             ..remark(0.001)
         },
+        Kind::FailedReads => Entry {
+            reason: "reads of the {sensor} failed and were logged as zero",
+            text: "{count:sample} of the {sensor} ({share}) are exactly zero on all axes, among others that are not: \
+               the logger failed to read the sensor and wrote zeros. The program leaves them out",
+            ..remark(0.001)
+        },
         Kind::Rezeroed => Entry {
             reason: "the device sets the zero of the {sensor} anew while it rests",
             text: "the bias (the reading at rest) of the {sensor} jumps {after} into the static intervals, by {size} (rms \

@@ -1,6 +1,6 @@
 //! Commands for what comes after a calibration.
 
-use ::findings::{Front, Grade, Remedy};
+use ::findings::{Finding, Front, Remedy};
 use calib::Calibration;
 use calib::gravity::GravitySource;
 
@@ -37,6 +37,8 @@ pub fn next(
             format!("stillpoint discover {inputs}{place} -o findings.json"),
         )
     };
+    // What forbids the use of a calibration overrules what would allow it.
+    let is_forbidden = judgement.findings.iter().any(Finding::forbids_use);
     for finding in &judgement.findings {
         let step = match (
             finding.remedies.first(),
@@ -50,7 +52,10 @@ pub fn next(
                 Some(Step::new("leave out what was touched", again(&option)))
             }
             _ => {
-                let advice = finding.advice(Front::CommandLine);
+                let advice = match is_forbidden && finding.allows_use() {
+                    true => finding.ways_out(Front::CommandLine),
+                    false => finding.advice(Front::CommandLine),
+                };
                 advice.map(|advice| Step::words(show::capital(&advice) + "."))
             }
         };
@@ -66,7 +71,7 @@ pub fn next(
             format!("stillpoint plan {known}"),
         ));
     }
-    if judgement.grade == Grade::Bad {
+    if is_forbidden {
         return steps;
     }
     if calibration.gravity_source == GravitySource::Assumed && calibration.accelerometer.is_some() {

@@ -228,6 +228,9 @@ impl Sequence {
 
     /// `C_c A` (`rows × columns`).
     pub fn times(&self, component: usize, a: &[f64], columns: usize) -> Vec<f64> {
+        if columns == 0 {
+            return Vec::new();
+        }
         let slots: Vec<usize> = (0..self.of_slot.len())
             .filter(|&s| self.of_slot[s] == component)
             .collect();

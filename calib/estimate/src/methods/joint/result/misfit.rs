@@ -52,26 +52,13 @@ impl JointFit {
     /// of squares of the first rows, of the first two kinds and of all rows therefore differ by independent sums of
     /// squares.
     pub fn misfits(&self) -> Vec<ChannelMisfit> {
-        let whitening = self.noise_whitening();
-        let m = self.white_residuals.len();
-        let jacobian = whitening.finish_columns(self.white_jacobian.clone());
-        let residuals = whitening.finish_column(&self.white_residuals);
-        let [rate, turns] = self.first_rows;
-        let channels = [
-            (Channel::Force, rate, self.norm_rms()),
-            (Channel::Rate, turns, self.rate_rms()),
-            (Channel::Direction, m, self.direction_rms()),
-        ];
-        let mut before = (0.0, 0.0);
-        let mut misfits = Vec::new();
-        for (channel, end, rms) in channels {
-            let (square, spare) = left(&jacobian.first_rows(end), &residuals[..end]);
-            let (chi2, dof) = ((square - before.0).max(0.0), spare - before.1);
-            before = (square, spare);
-            if dof < 0.5 {
-                continue;
-            }
-            misfits.push(ChannelMisfit {
+        let of = |(channel, chi2, dof): (Channel, f64, f64)| {
+            let rms = match channel {
+                Channel::Force => self.norm_rms(),
+                Channel::Rate => self.rate_rms(),
+                Channel::Direction => self.direction_rms(),
+            };
+            ChannelMisfit {
                 channel,
                 rms,
                 noise: if chi2 > 0.0 {
@@ -83,9 +70,46 @@ impl JointFit {
                 dof,
                 p_value: by_chance(chi2, dof),
                 pattern: self.pattern_of(channel),
-            });
+            }
+        };
+        let squares = self.squares_under(&self.noise_whitening());
+        squares.into_iter().map(of).collect()
+    }
+
+    /// Probability of what a sensor's readings at rest leave by the noise within the static intervals alone, without any walk.
+    pub fn chance_without_walks(&self, sensor: Sensor) -> f64 {
+        let wanted = match sensor {
+            Sensor::Accelerometer => Channel::Force,
+            Sensor::Gyroscope | Sensor::Magnetometer => Channel::Rate,
+        };
+        let whitening = self.whitening_by(|kind| kind.known_variance().is_some());
+        let squares = self.squares_under(&whitening);
+        let own = squares.iter().find(|(channel, ..)| *channel == wanted);
+        own.map_or(1.0, |(_, chi2, dof)| by_chance(*chi2, *dof))
+    }
+
+    /// `χ²` and degrees of freedom of each channel that has any.
+    fn squares_under(&self, whitening: &Whitening) -> Vec<(Channel, f64, f64)> {
+        let m = self.white_residuals.len();
+        let jacobian = whitening.finish_columns(self.white_jacobian.clone());
+        let residuals = whitening.finish_column(&self.white_residuals);
+        let [rate, turns] = self.first_rows;
+        let channels = [
+            (Channel::Force, rate),
+            (Channel::Rate, turns),
+            (Channel::Direction, m),
+        ];
+        let mut before = (0.0, 0.0);
+        let mut squares = Vec::new();
+        for (channel, end) in channels {
+            let (square, spare) = left(&jacobian.first_rows(end), &residuals[..end]);
+            let (chi2, dof) = ((square - before.0).max(0.0), spare - before.1);
+            before = (square, spare);
+            if dof >= 0.5 {
+                squares.push((channel, chi2, dof));
+            }
         }
-        misfits
+        squares
     }
 
     /// Whitening by what was measured within the static intervals, and walks of the biases.

@@ -1,7 +1,7 @@
 //! Motion of the biases during a recording, and test of the earth's rotation against the latitude.
 
 use faer::Mat;
-use nalgebra::{Matrix2x3, Matrix3, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix2x3, Matrix3, Vector3};
 use recording::intervals::Span;
 use sensor::Sensor;
 
@@ -25,7 +25,8 @@ pub struct BiasMotion {
     pub std: Vector3<f64>,
     /// Share of the change that lies before the mean over the static intervals, for which the bias is stated.
     pub before: f64,
-    /// Probability of a change as large as this by chance, walks among it.
+    /// Probability of a change as large as this by chance, walks among it; the larger of that and the one beside a bias that goes
+    /// with the force, which the orientations at begin and end may show as a change.
     pub p_value: f64,
 }
 
@@ -92,17 +93,51 @@ impl JointFit {
         if sensor == Sensor::Gyroscope {
             self.add_turns(&mut columns, recording, share);
         }
-        let columns = Columns::sparse(self.whitening.white.groups(), &columns.each_ref());
-        let columns = self.whitening.whiten(columns);
-        let (change, covariance) = self.beside(&columns, model)?;
-        let chi2 = change.dot(&(covariance.cholesky()?.solve(&change)));
+        let chance = |change: &Vector3<f64>, covariance: &Matrix3<f64>| {
+            let chi2 = change.dot(&(covariance.cholesky()?.solve(change)));
+            Some(by_chance(chi2, 3.0))
+        };
+        let alone: Vec<&Column> = columns.iter().collect();
+        let (change, covariance) = self.beside(&alone, model)?;
+        let with_force = self.by_force(sensor, recording);
+        let beside_force: Vec<&Column> = columns.iter().chain(&with_force).collect();
+        let by_force = match with_force.is_empty() {
+            true => None,
+            false => self.beside(&beside_force, model),
+        };
+        let by_force = by_force.and_then(|(change, covariance)| chance(&change, &covariance));
+        let p_value = chance(&change, &covariance)?.max(by_force.unwrap_or(0.0));
         Some(BiasMotion {
             span,
             change,
             std: covariance.diagonal().map(|v| v.max(0.0).sqrt()),
             before: (centre - span.from) / span.length(),
-            p_value: by_chance(chi2, 3.0),
+            p_value,
         })
+    }
+
+    /// Columns of a gyroscope's bias that is proportional to the force at rest, on each axis by each component (9).
+    fn by_force(&self, sensor: Sensor, recording: usize) -> Vec<Column> {
+        let mut columns = Vec::new();
+        if sensor != Sensor::Gyroscope {
+            return columns;
+        }
+        columns.resize_with(9, Column::none);
+        let mut row = self.first_rows[0];
+        for chunk in &self.data.chunks {
+            if chunk.mean(sensor).is_none() {
+                continue;
+            }
+            let force = chunk.mean(Sensor::Accelerometer).map(|mean| mean.value);
+            let is_own = self.data.rests[chunk.rest].recording == recording;
+            if let Some(force) = force.filter(|_| is_own) {
+                for (k, column) in columns.iter_mut().enumerate() {
+                    column.set(row + k / 3, force[k % 3]);
+                }
+            }
+            row += 3;
+        }
+        columns
     }
 
     /// Adds the effect of a bias that goes with time as `share` on the turns of a recording, as on the means: `−∂r/∂b`.
@@ -122,16 +157,21 @@ impl JointFit {
         }
     }
 
-    /// Estimates the coefficients of three whitened columns beside everything that was fitted, and their covariance.
-    fn beside(&self, columns: &Columns, model: &Basis) -> Option<(Vector3<f64>, Matrix3<f64>)> {
-        let left = model.without(columns).to_dense();
+    /// Estimates the coefficients of the first three of some columns beside the others and everything that was fitted, and their
+    /// covariance.
+    fn beside(&self, columns: &[&Column], model: &Basis) -> Option<(Vector3<f64>, Matrix3<f64>)> {
+        let columns = Columns::sparse(self.whitening.white.groups(), columns);
+        let left = model.without(&self.whitening.whiten(columns)).to_dense();
         let r = Mat::from_fn(self.residuals.len(), 1, |i, _| self.residuals[i]);
         let gram = left.transpose() * &left;
         let right = left.transpose() * &r;
-        let gram = Matrix3::from_fn(|i, k| gram[(i, k)]);
+        let n = gram.nrows();
+        let gram = DMatrix::from_fn(n, n, |i, k| gram[(i, k)]);
         let inverse = gram.cholesky()?.inverse();
         // Residuals are model less measurement.
-        Some((-(inverse * Vector3::from_fn(|i, _| right[(i, 0)])), inverse))
+        let all = -(&inverse * DVector::from_fn(n, |i, _| right[(i, 0)]));
+        let first = Matrix3::from_fn(|i, k| inverse[(i, k)]);
+        Some((Vector3::from_fn(|i, _| all[i]), first))
     }
 
     /// Estimates the change of a held parameter if it were free, and its standard error; `None` where there is no such
