@@ -205,11 +205,12 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
         // Seconds by contract, unless no sensor has that rate.
         [] if table.plain_time && POSSIBLE.contains(&(1.0 / step)) => Ok(TimeUnit::Seconds),
         _ => {
-            // Days since 1900, or since the year 0.
+            // Days since 1900, or since the year 0, or the part of a day.
             let samples = [&table.accel, &table.gyro];
             let first = samples.into_iter().find_map(|samples| samples.t.first());
             let is_days =
-                first.is_some_and(|first| (1e4..1e6).contains(first)) && plausible(&TimeUnit::Days);
+                first.is_some_and(|first| (1e4..1e6).contains(first) || (0.0..1.0).contains(first));
+            let is_days = is_days && plausible(&TimeUnit::Days);
             let unit = if is_days { "d" } else { "ms" };
             Err(in_file(
                 &table.name,

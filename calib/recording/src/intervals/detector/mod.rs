@@ -102,10 +102,15 @@ impl<'a> Level<'a> {
                 .number("rate", step.recip(), "Hz")
                 .number("window", detector.window, "s")
                 .count("least", MIN_SAMPLES as usize);
-            // The accelerometer alone needs no turns.
-            let window = (step * MIN_SAMPLES).ceil().to_string();
-            slow.remedies
-                .push(Remedy::set_to(OptionName::Window, window));
+            slow.remedies.push(match step == 1.0 {
+                // Stamps that go up by one may count the rows.
+                true => Remedy::such_as(OptionName::Rate, "100"),
+                // The accelerometer alone needs no turns.
+                false => {
+                    let window = (step * MIN_SAMPLES).ceil().to_string();
+                    Remedy::set_to(OptionName::Window, window)
+                }
+            });
             return Err(Error::not_enough(slow));
         }
         let extent = Extent::of(&stream.values);
