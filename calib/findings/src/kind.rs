@@ -1312,6 +1312,8 @@ kinds! {
     QuietNotStatic = "quiet_not_static",
     /// The device was not turned.
     AllStatic = "all_static",
+    /// A single static interval was found in a recording that moves.
+    OneStaticInterval = "one_static_interval",
     /// Static means lie on no sphere.
     NoSphere = "no_sphere",
     /// A static interval shows no gravity.

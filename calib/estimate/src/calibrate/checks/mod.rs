@@ -39,6 +39,9 @@ use sensor::{EffectRef, Quantity};
 use crate::methods::Choice;
 use crate::residuals::StaticMean;
 
+/// A recording whose one static interval is this share of it lies still.
+const STILL: f64 = 0.7;
+
 /// Rates above this are said to be more than needed, and which would do, Hz.
 const FASTEST: f64 = 5000.0;
 const ENOUGH_RATE: f64 = 1000.0;
@@ -120,9 +123,18 @@ pub(super) fn enough_rests(
                 .flat_map(|c| &c.segmentation.statics)
                 .map(|rest| rest.span.length())
                 .sum();
+            let spans = recordings
+                .iter()
+                .filter_map(|r| r.accelerometer.as_ref()?.span());
+            let whole: f64 = spans.map(|(from, to)| to - from).sum();
+            let kind = match length < STILL * whole {
+                true => Kind::OneStaticInterval,
+                false => Kind::AllStatic,
+            };
             Err(Error::not_enough(
-                of(Kind::AllStatic)
+                of(kind)
                     .number("length", length, "s")
+                    .number("whole", whole, "s")
                     .because(plan::REQUIREMENT.finding()),
             ))
         }

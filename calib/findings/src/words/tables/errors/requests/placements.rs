@@ -95,6 +95,13 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "the recording is all static: one rest of {length} and no turn",
             vec![Remedy::Plan],
         ),
+        Kind::OneStaticInterval => error_by(
+            "one static interval was found, of {length}, and motion in the rest of {whole}. Perhaps the device was held still for less than the program looks for",
+            vec![
+                Remedy::Plan,
+                Remedy::examples([(OptionName::Window, "0.2"), (OptionName::MinStatic, "0.4")]),
+            ],
+        ),
         Kind::NoSphere => error(
             "the means of the readings in {count:placement} at rest do not have one length, as gravity would give them. So the program cannot tell the accelerometer's unit",
             "correct the columns of the accelerometer if they are the wrong ones; if they are right, record again with the device still in every placement",
