@@ -312,7 +312,7 @@ fn roles_by_name(
             }
             Some(at) => {
                 let other = roles[at].1;
-                let by_number = format!("{}={}", role.name(), other + 1);
+                let by_number = firsts_of_several(names, only);
                 return Err(Finding::of(Kind::ColumnsAlike)
                     .count("first", other + 1)
                     .detail("first_name", shown(&names[other]))
@@ -331,6 +331,17 @@ fn roles_by_name(
         roles.push((Role::Temperature, temperature));
     }
     Ok(())
+}
+
+/// The first column of every role of a sensor that several columns may have, as `--columns` takes them.
+fn firsts_of_several(names: &[String], only: Option<Sensor>) -> String {
+    let role = |name: &String| role_of(name, only).filter(|role| role.reading().is_some());
+    let roles: Vec<Option<Role>> = names.iter().map(role).collect();
+    let is_first = |at: &usize| !roles[..*at].contains(&roles[*at]);
+    let comes_again = |at: &usize| roles[at + 1..].contains(&roles[*at]);
+    let firsts = (0..roles.len()).filter(is_first).filter(comes_again);
+    let each = firsts.filter_map(|at| Some(format!("{}={}", roles[at]?.name(), at + 1)));
+    each.collect::<Vec<_>>().join(",")
 }
 
 /// Takes the stamps of sampling instead of a time beside them that may be the arrival's, where they are called so.
