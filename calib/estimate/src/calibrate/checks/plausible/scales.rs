@@ -83,7 +83,7 @@ impl Scales {
 pub(super) struct Cause {
     factor: f64,
     words: &'static str,
-    pub undone: f64,
+    undone: f64,
 }
 
 const CAUSES: [Cause; 4] = [

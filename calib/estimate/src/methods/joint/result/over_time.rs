@@ -8,9 +8,10 @@ use sensor::Sensor;
 use crate::methods::joint::blocks::basis::Basis;
 use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::blocks::columns::Columns;
-use crate::methods::joint::data::{Chunk, Mean};
+use crate::methods::joint::data::Mean;
 use crate::methods::joint::fit::JointFit;
 use crate::methods::joint::noise::bias::BiasNoise;
+use crate::methods::joint::rows::MeanRows;
 use crate::methods::joint::rows::turn::MARGIN;
 use crate::methods::small_sample::by_chance;
 
@@ -51,44 +52,26 @@ impl JointFit {
     /// Estimates the motion of a bias in a recording: the slope of the readings over time, at the static intervals and, of a
     /// gyroscope, in the turns, beside everything that was fitted, walks counted as noise. `None` with fewer than two chunks.
     fn bias_motion(&self, sensor: Sensor, recording: usize, model: &Basis) -> Option<BiasMotion> {
-        let mean = |chunk: &Chunk| chunk.mean(sensor);
-        let own = |chunk: &Chunk| self.data.rests[chunk.rest].recording == recording;
-        let chunks: Vec<Mean> = self
-            .data
-            .chunks
-            .iter()
-            .filter(|c| own(c))
-            .filter_map(mean)
-            .collect();
+        let means = self.own_means(sensor, recording);
         let span = Span {
-            from: chunks.first()?.span.from,
-            to: chunks.last()?.span.to,
+            from: means.first()?.mean.span.from,
+            to: means.last()?.mean.span.to,
         };
-        let length: f64 = chunks.iter().map(|m| m.span.length()).sum();
+        let length: f64 = means.iter().map(|own| own.mean.span.length()).sum();
         let middle = |m: &Mean| 0.5 * (m.span.from + m.span.to);
-        let centre = chunks
+        let weighted = means
             .iter()
-            .map(|m| middle(m) * m.span.length())
-            .sum::<f64>()
-            / length;
-        if span.length() <= 0.0 || chunks.len() < 2 {
+            .map(|own| middle(&own.mean) * own.mean.span.length());
+        let centre = weighted.sum::<f64>() / length;
+        if span.length() <= 0.0 || means.len() < 2 {
             return None;
         }
         let share = |t: f64| (t - centre) / span.length();
         let mut columns = [const { Column::none() }; 3];
-        let mut row = if sensor == Sensor::Accelerometer {
-            0
-        } else {
-            self.first_rows[0]
-        };
-        for chunk in &self.data.chunks {
-            let Some(m) = mean(chunk) else { continue };
-            if own(chunk) {
-                for (axis, column) in columns.iter_mut().enumerate() {
-                    column.set(row + axis, share(middle(&m)));
-                }
+        for own in &means {
+            for (axis, column) in columns.iter_mut().enumerate() {
+                column.set(own.row + axis, share(middle(&own.mean)));
             }
-            row += 3;
         }
         if sensor == Sensor::Gyroscope {
             self.add_turns(&mut columns, recording, share);
@@ -99,13 +82,14 @@ impl JointFit {
         };
         let alone: Vec<&Column> = columns.iter().collect();
         let (change, covariance) = self.beside(&alone, model)?;
-        let with_force = self.by_force(sensor, recording);
-        let beside_force: Vec<&Column> = columns.iter().chain(&with_force).collect();
-        let by_force = match with_force.is_empty() {
-            true => None,
-            false => self.beside(&beside_force, model),
-        };
-        let by_force = by_force.and_then(|(change, covariance)| chance(&change, &covariance));
+        let by_force = (sensor == Sensor::Gyroscope).then(|| {
+            let by_force = columns_by_force(&means);
+            let all: Vec<&Column> = columns.iter().chain(&by_force).collect();
+            self.beside(&all, model)
+        });
+        let by_force = by_force
+            .flatten()
+            .and_then(|(change, covariance)| chance(&change, &covariance));
         let p_value = chance(&change, &covariance)?.max(by_force.unwrap_or(0.0));
         Some(BiasMotion {
             span,
@@ -116,28 +100,10 @@ impl JointFit {
         })
     }
 
-    /// Columns of a gyroscope's bias that is proportional to the force at rest, on each axis by each component (9).
-    fn by_force(&self, sensor: Sensor, recording: usize) -> Vec<Column> {
-        let mut columns = Vec::new();
-        if sensor != Sensor::Gyroscope {
-            return columns;
-        }
-        columns.resize_with(9, Column::none);
-        let mut row = self.first_rows[0];
-        for chunk in &self.data.chunks {
-            if chunk.mean(sensor).is_none() {
-                continue;
-            }
-            let force = chunk.mean(Sensor::Accelerometer).map(|mean| mean.value);
-            let is_own = self.data.rests[chunk.rest].recording == recording;
-            if let Some(force) = force.filter(|_| is_own) {
-                for (k, column) in columns.iter_mut().enumerate() {
-                    column.set(row + k / 3, force[k % 3]);
-                }
-            }
-            row += 3;
-        }
-        columns
+    /// The means of a sensor in a recording, with their rows.
+    fn own_means(&self, sensor: Sensor, recording: usize) -> Vec<MeanRows<'_>> {
+        let is_own = |own: &MeanRows<'_>| self.data.rests[own.chunk.rest].recording == recording;
+        self.rows().means(sensor).filter(is_own).collect()
     }
 
     /// Adds the effect of a bias that goes with time as `share` on the turns of a recording, as on the means: `−∂r/∂b`.
@@ -186,6 +152,19 @@ impl JointFit {
         let moved: f64 = of_left.map(|(l, r)| l * r).sum();
         (square > 0.0).then(|| (-moved / square, square.sqrt().recip()))
     }
+}
+
+/// Columns of a gyroscope's bias that is proportional to the force at rest, on each axis by each component (9).
+fn columns_by_force(rates: &[MeanRows<'_>]) -> Vec<Column> {
+    let mut columns: Vec<Column> = (0..9).map(|_| Column::none()).collect();
+    for own in rates {
+        if let Some(force) = own.chunk.mean(Sensor::Accelerometer) {
+            for (k, column) in columns.iter_mut().enumerate() {
+                column.set(own.row + k / 3, force.value[k % 3]);
+            }
+        }
+    }
+    columns
 }
 
 #[cfg(test)]
