@@ -117,7 +117,9 @@ fn least_step(values: &[Vector3<f64>]) -> f64 {
 
 /// Returns the number of devices that wrote rows in turn, if the readings show it from beginning to end.
 pub fn in_turn(values: &[Vector3<f64>]) -> Option<usize> {
-    let values = &values[..values.len().min(LOOKED_AT)];
+    // A device that is there all the time reads no zero on all axes; where reads fail, zeros stand by turns with readings.
+    let read = values.iter().filter(|value| **value != Vector3::zeros());
+    let values: &[Vector3<f64>] = &read.copied().take(LOOKED_AT).collect::<Vec<_>>();
     let part = values.len() / PARTS;
     if part < 25 * DEVICES {
         return None;
@@ -202,6 +204,16 @@ mod tests {
         let hum = |k: usize| 10.0 * (std::f64::consts::TAU * 0.497 * k as f64).sin();
         let humming: Vec<_> = (0..4000).map(|k| noisy(k, hum(k))).collect();
         assert_eq!(in_turn(&humming), None);
+        // One of which every other read fails.
+        let read = |k: usize| {
+            if k % 2 == 0 {
+                Vector3::zeros()
+            } else {
+                noisy(k, 0.0)
+            }
+        };
+        let failing: Vec<_> = (0..4000).map(read).collect();
+        assert_eq!(in_turn(&failing), None);
         // One that moves.
         let turning: Vec<_> = (0..2000)
             .map(|k| noisy(k, (0.02 * k as f64).sin() * 300.0))

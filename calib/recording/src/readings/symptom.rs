@@ -115,7 +115,7 @@ pub enum Symptom {
     },
 }
 
-fn axes_in_words(axes: &[usize]) -> String {
+pub(super) fn axes_in_words(axes: &[usize]) -> String {
     let names: Vec<&str> = axes
         .iter()
         .filter_map(|&k| ["x", "y", "z"].get(k).copied())

@@ -50,8 +50,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
         },
         Kind::FailedReads => Entry {
             reason: "reads of the {sensor} failed and were logged as zero",
-            text: "{count:sample} of the {sensor} ({share}) are exactly zero on all axes, among others that are not: \
-               the logger failed to read the sensor and wrote zeros. The program does not use them",
+            text: "{count:sample} of the {sensor} ({share}) are exactly zero on {axes}, among others that are not: the \
+               logger failed to read the sensor and wrote zeros. The program does not use them",
             ..remark(0.001)
         },
         Kind::Rezeroed => Entry {

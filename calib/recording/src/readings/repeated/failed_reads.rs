@@ -1,9 +1,12 @@
-//! Readings that failed and were logged as zero on every axis.
+//! Readings that failed and were logged as zero, on every axis or on one.
 
 use findings::{Finding, Findings, Kind};
 use nalgebra::Vector3;
 use sensor::Sensor;
 
+use crate::readings::dead_zone::is_left_out;
+use crate::readings::of_sensor::least_beside_zero;
+use crate::readings::symptom::axes_in_words;
 use crate::recording::Stream;
 
 /// Fewest of them.
@@ -11,15 +14,16 @@ const FEWEST: usize = 3;
 /// Failed reads stand alone or few together; a sensor with a dead zone reads zero as long as it rests.
 const LONGEST: usize = 3;
 const ALONE: f64 = 0.9;
-/// Of a sensor that reads zero by chance one axis alone does so far more often than all three.
-const ON_ALL_AXES: usize = 10;
+/// Zeros are no chance where they come so many times as often as what chance makes as likely: on all axes as on one alone, on one axis as
+/// the readings next to zero.
+const OFTEN: usize = 10;
 /// Of more rows nobody knows which are the readings.
 const MOST: f64 = 0.7;
 /// Up to this share a line between the neighbours takes their place, and the rows stay where stamps of arrival are put in order by their
 /// number. More of such values would pass for noise that averages out.
 const FEW: f64 = 0.1;
 
-/// The stream without what is zero on all axes among samples that are not.
+/// The stream without what is zero, on all axes or on one, among samples that are not.
 pub(crate) fn without_failed_reads(
     name: &str,
     sensor: Sensor,
@@ -29,11 +33,23 @@ pub(crate) fn without_failed_reads(
     let all = stream.len();
     let count = take_out_zeros(&mut stream);
     if count > 0 {
-        let failed = Finding::of(Kind::FailedReads).in_recording(name);
-        let failed = failed.of_sensor(sensor).count("count", count);
-        warnings.push(failed.number("share", count as f64 / all as f64, "share"));
+        warnings.push(found(name, sensor, count, all).detail("axes", "all axes"));
+    }
+    let of_axes = [0, 1, 2].map(|axis| bridge_zeros_of(&mut stream, axis));
+    let failed = |axis: &usize| of_axes[*axis] > 0;
+    let axes: Vec<usize> = (0..3).filter(failed).collect();
+    if !axes.is_empty() {
+        let found = found(name, sensor, of_axes.iter().sum(), all);
+        let noun = if axes.len() == 1 { "axis" } else { "axes" };
+        warnings.push(found.detail("axes", format!("{noun} {}", axes_in_words(&axes))));
     }
     stream
+}
+
+fn found(name: &str, sensor: Sensor, count: usize, all: usize) -> Finding {
+    let failed = Finding::of(Kind::FailedReads).in_recording(name);
+    let failed = failed.of_sensor(sensor).count("count", count);
+    failed.number("share", count as f64 / all as f64, "share")
 }
 
 /// Takes the zeros out of a sensor's readings where those failed now and then: how many there were.
@@ -45,7 +61,8 @@ fn take_out_zeros(stream: &mut Stream) -> usize {
         return 0;
     }
     if share <= FEW {
-        bridge(stream, is_zero);
+        let failed: Vec<bool> = stream.values.iter().map(is_zero).collect();
+        (0..3).for_each(|axis| bridge(stream, axis, &failed));
         return count;
     }
     let mut kept = stream.values.iter().map(|value| !is_zero(value));
@@ -54,41 +71,67 @@ fn take_out_zeros(stream: &mut Stream) -> usize {
     count
 }
 
-/// Puts a line between the neighbours in the place of some readings.
-fn bridge(stream: &mut Stream, is_missing: impl Fn(&Vector3<f64>) -> bool) {
-    let known: Vec<usize> = (0..stream.len())
-        .filter(|&k| !is_missing(&stream.values[k]))
-        .collect();
+/// Puts a line in the place of the zeros of one axis where its readings failed now and then: how many there were.
+fn bridge_zeros_of(stream: &mut Stream, axis: usize) -> usize {
+    let is_zero = |value: &Vector3<f64>| value[axis] == 0.0;
+    let count = stream.values.iter().filter(|value| is_zero(value)).count();
+    if count < FEWEST
+        || count as f64 > FEW * stream.len() as f64
+        || !are_alone(&stream.values, is_zero)
+    {
+        return 0;
+    }
+    // Of steps as wide as the noise zero is one; a dead zone reads zero where its bias lies at the edge.
+    let least = least_beside_zero(&stream.values, axis).unwrap_or(0.0);
+    let is_next = |value: &&Vector3<f64>| !is_zero(value) && value[axis].abs() < 1.5 * least;
+    let next = stream.values.iter().filter(is_next).count();
+    if count <= OFTEN * next || is_left_out(&stream.values, axis) {
+        return 0;
+    }
+    let failed: Vec<bool> = stream.values.iter().map(is_zero).collect();
+    bridge(stream, axis, &failed);
+    count
+}
+
+/// Puts a line between the neighbours in the place of some readings of an axis.
+fn bridge(stream: &mut Stream, axis: usize, failed: &[bool]) {
+    let known: Vec<usize> = (0..stream.len()).filter(|&k| !failed[k]).collect();
     for pair in known.windows(2) {
         let (from, to) = (pair[0], pair[1]);
-        let [a, b] = [from, to].map(|k| (stream.t[k], stream.values[k]));
+        let [a, b] = [from, to].map(|k| (stream.t[k], stream.values[k][axis]));
         for k in from + 1..to {
             let share = (stream.t[k] - a.0) / (b.0 - a.0);
-            stream.values[k] = a.1.lerp(&b.1, share);
+            stream.values[k][axis] = a.1 + share * (b.1 - a.1);
         }
     }
     if let (Some(&first), Some(&last)) = (known.first(), known.last()) {
-        let [first_value, last_value] = [first, last].map(|k| stream.values[k]);
-        stream.values[..first].fill(first_value);
-        stream.values[last..].fill(last_value);
+        let [first_value, last_value] = [first, last].map(|k| stream.values[k][axis]);
+        stream.values[..first]
+            .iter_mut()
+            .for_each(|v| v[axis] = first_value);
+        stream.values[last..]
+            .iter_mut()
+            .for_each(|v| v[axis] = last_value);
     }
 }
 
+/// Returns true if zeros on all axes stand alone and come far more often than those of one axis.
 fn fails(values: &[Vector3<f64>]) -> bool {
-    let zeros = |value: &Vector3<f64>| value.iter().filter(|v| **v == 0.0).count();
-    let runs = values.chunk_by(|a, b| (zeros(a) == 3) == (zeros(b) == 3));
-    let lengths: Vec<usize> = runs
-        .filter(|run| zeros(&run[0]) == 3)
-        .map(<[_]>::len)
-        .collect();
-    let short = lengths.iter().filter(|length| **length <= LONGEST).count();
-    let count: usize = lengths.iter().sum();
+    let is_zero = |value: &Vector3<f64>| *value == Vector3::zeros();
+    let count = values.iter().filter(|value| is_zero(value)).count();
     let on_one = |axis: usize| {
-        let partly = values.iter().filter(|value| zeros(value) < 3);
+        let partly = values.iter().filter(|value| !is_zero(value));
         partly.filter(|value| value[axis] == 0.0).count()
     };
-    let is_alone = short as f64 >= ALONE * lengths.len() as f64;
-    is_alone && (0..3).all(|axis| ON_ALL_AXES * on_one(axis) < count)
+    are_alone(values, is_zero) && (0..3).all(|axis| OFTEN * on_one(axis) < count)
+}
+
+/// Returns true if nearly all runs of failed readings are short.
+fn are_alone(values: &[Vector3<f64>], failed: impl Fn(&Vector3<f64>) -> bool) -> bool {
+    let runs = values.chunk_by(|a, b| failed(a) == failed(b));
+    let lengths: Vec<usize> = runs.filter(|run| failed(&run[0])).map(<[_]>::len).collect();
+    let short = lengths.iter().filter(|length| **length <= LONGEST).count();
+    short as f64 >= ALONE * lengths.len() as f64
 }
 
 #[cfg(test)]
@@ -122,10 +165,27 @@ mod tests {
     }
 
     #[test]
+    fn zeros_of_one_axis_are_failed_reads_too() {
+        let mut failing = stream(0.002, 1e-6, |_| false);
+        for k in (7..2000).step_by(40) {
+            failing.values[k].y = 0.0;
+        }
+        let mut warnings = Findings::new();
+        let bridged = without_failed_reads("r", Sensor::Gyroscope, failing, &mut warnings);
+        assert!(bridged.values.iter().all(|value| value.y != 0.0));
+        let said: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+        assert!(
+            said.len() == 1 && said[0].contains("50 samples") && said[0].contains("axis y"),
+            "{said:?}"
+        );
+    }
+
+    #[test]
     fn zeros_of_coarse_steps_and_of_a_dead_zone_are_readings() {
         for step in [1e-3, 2e-3, 5e-3, 1e-2] {
             let mut coarse = stream(0.0, step, |_| false);
             assert_eq!(take_out_zeros(&mut coarse), 0, "{step}");
+            assert_eq!(bridge_zeros_of(&mut coarse, 1), 0, "{step}");
         }
         // At rest for three seconds, then turning.
         let mut dead = stream(0.02, 1e-6, |k| k % 500 < 300);
