@@ -67,19 +67,38 @@ pub enum NotOnEarth {
     Latitude(f64),
     /// Height, m, not in [`ALTITUDES`].
     Altitude(f64),
+    /// Gravity and a latitude that has it at no height on which people live.
+    Place {
+        /// Gravity that was given, m/s².
+        gravity: f64,
+        /// Latitude that was given, °.
+        latitude: f64,
+        /// Normal gravity there, m/s².
+        normal: f64,
+    },
 }
+
+/// A gravity that is given beside a latitude may be larger than the normal one by this, m/s²: standard gravity is given at any
+/// latitude, and an error of 0.1 % of every scale factor is one too many.
+const LARGER: f64 = 0.01;
+
+/// It may be smaller by this, m/s²: it is at a height of 6 km.
+const SMALLER: f64 = 0.02;
 
 impl Gravity {
     /// [`Gravity::of`] what can be so.
     ///
     /// # Errors
-    /// The first of the three that is nowhere on the earth.
+    /// The first of the three that is nowhere on the earth, and a gravity that the latitude has nowhere.
     ///
     /// # Examples
     /// ```
     /// use stillpoint_estimate::gravity::{Gravity, NotOnEarth};
     ///
     /// assert_eq!(Gravity::checked(Some(981.0), None, None), Err(NotOnEarth::Gravity(981.0)));
+    /// assert!(Gravity::checked(Some(9.80665), Some(48.1), None).is_ok());
+    /// let tropics = Gravity::checked(Some(9.80665), Some(1.3), None);
+    /// assert!(matches!(tropics, Err(NotOnEarth::Place { .. })));
     /// ```
     pub fn checked(
         value: Option<f64>,
@@ -97,6 +116,16 @@ impl Gravity {
         }
         if let Some(gravity) = beyond(value, &ACCEPTED) {
             return Err(NotOnEarth::Gravity(gravity));
+        }
+        if let (Some(gravity), Some(latitude)) = (value, latitude) {
+            let normal = normal_gravity(latitude, altitude.unwrap_or(0.0));
+            if gravity > normal + LARGER || gravity < normal - SMALLER {
+                return Err(NotOnEarth::Place {
+                    gravity,
+                    latitude,
+                    normal,
+                });
+            }
         }
         Ok(Self::of(value, latitude, altitude))
     }

@@ -150,6 +150,14 @@ impl Request {
                     .detail("most", figure(*ACCEPTED.end())),
                 NotOnEarth::Latitude(l) => out_of_range("latitude", l, "-90 to 90 °"),
                 NotOnEarth::Altitude(h) => out_of_range("altitude", h, "-500 to 9000 m"),
+                NotOnEarth::Place {
+                    gravity,
+                    latitude,
+                    normal,
+                } => Finding::of(Kind::GravityNotOfLatitude)
+                    .detail("gravity", figure(gravity))
+                    .detail("latitude", figure(latitude))
+                    .detail("normal", format!("{normal:.4}")),
             })
         })
     }

@@ -1246,6 +1246,8 @@ kinds! {
     OutOfRange = "out_of_range",
     /// A local gravity is that of no place on the earth.
     GravityNotOnEarth = "gravity_not_on_earth",
+    /// A local gravity is that of no height at the latitude that is given.
+    GravityNotOfLatitude = "gravity_not_of_latitude",
     /// An end comes before its begin, or a largest value before the least.
     Backwards = "backwards",
     /// A setting means nothing to the method that was asked for.
@@ -1425,6 +1427,8 @@ kinds! {
     NotSeenWithoutGravity = "not_seen_without_gravity",
     /// The earth's rate is too small to show the gyroscope's scale factors.
     NotSeenByEarthRate = "not_seen_by_earth_rate",
+    /// The earth's rotation is in a bias that is estimated again.
+    EarthInBias = "earth_in_bias",
     // Last of all.
     /// A finding of another version, or one with a text of its own.
     Remark = "remark",

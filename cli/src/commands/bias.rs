@@ -11,7 +11,7 @@ use calib::calibrate::implausible;
 use calib::calibration::Calibration;
 use calib::intervals::segment;
 use calib::methods::online_bias::{
-    LONG_ENOUGH, Stretch, drift_at_rest, gyroscope_stretches, update_accelerometer,
+    LONG_ENOUGH, Stretch, drift_at_rest, earth_in_bias, gyroscope_stretches, update_accelerometer,
     update_gyroscope,
 };
 use calib::readings::symptoms;
@@ -91,6 +91,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         stretches = gyroscope_stretches(&new, &recording, &segmentation)?;
         new = update_gyroscope(&new, &recording.name, &stretches)?;
         remarks.extend(drift_at_rest(&recording.name, &stretches));
+        remarks.extend(earth_in_bias(&recording.name, &stretches));
     }
     if args.accelerometer {
         new = update_accelerometer(&new, &recording, &segmentation)?;

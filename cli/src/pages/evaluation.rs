@@ -17,6 +17,9 @@ use crate::show;
 /// A calibration must leave less than this share of the raw misfit to be of use.
 const OF_USE: f64 = 0.9;
 
+/// A rate at rest that is no rotation of the earth, rad/s: twice that.
+const FAR_FROM_ZERO: f64 = 1.5e-4;
+
 /// A calibration by its name, with what it leaves.
 pub type Named<'a> = (&'a str, &'a Calibration);
 
@@ -215,8 +218,8 @@ pub fn judged(
     let next = format!("Use {name}: stillpoint apply CAL RECORDING -o corrected.csv");
     let mut next = vec![next];
     let mut rests = segmentation.statics.iter();
-    if rests.any(|rest| rest.span.length() > LONG_ENOUGH) {
-        let estimate = "If the rate at rest is far from zero, estimate the gyroscope's bias again: stillpoint bias CAL RECORDING";
+    if norm(e.static_rate) > FAR_FROM_ZERO && rests.any(|rest| rest.span.length() > LONG_ENOUGH) {
+        let estimate = "Estimate the gyroscope's bias again, because the rate at rest is far from zero: stillpoint bias CAL RECORDING";
         next.push(estimate.into());
     }
     let level = if warnings.is_empty() {
@@ -227,6 +230,12 @@ pub fn judged(
     (level, sentence, next)
 }
 
+/// Size of a mean rate at rest; 0 where none is known.
+fn norm(rate: Option<[f64; 3]>) -> f64 {
+    let square: f64 = rate.iter().flatten().map(|v| v * v).sum();
+    square.sqrt()
+}
+
 /// Builds the figure of the gyroscope's bias error with the first calibration, °/s.
 fn bias(rows: &[(String, Evaluation)]) -> Figure {
     let rate = rows
@@ -234,8 +243,7 @@ fn bias(rows: &[(String, Evaluation)]) -> Figure {
         .or(rows.first())
         .and_then(|(_, e)| e.static_rate);
     let value = rate.map_or("none".into(), |rate| {
-        let norm = rate.iter().map(|v| v * v).sum::<f64>().sqrt();
-        format!("{:.4} °/s", norm.to_degrees())
+        format!("{:.4} °/s", norm(Some(rate)).to_degrees())
     });
     Figure::new("Rate at rest", value, "what the gyroscope's bias is off by")
 }

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use ::findings::{Finding, Kind};
-use estimate::calibrate::changes_part_way;
+use estimate::calibrate::{changes_part_way, late_clock};
 use estimate::methods::joint::{Flagged, Reason, Scope, SensorNoise};
 use recording::intervals::{Rails, Segmentation, Span};
 use recording::readings::{Symptom, altered_bias};
@@ -32,7 +32,7 @@ const REGULAR: f64 = 0.2;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Integrity {
     /// `saturation`, `quantisation`, `dead_zone`, `rezeroing`, `lost_samples`, `outlying_turn`, `undersampled_motion`, `mount_slip` or
-    /// `disturbed_interval`; `time_offset` where it is another in every recording.
+    /// `disturbed_interval`, `scale_change`, `clock_offset`; `time_offset` where it is another in every recording.
     pub name: Cow<'static, str>,
     /// The recording.
     pub recording: String,
@@ -78,7 +78,13 @@ impl Size {
 }
 
 /// The faults beside which nothing more is named: what the readings are off by is no error of the sensor.
-pub const SPOILT: [&str; 4] = ["quantisation", "dead_zone", "rezeroing", "scale_change"];
+pub const SPOILT: [&str; 5] = [
+    "quantisation",
+    "dead_zone",
+    "rezeroing",
+    "scale_change",
+    "clock_offset",
+];
 
 /// Saturation, coarse steps, altered biases and lost samples of all recordings.
 pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
@@ -97,6 +103,8 @@ pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
             &choice.segmentation,
             session.request.gravity,
         ));
+        let late = late_clock(recording);
+        all.extend(late.map(|found| of_a_whole("clock_offset", recording, found)));
         let altered = altered_bias(recording, &choice.segmentation);
         for (sensor, stream, noise) in sensors {
             let Some(stream) = stream else { continue };
@@ -140,16 +148,21 @@ fn scale_changes(
     let found = changes
         .into_iter()
         .find(|found| found.kind == Kind::ScaleChange)?;
-    Some(Integrity {
-        name: "scale_change".into(),
+    Some(of_a_whole("scale_change", recording, found))
+}
+
+/// A fault that is not at one static interval or turn.
+fn of_a_whole(name: &'static str, recording: &Recording, finding: Finding) -> Integrity {
+    Integrity {
+        name: name.into(),
         recording: recording.name.clone(),
         interval: None,
-        t0: found.place.t0.unwrap_or(0.0),
-        t1: found.place.t1.unwrap_or(0.0),
-        finding: found,
+        t0: finding.place.t0.unwrap_or(0.0),
+        t1: finding.place.t1.unwrap_or(0.0),
+        finding,
         indistinguishable_from: Vec::new(),
         size: None,
-    })
+    }
 }
 
 /// Returns true if the other sensor loses its samples at the same time.

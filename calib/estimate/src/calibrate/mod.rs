@@ -40,6 +40,7 @@ pub use magnetic::{FIELDS, beside_the_others};
 pub use outcome::Outcome;
 pub use part_way::changes_part_way;
 pub use prepared::Prepared;
+pub use prepared::clocks::late_clock;
 pub use recording::read_static_means;
 pub use request::{Frame, GyroBias, Instant, Method, NOMINAL_RATES, Request};
 pub use same_device::{gyroscope_of_one_device, of_one_device};

@@ -1,7 +1,7 @@
 //! The unit and the axes of a gyroscope, from the turns: the signed permutation of axes and the common
 //! scale at which they carry gravity best.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, Vector3};
 use sensor::{Base, Model, Sensor};
 use solver::Problem;
 
@@ -28,6 +28,18 @@ const NEAR: i32 = 8;
 
 /// Samples averaged into one while many scales are tried.
 const AVERAGED: usize = 8;
+
+/// Permutations from which any other mounting is looked for, the steps at most, and the longest of them, rad.
+const STARTS: usize = 8;
+const STEPS: usize = 15;
+const LONGEST: f64 = 0.5;
+
+/// Step of the differences in place of derivatives, rad.
+const SMALL: f64 = 1e-4;
+
+/// Turns and the rms of their chords from which on such a mounting is believed.
+const ENOUGH_TURNS: usize = 6;
+const TURNED: f64 = 0.25;
 
 /// Starting point of a gyroscope's fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,6 +74,9 @@ pub fn gyroscope_guess(turns: &[TurnData]) -> GyroGuess {
     if let Some((_, axes)) = mounted.filter(|(value, _)| *value < PREDICTED) {
         return guess(1.0, axes);
     }
+    if in_si && let Some(axes) = turned(&all, &all_axes) {
+        return guess(1.0, axes);
+    }
     let fine = scales(longest, SCALE_STEP);
     let thin: Vec<TurnData> = turns.iter().take(FEW_TURNS).map(thinned).collect();
     let few = plain(&model, &thin);
@@ -84,6 +99,60 @@ pub fn gyroscope_guess(turns: &[TurnData]) -> GyroGuess {
         (_, Some((_, scale))) => guess(scale, named),
         _ => guess(1.0, named),
     }
+}
+
+/// The sensor's axes turned by any angle, from the permutations that miss least by a few steps of Gauss and Newton; `None` where the turns
+/// are too few to tell, or none of them is right.
+fn turned(turns: &TurnProblem<'_>, all_axes: &[Matrix3<f64>]) -> Option<Matrix3<f64>> {
+    let mut starts: Vec<(f64, Matrix3<f64>)> = all_axes
+        .iter()
+        .map(|axes| (misfit(turns, 1.0, axes), *axes))
+        .collect();
+    starts.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let nearest = starts.into_iter().take(STARTS);
+    let (value, axes) = least(nearest.map(|(_, axes)| improved(turns, axes)))?;
+    let rows = chords(turns, &axes).len();
+    (rows >= 3 * ENOUGH_TURNS && value < TURNED).then_some(axes)
+}
+
+/// The axes turned so that the turns miss least, by Gauss–Newton on the angle `δ` of `exp(δ) axes`, and by how much they miss then.
+fn improved(turns: &TurnProblem<'_>, mut axes: Matrix3<f64>) -> (f64, Matrix3<f64>) {
+    let mut value = misfit(turns, 1.0, &axes);
+    for _ in 0..STEPS {
+        let rows = chords(turns, &axes);
+        let column = |axis: usize| {
+            let by = Rotation3::new(Vector3::ith(axis, SMALL));
+            (chords(turns, &(by * axes)) - &rows) / SMALL
+        };
+        let jacobian = DMatrix::from_columns(&[column(0), column(1), column(2)]);
+        let Some(step) = (jacobian.transpose() * &jacobian)
+            .cholesky()
+            .map(|normal| normal.solve(&(jacobian.transpose() * &rows)))
+        else {
+            break;
+        };
+        let step = Vector3::new(-step[0], -step[1], -step[2]);
+        let step = step * (LONGEST / step.norm().max(LONGEST));
+        let halved = (0..4).map(|halvings| step * 0.5f64.powi(halvings));
+        let tried = halved.map(|step| Rotation3::new(step) * axes);
+        let better = tried
+            .map(|axes| (misfit(turns, 1.0, &axes), axes))
+            .find(|(tried, _)| *tried < value);
+        let Some(better) = better else { break };
+        (value, axes) = better;
+    }
+    (value, axes)
+}
+
+/// What the turns miss of gravity with a sensor of this matrix.
+fn chords(turns: &TurnProblem<'_>, matrix: &Matrix3<f64>) -> DVector<f64> {
+    let base = Base {
+        t: *matrix,
+        bias: Vector3::zeros(),
+    };
+    let mut rows = Vec::new();
+    turns.values(&base.parameters(), &mut rows);
+    DVector::from_vec(rows)
 }
 
 /// A turn with its samples averaged some at a time: enough to look for a scale, at a fraction of the cost.
@@ -134,14 +203,8 @@ fn plain<'a>(model: &'a Model, turns: &'a [TurnData]) -> TurnProblem<'a> {
 
 /// Root mean square chord by which the turns miss gravity.
 fn misfit(turns: &TurnProblem<'_>, scale: f64, axes: &Matrix3<f64>) -> f64 {
-    let base = Base {
-        t: axes * scale,
-        bias: Vector3::zeros(),
-    };
-    let mut rows = Vec::new();
-    turns.values(&base.parameters(), &mut rows);
-    let square: f64 = rows.iter().map(|r| r * r).sum();
-    (square * 3.0 / rows.len() as f64).sqrt()
+    let rows = chords(turns, &(axes * scale));
+    (rows.norm_squared() * 3.0 / rows.len() as f64).sqrt()
 }
 
 /// The length by which each turn misses gravity for a perfect sensor of a scale.
@@ -248,6 +311,19 @@ mod tests {
                 "{}",
                 guess.unit.scale
             );
+        }
+    }
+
+    #[test]
+    fn a_sensor_that_is_turned_by_any_angle_is_found() {
+        for (angle, axis) in [(135.0, 0), (73.0, 1), (157.0, 2), (100.0, 1)] {
+            let axis = Vector3::new(0.4, 0.2, 0.1) + Vector3::ith(axis, 0.9);
+            let mount = Rotation3::new(axis.normalize() * f64::to_radians(angle));
+            let turns = turns(mount.matrix(), 1.0);
+            let guess = gyroscope_guess(&turns);
+            let model = Model::base(Sensor::Gyroscope);
+            let left = misfit(&plain(&model, &turns), 1.0, &guess.axes);
+            assert!(left < PREDICTED, "{angle}: {left}");
         }
     }
 

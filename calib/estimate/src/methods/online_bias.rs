@@ -8,7 +8,7 @@ use recording::{Error, Recording};
 use sensor::{Sensor, inverse};
 use solver::{Options, Uncertainty, solve};
 
-use super::{bias_errors, static_means_by};
+use super::{bias_errors, earth, static_means_by};
 use crate::calibration::{BiasUpdate, Calibration, apply_with};
 use crate::residuals::GravityNorm;
 use crate::truth::{Models, Truth};
@@ -28,10 +28,12 @@ const WORST_CONDITION: f64 = 30.0;
 pub struct Stretch {
     /// The rest.
     pub span: Span,
-    /// Mean of the corrected rate, rad/s: what the bias has changed by.
+    /// Mean of the corrected rate, rad/s, without what is known of the earth's rotation: what the bias has changed by.
     pub residual: Vector3<f64>,
     /// Its standard error, rad/s: by means over seconds, and by those over longer parts where these differ by more.
     pub std: Vector3<f64>,
+    /// Error of the mean by the rotation of the earth, rad/s, whose horizontal part points nobody knows where.
+    pub by_earth: Vector3<f64>,
     /// Error of the mean by steps of the readings that are wider than the noise, rad/s, however long the rest is.
     pub by_steps: Vector3<f64>,
     /// By how much the rate drifts from the beginning of the rest to its end, rad/s; zero where it does no more than noise.
@@ -62,6 +64,8 @@ pub fn gyroscope_stretches(
         .map_or(Vector3::zeros(), |triad| {
             triad.base().t.abs() * error_of_steps(Sensor::Gyroscope, recording, segmentation)
         });
+    let options = calibration.provenance.options.as_ref();
+    let latitude = options.and_then(|options| options.latitude);
     let long = |span: &Span| span.length() > LONG_ENOUGH;
     let stretches: Vec<Stretch> = segmentation
         .statics
@@ -71,10 +75,16 @@ pub fn gyroscope_stretches(
         .filter_map(|span| {
             let samples = stream.between(span.from, span.to);
             let mean = Mean::of(&stream.values[samples], span.length() as usize)?;
+            let up = corrected.accelerometer.as_ref().and_then(|force| {
+                let force = force.values[force.between(span.from, span.to)].iter();
+                force.sum::<Vector3<f64>>().try_normalize(0.0)
+            });
+            let earth = earth::at_rest(latitude, up);
             Some(Stretch {
                 span,
-                residual: mean.value,
+                residual: mean.value - earth.known,
                 std: mean.std,
+                by_earth: earth.std,
                 by_steps,
                 drift: mean.drift,
             })
@@ -115,6 +125,18 @@ pub fn drift_at_rest(recording: &str, stretches: &[Stretch]) -> Option<Finding> 
     })
 }
 
+/// The finding about the earth's rotation in the bias.
+pub fn earth_in_bias(recording: &str, stretches: &[Stretch]) -> Option<Finding> {
+    let largest = stretches.iter().map(|stretch| stretch.by_earth.amax());
+    let error = largest.fold(0.0, f64::max);
+    (error > 0.0).then(|| {
+        Finding::of(Kind::EarthInBias)
+            .in_recording(recording)
+            .of_sensor(Sensor::Gyroscope)
+            .number("error", error, "rad/s")
+    })
+}
+
 /// Adds the mean over all stretches, weighted by their length, to the gyroscope's bias.
 ///
 /// # Errors
@@ -139,9 +161,13 @@ pub fn update_gyroscope(
         .iter()
         .map(|s| (s.residual - residual).map(|d| d * d) / (count * (count - 1.0).max(1.0)))
         .sum();
-    // What rounding makes of a bias is the same in every rest.
+    // What rounding makes of a bias is the same in every rest, and the earth turns the same way where the device lies as it lay.
     let by_steps = stretches.first().map_or(Vector3::zeros(), |s| s.by_steps);
-    let std = Vector3::from_fn(|k, _| within[k].max(between[k]).sqrt().max(by_steps[k]));
+    let by_earth = weighted(|s| s.by_earth, 1);
+    let std = Vector3::from_fn(|k, _| {
+        let seen = within[k].max(between[k]).sqrt().max(by_steps[k]);
+        seen.hypot(by_earth[k])
+    });
     shifted(
         calibration,
         Sensor::Gyroscope,

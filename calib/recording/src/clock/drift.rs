@@ -70,6 +70,9 @@ pub fn clock_drift(force: &Stream, rate: &Stream) -> Option<ClockDrift> {
 
 /// The drift with its error, evident or not.
 fn measured(force: &Stream, rate: &Stream) -> Option<ClockDrift> {
+    if force.t == rate.t {
+        return None;
+    }
     let (from, to) = common(force, rate)?;
     let (from, to) = (from + EDGE, (to - EDGE).min(from + LONGEST));
     let count = ((to - from) / BIN) as usize;

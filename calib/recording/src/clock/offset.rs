@@ -78,11 +78,8 @@ pub(super) fn offsets_of_halves(early: &Stream, late: &Stream) -> Option<[(f64, 
     Some([offset(from)?, offset(from + length)?])
 }
 
-/// The time in which both sensors have samples; `None` where they share their stamps.
+/// The time in which both sensors have samples.
 pub(super) fn common(a: &Stream, b: &Stream) -> Option<(f64, f64)> {
-    if a.t == b.t {
-        return None;
-    }
     let from = a.t.first()?.max(*b.t.first()?);
     Some((from, a.t.last()?.min(*b.t.last()?)))
 }

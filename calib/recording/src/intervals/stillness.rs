@@ -8,13 +8,11 @@ use super::spans::Span;
 use super::stamps::Stamps;
 use super::tilt::{means, tilt, turned_over};
 use super::unexplained_turn::{MeanRate, turning};
+use crate::readings::Range;
 use crate::recording::{Recording, Stream};
 
 /// Pieces whose scatter gives the standard error of a mean rate.
 const PIECES: usize = 10;
-
-/// An interval in which more than this share of the samples is cut off has no mean.
-const MOST_CLIPPED: f64 = 0.02;
 
 /// Parts the quiet stretches into static intervals and those in which the device turns about the vertical,
 /// is turned over slowly or, where `no_tilt` asks for it, tilts steadily. `base` carries the accelerometer's readings to m/s²,
@@ -34,19 +32,10 @@ pub(super) fn static_and_rejected(
         Some(gyroscope) => turns(force, &stamps, gyroscope, &quiet, base, scale),
         None => vec![None; quiet.len()],
     };
-    let limits = [0, 1, 2].map(|axis| crate::readings::limits(&force.values, axis));
-    if limits
-        .iter()
-        .any(|l| l.low.is_finite() || l.high.is_finite())
-    {
-        for (span, reason) in quiet.iter().zip(&mut reasons) {
-            let samples = &force.values[stamps.between(span.from, span.to)];
-            let at_limit = |axis: &usize| {
-                let reached = samples.iter().filter(|v| limits[*axis].reached(v[*axis]));
-                reached.count() as f64 > MOST_CLIPPED * samples.len() as f64
-            };
-            *reason = reason.or_else(|| (0..3).find(at_limit).map(Reason::Clipped));
-        }
+    let range = Range::of(&force.values);
+    for (span, reason) in quiet.iter().zip(&mut reasons) {
+        let samples = &force.values[stamps.between(span.from, span.to)];
+        *reason = reason.or_else(|| range.spoils(samples).map(Reason::Clipped));
     }
     for (span, reason) in quiet.iter().zip(&mut reasons) {
         let samples = stamps.between(span.from, span.to);

@@ -19,7 +19,8 @@ mod spikes;
 mod symptom;
 
 pub use crate::recording::Frozen;
-pub(crate) use clipping::limits;
+pub use clipping::Range;
+pub(crate) use clipping::cut_off_at;
 pub use dead_zone::{DeadZone, dead_zones};
 pub(crate) use excursion::Excursion;
 pub(crate) use level::{LevelChange, level_change};
@@ -62,7 +63,7 @@ pub fn symptoms(recording: &Recording, segmentation: &Segmentation) -> Vec<Sympt
         };
         let dead = dead_zone::found(&of);
         let coarse = quantisation::found(&of, dead.as_ref());
-        all.extend(clipping::found(&of, &recording.warnings));
+        all.extend(clipping::found(sensor, of.stream, &recording.warnings));
         // Where steps are wide, how much readings scatter says how near a step they are; a device that moves makes them scatter.
         if lies_still && dead.is_none() && coarse.is_none() {
             all.extend(vibration::found(&of));
@@ -74,5 +75,14 @@ pub fn symptoms(recording: &Recording, segmentation: &Segmentation) -> Vec<Sympt
             all.extend(rezeroing::found(&of));
         }
     }
+    all.extend(clipped_field(recording));
     all
+}
+
+/// The axes of a magnetometer that are cut off.
+fn clipped_field(recording: &Recording) -> Vec<Symptom> {
+    let field = recording.magnetometer.as_ref();
+    field.map_or_else(Vec::new, |field| {
+        clipping::found(Sensor::Magnetometer, &field.stream, &recording.warnings)
+    })
 }

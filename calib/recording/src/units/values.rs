@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use sensor::Sensor;
 
 use crate::Error;
-use crate::readings::{LevelChange, level_change, only_noise};
+use crate::readings::{LevelChange, cut_off_at, level_change, only_noise};
 use crate::recording::options::Role;
 use crate::recording::samples::Samples;
 use crate::recording::stream::least_steps;
@@ -26,8 +26,6 @@ const LOOKED_AT: usize = 360_000;
 const TINIEST: f64 = 1e-9;
 /// A step that a 16-bit register can only take by overflowing: from one rail to the other.
 const OVERFLOW: f64 = 60_000.0;
-/// Readings leave a round peak by fewer of their least steps.
-const LEAP: f64 = 1.5;
 
 /// Checks all samples of a sensor, in the file's unit.
 ///
@@ -91,7 +89,7 @@ pub(crate) fn check(
             continue;
         }
         let step = least_steps(&samples.values)[axis];
-        let rows = [low, high].map(|rail| at_rail(&samples.values, axis, step, rail));
+        let rows = [low, high].map(|rail| cut_off_at(&samples.values, axis, step, rail));
         if let Some(rows) = rows.into_iter().max().filter(|&rows| rows > 0) {
             warnings.push(
                 Finding::of(Kind::Saturated)
@@ -215,31 +213,6 @@ fn refuse_overflow(
     ))
 }
 
-/// Rows of an axis at `rail` that stand in runs of three or more, into or out of which the readings leap: a round peak of coarse
-/// readings is left by one step. A row that repeats all axes of the one before was read too early, and counts for none.
-fn at_rail(values: &[Vector3<f64>], axis: usize, step: f64, rail: f64) -> usize {
-    let (mut total, mut run, mut leaps_in) = (0, 0, false);
-    let mut close = |run: usize, leaps: bool| total += if run >= 3 && leaps { run } else { 0 };
-    let mut last: Option<&Vector3<f64>> = None;
-    for value in values {
-        let Some(before) = last.replace(value).filter(|before| *before != value) else {
-            continue;
-        };
-        let leaps = (value[axis] - before[axis]).abs() > LEAP * step;
-        match (before[axis] == rail, value[axis] == rail) {
-            (_, true) if run == 0 => (run, leaps_in) = (1, leaps),
-            (_, true) => run += 1,
-            (true, false) => {
-                close(run, leaps_in || leaps);
-                run = 0;
-            }
-            (false, false) => {}
-        }
-    }
-    close(run, leaps_in);
-    total
-}
-
 /// True if `peak` is where sensors of the usual ranges end, within 5 %.
 fn is_full_scale(sensor: Sensor, peak: f64, integers: bool) -> bool {
     const G: f64 = crate::units::STANDARD_GRAVITY;
@@ -276,37 +249,4 @@ pub(crate) fn are_integers<'a>(mut values: impl Iterator<Item = &'a Vector3<f64>
             .iter()
             .all(|v| v.fract() == 0.0 && v.abs() <= 32_768.0)
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Rows at the top of a turn, read in steps of `step` and cut off at `limit`.
-    fn at_the_top(step: f64, limit: f64) -> usize {
-        let value = |k: usize| {
-            let rate = (4.3 * (0.03 * k as f64).sin()).min(limit);
-            Vector3::new((rate / step).round() * step, 0.1 * k as f64, 0.0)
-        };
-        let values: Vec<_> = (0..120).map(value).collect();
-        let step = least_steps(&values)[0];
-        at_rail(&values, 0, step, ranges(&values)[0].1)
-    }
-
-    #[test]
-    fn a_turn_that_is_cut_off_is_at_the_rail_and_a_round_peak_of_coarse_readings_is_not() {
-        assert!(at_the_top(1e-4, 4.0) > 10);
-        assert_eq!(at_the_top(0.05, 10.0), 0);
-    }
-
-    #[test]
-    fn a_row_that_repeats_all_axes_is_no_longer_at_the_rail_for_it() {
-        let row = |x: f64| Vector3::new(x, 2.0 * x, 0.0);
-        let rows = [1.0, 3.0, 4.3, 4.3, 4.3, 3.0, 1.0].map(row);
-        assert_eq!(at_rail(&rows, 0, 0.1, 4.3), 0);
-        let mut others = rows;
-        others[3].z = 1.0;
-        others[4].z = 2.0;
-        assert_eq!(at_rail(&others, 0, 0.1, 4.3), 3);
-    }
 }

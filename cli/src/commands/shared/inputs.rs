@@ -124,6 +124,15 @@ fn nowhere(what: NotOnEarth) -> Failure {
             "--altitude {}: metres above sea level, -500 to 9000, expected",
             figure(altitude)
         ),
+        NotOnEarth::Place {
+            gravity,
+            latitude,
+            normal,
+        } => format!(
+            "--gravity {} and --latitude {}: there gravity is {normal:.4} m/s²; correct one of them, or give the latitude alone",
+            figure(gravity),
+            figure(latitude)
+        ),
     };
     Failure::usage(message)
 }

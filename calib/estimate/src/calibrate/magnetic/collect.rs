@@ -3,6 +3,7 @@
 use recording::Recording;
 use recording::averages::median;
 use recording::intervals::{Moments, Segmentation};
+use recording::readings::Range;
 use sensor::{Base, Sensor};
 
 use super::inertial::Inertial;
@@ -58,9 +59,12 @@ fn direction_misfit(calibration: &Calibration) -> f64 {
 impl Source<'_> {
     fn collect(&self, collected: &mut Collected) {
         let statics = self.segmentation.statics.iter().enumerate();
+        let range = Range::of(&self.field.values);
         let moments = statics.map(|(k, rest)| {
             let samples = self.field.between(rest.span.from, rest.span.to);
-            (k, Moments::of(&self.field.values[samples]))
+            let samples = &self.field.values[samples];
+            let whole = range.spoils(samples).is_none();
+            (k, whole.then(|| Moments::of(samples)).flatten())
         });
         let moments: Vec<(usize, Option<Moments>)> = moments.collect();
         let variances = moments.iter().filter_map(|(_, m)| *m);

@@ -111,6 +111,13 @@ pub(in crate::calibrate) fn apart(recordings: &[&Recording]) -> Vec<Finding> {
     offsets
 }
 
+/// The finding about one of a recording's sensors that is later than the other; `None` where that is too little to see.
+pub fn late_clock(recording: &Recording) -> Option<Finding> {
+    let sensors = recording.accelerometer.as_ref();
+    let (force, rate) = sensors.zip(recording.gyroscope.as_ref())?;
+    clock_offset(force, rate).map(|found| late(&recording.name, found))
+}
+
 /// One clock that is late, perhaps by another offset.
 fn late(recording: &str, (offset, other): (f64, Option<f64>)) -> Finding {
     let (late, early) = if offset > 0.0 {

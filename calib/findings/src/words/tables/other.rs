@@ -25,6 +25,12 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             text: "gyro scale factors: the earth's rate is too small to show them. They are left at one",
             ..remark(0.001)
         },
+        Kind::EarthInBias => Entry {
+            reason: "the earth's rotation is in the {sensor}'s bias",
+            text: "at rest the {sensor} reads the earth's rotation beside its bias, and one placement does not tell them apart. What the \
+               latitude of the calibration does not give is in the standard errors, up to ± {error}",
+            ..remark(0.001)
+        },
         Kind::Remark => remark_of_its_own(),
         _ => return None,
     })

@@ -7,7 +7,7 @@ use crate::readings::symptom::Symptom;
 use crate::recording::{Recording, Stream};
 
 /// Length of the windows looked at and of the pieces whose means waver in a hand, s.
-const WINDOW: f64 = 1.0;
+const WINDOW: f64 = 0.5;
 const PIECE: f64 = 0.05;
 
 /// The share of windows that are taken to be the quietest.
@@ -22,7 +22,7 @@ pub const FASTEST_HAND: f64 = 0.2;
 /// The means of pieces vary by so many times what independent samples would, as those of a tremor do.
 const BEYOND_NOISE: f64 = 2.0;
 
-/// Root mean square per axis of the wavering rate in the quietest tenth of windows of a second, rad/s, where
+/// Root mean square per axis of the wavering rate in the quietest tenth of windows of half a second, rad/s, where
 /// it is that of a hand; `None` where the device lay still or has no gyroscope in rad/s.
 pub fn tremor(recording: &Recording) -> Option<f64> {
     let stream = recording.gyroscope.as_ref()?;

@@ -167,11 +167,12 @@ impl ClockFit<'_, '_> {
             }
         }
         for &k in slow {
-            let score = left.score(&self.run.data, k);
+            let likelihood = left.likelihood;
             let (before, point) = (self.run.data.decided_clocks(), self.point.clone());
             self.run.data.sources[k].clock.instants = true;
             left = self.rounds()?;
-            if left.score(&self.run.data, k) < score + EVIDENT {
+            // Of all rows and under their own noise: a scatter that is allowed for makes any residual small.
+            if left.likelihood < likelihood + EVIDENT {
                 // The last point may lie elsewhere: what is judged is judged at the one that stays.
                 self.run.data.go_by(&before);
                 self.point = point;

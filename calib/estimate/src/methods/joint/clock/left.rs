@@ -87,12 +87,6 @@ impl Left {
             .collect()
     }
 
-    /// Log-likelihood of the turns of a recording, up to a constant.
-    pub fn score(&self, data: &Data, recording: usize) -> f64 {
-        let turns = self.of(data, recording);
-        turns.iter().map(Evidence::score).sum()
-    }
-
     /// By how much the turns miss usually, as `χ²` per degree of freedom: its median, so that turns that something
     /// else is wrong with do not count.
     pub fn misfit(&self, data: &Data, recording: usize) -> f64 {

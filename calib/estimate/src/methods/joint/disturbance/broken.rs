@@ -130,9 +130,10 @@ fn state(pair: &Pair<'_>, window: Span, beside: &Beside) -> State {
     let quiet = |square: Vector3<f64>, count: f64| {
         (0..3).all(|i| square[i] <= most(count, noise.freedom[i]) * variance[i])
     };
+    // Too few samples, as of an accelerometer that is slower than the gyroscope, show no shaking.
     match moments(pair.force.0, window) {
-        Some((_, square, count)) if quiet(square, count) => State::Quiet,
-        _ => State::Shakes,
+        Some((_, square, count)) if !quiet(square, count) => State::Shakes,
+        _ => State::Quiet,
     }
 }
 

@@ -17,8 +17,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             ..care(0.04)
         },
         Kind::BiasRemovedBefore => Entry {
-            reason: "the phone's or logger's software has subtracted the gyroscope's bias",
-            text: "the gyroscope reads zero at rest on all axes to within its noise: the phone's or logger's software has subtracted the bias (the reading at rest). This calibration holds only while that software subtracts the same",
+            reason: "the gyroscope reads no bias, as where software subtracts it",
+            text: "the gyroscope reads zero at rest on all axes to within its noise. Few devices do: most likely the phone's or logger's software subtracts the bias (the reading at rest). This calibration holds only while that software subtracts the same",
             remedies: vec![Remedy::Uncalibrated],
             ..care(0.02)
         },

@@ -14,6 +14,10 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "gravity is given as {gravity} m/s², and on the earth it lies between {least} and {most} m/s². An error of 0.01 m/s² changes every scale factor by 0.1 %",
             "correct the value",
         ),
+        Kind::GravityNotOfLatitude => error(
+            "gravity is given as {gravity} m/s² and the latitude as {latitude}°, and there gravity is {normal} m/s²",
+            "correct one of them, or give the latitude alone",
+        ),
         Kind::Backwards => error(
             "[{key}: ]from {from} to {to}: the smaller first expected",
             "exchange the two",
