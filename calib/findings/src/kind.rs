@@ -893,6 +893,8 @@ kinds! {
     BlackboxLog = "blackbox_log",
     /// A header stands in a text again.
     HeaderAgain = "header_again",
+    /// A header of other columns stands in a text.
+    OtherHeader = "other_header",
     /// A row has no reading.
     RowEmpty = "row_empty",
     /// A row has more or fewer cells than the others.
@@ -913,6 +915,8 @@ kinds! {
     ThousandsSeparators = "thousands_separators",
     /// Points or commas separate thousands, and were read as decimal marks.
     ThousandsByPoints = "thousands_by_points",
+    /// Numbers have lost their decimal points.
+    PointsLost = "points_lost",
     /// A number has a comma in a file of points.
     DecimalComma = "decimal_comma",
     /// A number is hexadecimal.

@@ -331,14 +331,32 @@ fn row_20_comments_are_skipped_and_may_be_the_header() {
 }
 
 #[test]
-fn row_21_a_second_header_is_refused_at_its_line_and_one_that_comes_often_left_out() {
+fn row_21_a_header_that_comes_again_is_left_out_and_another_refused_at_its_line() {
+    let of = |rows: &[String]| file(HEADER, rows);
     let mut rows = rows(200);
-    rows.insert(20, HEADER.to_owned());
-    refused(
-        file(HEADER, &rows),
+    // Of rows that are counted nothing says how much time is between the tables.
+    let mut counted = rows.clone();
+    counted.insert(20, HEADER.to_owned());
+    let rate = ReadOptions {
+        rate: Some(100.0),
+        ..ReadOptions::default()
+    };
+    refused_with(
+        of(&counted),
+        &rate,
         "22:1",
         &["header of line 1 comes again", "split"],
     );
+    // What a logger says before its header is no damage; before a row it is.
+    counted.insert(20, "Booting, firmware 1.2".to_owned());
+    counted.insert(20, "Ready".to_owned());
+    assert_same_samples(&read(of(&counted), &ReadOptions::default()).unwrap(), 200);
+    counted.remove(22);
+    refused(of(&counted), "22:1", &["1 cell", "7 expected"]);
+    let mut other = rows.clone();
+    other.insert(20, "t,gx,gy,gz,ax,ay,az".to_owned());
+    refused(of(&other), "22:1", &["`gx`", "two tables", "split"]);
+    rows.insert(20, HEADER.to_owned());
     rows.insert(80, HEADER.to_owned());
     rows.insert(140, HEADER.to_owned());
     let recording = read(file(HEADER, &rows), &ReadOptions::default()).unwrap();

@@ -1,9 +1,10 @@
-//! Rows that begin with a time of day, as `22:13:01:123,..` and `22:13:01.123 -> ..`.
+//! Rows that begin with a time of day, as `22:13:01:123,..`, `10:13:01.123 PM,..` and `22:13:01.123 -> ..`.
 
 use std::io::Read;
 
 use super::text_format::TextFormat;
 use crate::clock::time_of_day::{TimeOfDay, seconds};
+use crate::clock::twelve_hours::length_of_half;
 use crate::header::look::Look;
 use crate::rows::parts::Part;
 use crate::source::rewrite::rewritten;
@@ -32,7 +33,7 @@ pub(crate) fn split(line: &str) -> Option<(&str, &str)> {
     let is_clock = |c: char| c.is_ascii_digit() || matches!(c, ':' | '.');
     let line = line.trim_start();
     let end = line.find(|c| !is_clock(c))?;
-    let (time, rest) = line.split_at(end);
+    let (time, rest) = line.split_at(end + length_of_half(&line[end..]));
     seconds(time)?;
     let rest = rest.trim_start().trim_start_matches("->");
     Some((time, rest.trim_start_matches([',', ';', '\t', ' '])))
@@ -49,10 +50,15 @@ pub(crate) fn change(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
         let Some((stamp, rest)) = stamp else {
             return out.extend_from_slice(line);
         };
+        // Numbers between blanks may have decimal commas.
+        let blanks =
+            rest.matches(' ').count() > rest.matches(',').count() + rest.matches(", ").count();
         let separator = if rest.contains(';') {
             ';'
-        } else if rest.contains('\t') && !rest.contains(',') {
+        } else if rest.contains('\t') && (blanks || !rest.contains(',')) {
             '\t'
+        } else if blanks {
+            ' '
         } else {
             ','
         };

@@ -10,6 +10,10 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "the header of line {header_line} comes again: two tables are in one file",
             "split the file here",
         ),
+        Kind::OtherHeader => error(
+            "the names of other columns ({names}) stand here below the header of line {header_line}: two tables are in one file",
+            "split the file here",
+        ),
         Kind::RowEmpty => error_by(
             "every cell of the sensors is empty in this row",
             vec![Remedy::set_to(OptionName::Na, "drop")],
@@ -49,6 +53,10 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
         Kind::ThousandsByPoints => error(
             "{axis} of the {sensor} has whole numbers below 1000, and from 1 on numbers with three decimals: {value} seems to be {thousands} with a separator of thousands",
             "export the file without digit grouping",
+        ),
+        Kind::PointsLost => error(
+            "{axis} of the {sensor} is {value} beside {beside}: numbers have lost their decimal points, as in a spreadsheet that takes points for separators of thousands",
+            "take the numbers from the file that the spreadsheet read, or tell it the decimal mark when it reads that file",
         ),
         Kind::DecimalComma => error(
             "`{cell}` in {column} has a decimal comma, and the other numbers of the file have decimal points",
