@@ -18,7 +18,7 @@ pub use file_formats::catches_panics;
 use findings::{Finding, Kind};
 pub use log_streams::{LogContents, LogStream};
 use phones::{androsensor, phyphox, physics_toolbox, sensor_logger, sensorlog, sensorstream};
-use robots::{betaflight, kalibr, px4_text, razor, ros_text, serial, trackers, vmu931};
+use robots::{betaflight, kalibr, novatel, px4_text, razor, ros_text, serial, trackers, vmu931};
 use texts::{
     brackets, clock_text, date_and_time, labview, long, per_axis, split_stamp, tagged, unpadded,
     wide,
@@ -59,6 +59,7 @@ pub static FORMATS: &[&dyn Format] = &[
     &betaflight::BETAFLIGHT,
     &razor::RAZOR,
     &vmu931::VMU931,
+    &novatel::NOVATEL,
     &tagged::GET_SENSOR_DATA,
     &tagged::GNSS_LOGGER,
     &tagged::VECTORNAV,

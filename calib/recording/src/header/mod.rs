@@ -1,6 +1,7 @@
 //! Column names to quantities.
 
 pub(crate) mod affine;
+mod axes_units;
 pub(crate) mod by_unit;
 pub(crate) mod dialect;
 pub(crate) mod gravity;
@@ -93,6 +94,9 @@ impl Layout {
             ..Self::default()
         };
         layout.assign(&roles, map)?;
+        if layout.affine.is_empty() {
+            axes_units::refuse_several(&layout.names, layout.accel, layout.gyro)?;
+        }
         layout.state_units();
         Ok(layout)
     }

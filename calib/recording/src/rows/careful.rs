@@ -14,6 +14,7 @@ use crate::rows::number::{self, Dialects, Fault, LARGEST};
 use crate::shown::{shown_cell, shown_list};
 use crate::source::cut::is_cut;
 use crate::source::lines::{Line, lines};
+use crate::spelling::is_number_with_unit;
 
 impl Rows<'_> {
     /// Takes the row in, or says what is wrong with which cell.
@@ -169,7 +170,12 @@ impl Rows<'_> {
         let cell = self.cells[column].clone();
         let content = shown_cell(&line.bytes[cell.clone()]);
         let column = self.start.layout.column(column);
-        let found = Finding::of(fault.kind())
+        let is_measure = || is_number_with_unit(&line.bytes[cell.clone()]);
+        let kind = match fault {
+            Fault::Text if is_measure() => Kind::UnitOfCell,
+            _ => fault.kind(),
+        };
+        let found = Finding::of(kind)
             .detail("cell", content)
             .detail("column", column);
         let found = match fault {

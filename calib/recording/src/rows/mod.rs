@@ -339,7 +339,8 @@ impl<'a> Rows<'a> {
         at_column(&self.table.name, line.number, byte + 1, found)
     }
 
-    fn finish(self) -> Result<(), Error> {
+    fn finish(mut self) -> Result<(), Error> {
+        self.table.headers = std::mem::take(&mut self.headers);
         let name = &self.table.name;
         let warnings = &mut self.table.warnings;
         if self.rows == 0 {
@@ -364,16 +365,17 @@ impl<'a> Rows<'a> {
                     .detail("why", error.to_string()),
             );
         }
-        if let Some(first) = self.headers.first() {
+        let headers = &self.table.headers;
+        if let Some(first) = headers.first() {
             let of = |kind| Finding::of(kind).count("header_line", self.start.header_line as usize);
             let has_time = self.start.layout.time.is_some() && self.options.rate.is_none();
-            if self.headers.len() < A_HABIT && !has_time {
+            if headers.len() < A_HABIT && !has_time {
                 return Err(at_column(name, *first, 1, of(Kind::HeaderAgain)));
             }
             warnings.push(
                 of(Kind::HeadersLeftOut)
                     .in_recording(name)
-                    .count("count", self.headers.len())
+                    .count("count", headers.len())
                     .count("line", *first as usize),
             );
         }

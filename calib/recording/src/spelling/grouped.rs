@@ -96,11 +96,18 @@ fn mark(look: &Look) -> Option<(char, char)> {
     (!is_decimal).then_some((mark, separator))
 }
 
-/// Points before three digits, where commas are the decimal marks and a column has whole numbers below a thousand beside them and
-/// none above.
+/// The mark before three digits, where the other one is the decimal mark and a column has whole numbers below a thousand beside them
+/// and none above.
 fn by_column(rows: &[Vec<Option<Number>>]) -> Option<char> {
-    let mut all = rows.iter().flatten().flatten();
-    all.find(|number| **number == Number::Decimal(','))?;
+    let has = |mark| {
+        let mut all = rows.iter().flatten().flatten();
+        all.any(|number| *number == Number::Decimal(mark))
+    };
+    let mark = match (has(','), has('.')) {
+        (true, false) => '.',
+        (false, true) => ',',
+        _ => return None,
+    };
     let width = rows.iter().map(Vec::len).max()?;
     let tells = |column: usize| {
         let cells = rows.iter().filter_map(|row| *row.get(column)?);
@@ -109,13 +116,13 @@ fn by_column(rows: &[Vec<Option<Number>>]) -> Option<char> {
             match cell {
                 Number::Whole(1) => {}
                 Number::Whole(2 | 3) => whole += 1,
-                Number::Perhaps('.') => grouped += 1,
+                Number::Perhaps(found) if found == mark => grouped += 1,
                 _ => return false,
             }
         }
         whole >= FEWEST && grouped >= FEWEST
     };
-    (0..width).any(tells).then_some('.')
+    (0..width).any(tells).then_some(mark)
 }
 
 fn change(look: &Look) -> Option<Respell> {
@@ -163,6 +170,10 @@ mod tests {
             (
                 "t;a;b\n970;1,5;1\n980;1,5;1\n990;1,5;1\n1.000;1,5;1\n1.010;1,5;1\n1.020;1,5;1\n",
                 "t;a;b\n970;1,5;1\n980;1,5;1\n990;1,5;1\n1000;1,5;1\n1010;1,5;1\n1020;1,5;1\n",
+            ),
+            (
+                "t;a;b\n970;1.5;1\n980;1.5;1\n990;1.5;1\n1,000;1.5;1\n1,010;1.5;1\n1,020;1.5;1\n",
+                "t;a;b\n970;1.5;1\n980;1.5;1\n990;1.5;1\n1000;1.5;1\n1010;1.5;1\n1020;1.5;1\n",
             ),
         ] {
             let read = respelt(&GROUPED, text);

@@ -30,6 +30,12 @@ pub(crate) static SPELLINGS: [&Spelling; 3] = [
     &grouped::GROUPED,
 ];
 
+/// True for a number with a unit behind it.
+pub(crate) fn is_number_with_unit(cell: &[u8]) -> bool {
+    let text = std::str::from_utf8(cell).ok();
+    text.is_some_and(|text| unit_cells::number_and_unit(text).is_some())
+}
+
 #[cfg(test)]
 fn respelt(spelling: &Spelling, text: &str) -> Option<String> {
     let change = (spelling.change)(&Look::at(text.as_bytes()))?;

@@ -61,7 +61,9 @@ fn value(rest: &mut &str, depth: usize) -> Option<Literal> {
         }
         '(' => list(rest, ')', depth).map(Literal::List),
         '[' => list(rest, ']', depth).map(Literal::List),
-        '{' => list(rest, '}', depth).map(Literal::Table),
+        '{' => list(rest, '}', depth)
+            .filter(|all| all.len().is_multiple_of(2))
+            .map(Literal::Table),
         _ => {
             let end = rest.find(|c: char| !c.is_ascii_alphanumeric());
             let (word, after) = rest.split_at(end.unwrap_or(rest.len()));

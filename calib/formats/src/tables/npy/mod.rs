@@ -41,7 +41,11 @@ fn tables(store: &Store, limits: Limits) -> Result<Listed, Error> {
     let (tables, others) = found(store, limits)?;
     if tables.is_empty() {
         let none = counted(Finding::of(Kind::NoDataset), "least", FEWEST);
-        let others: Vec<String> = others.iter().take(12).map(|name| shown(name)).collect();
+        let called = |name: &String| match name.is_empty() {
+            true => "one array".to_owned(),
+            false => shown(name),
+        };
+        let others: Vec<String> = others.iter().take(12).map(called).collect();
         return Err(Error::refused(none.detail("listed", others.join(", "))));
     }
     Ok(Listed {
