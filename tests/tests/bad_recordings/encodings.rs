@@ -214,15 +214,29 @@ fn row_13_a_comma_that_is_both_separator_and_decimal_mark_is_refused() {
 }
 
 #[test]
-fn row_14_digit_grouping_is_refused_in_its_cell() {
-    let mut rows = rows(50);
-    rows[3] = "0.03,\"1,234.5\",2,3,0,0,0".to_owned();
-    refused(file(HEADER, &rows), "5:7", &["`1,234.5`", "thousands"]);
-    let german = file(HEADER, &rows)
-        .replace("\"1,234.5\"", "9")
-        .replace(',', ";");
-    let german = german.replace('.', ",").replace("0,03;9", "0,03;1.234,5");
-    refused(german, "5:6", &["`1.234,5`", "thousands"]);
+fn row_14_digit_grouping_is_read_where_it_is_seen_and_refused_in_its_cell_elsewhere() {
+    let of = |count: usize, at: usize| {
+        let mut rows = rows(count);
+        rows[at] = format!("{},\"1,234.5\",2,3,0,0,0", at as f64 / 100.0);
+        file(HEADER, &rows)
+    };
+    let german = |text: String| {
+        let text = text.replace("\"1,234.5\"", "1*234_5").replace(',', ";");
+        text.replace('.', ",").replace('*', ".").replace('_', ",")
+    };
+    for text in [of(50, 3), german(of(50, 3))] {
+        let found = read(text, &ReadOptions::default()).unwrap();
+        assert_eq!(found.accelerometer.unwrap().values[3].x, 1234.5);
+        let words = found.warnings.texts(findings::Front::CommandLine).join(" ");
+        assert!(words.contains("thousands separators"), "{words}");
+    }
+    // Far below the lines that are looked at.
+    refused(of(2000, 1900), "1902:5", &["`1,234.5`", "thousands"]);
+    refused(
+        german(of(2000, 1900)),
+        "1902:4",
+        &["`1.234,5`", "thousands"],
+    );
 }
 
 #[test]

@@ -203,13 +203,13 @@ fn units_in_the_cells_are_those_of_the_columns() {
         .lines()
         .enumerate()
         .map(|(at, line)| match at {
-            500.. => line.replace(" g", " mg") + "\n",
+            1500.. => line.replace(" g", " mg") + "\n",
             _ => line.to_owned() + "\n",
         })
         .collect();
     let words = text_of(&read("r.csv", mixed).unwrap_err());
     assert!(
-        words.contains("r.csv:501:")
+        words.contains("r.csv:1501:")
             && words.contains("mg` in column 2")
             && words.contains("one unit"),
         "{words}"

@@ -1,7 +1,7 @@
 //! Stamps with a comma before the part of a second, in a text that commas separate: `13:05:10,000,0.1,..`.
 
 use super::cells::{cells, lines, most, separator};
-use super::{Respell, Spelling};
+use super::respell::{Respell, Spelling};
 use crate::header::look::Look;
 use crate::header::names::{is_like_time, role_of};
 use crate::recording::options::Role;
@@ -9,8 +9,8 @@ use crate::source::rewrite::rewritten;
 
 /// A row has one cell more than the header has names: its stamp is in two.
 pub(super) static COMMA_STAMP: Spelling = Spelling {
-    spelling: "a comma before the part of a second",
-    read_as: "a point",
+    spelling: "commas before decimals of seconds",
+    read_as: "points",
     change,
 };
 
@@ -144,7 +144,7 @@ fn change(look: &Look) -> Option<Respell> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::respelt;
+    use super::super::respell::respelt;
     use super::*;
 
     fn rows(begin: &str, count: u64) -> String {

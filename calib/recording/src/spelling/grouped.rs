@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::cells::{cells, lines, separator, with_cells};
-use super::{Respell, Spelling};
+use super::respell::{Respell, Spelling};
 use crate::header::look::Look;
 use crate::source::rewrite::rewritten;
 
@@ -144,7 +144,7 @@ fn change(look: &Look) -> Option<Respell> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::respelt;
+    use super::super::respell::respelt;
     use super::*;
 
     #[test]

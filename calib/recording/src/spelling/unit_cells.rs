@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::cells::{cells, lines, most, separator, with_cells};
-use super::{Respell, Spelling};
+use super::respell::{Respell, Spelling};
 use crate::header::look::Look;
 use crate::header::names::take_apart;
 use crate::source::rewrite::rewritten;
@@ -125,7 +125,7 @@ fn change(look: &Look) -> Option<Respell> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::respelt;
+    use super::super::respell::respelt;
     use super::*;
 
     #[test]
