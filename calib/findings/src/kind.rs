@@ -893,6 +893,10 @@ kinds! {
     BlackboxLog = "blackbox_log",
     /// A header stands in a text again.
     HeaderAgain = "header_again",
+    /// The names of a sensor's axes state different units.
+    AxesInUnits = "axes_in_units",
+    /// A header of other columns stands in a text.
+    OtherHeader = "other_header",
     /// A row has no reading.
     RowEmpty = "row_empty",
     /// A row has more or fewer cells than the others.
@@ -913,6 +917,10 @@ kinds! {
     ThousandsSeparators = "thousands_separators",
     /// Points or commas separate thousands, and were read as decimal marks.
     ThousandsByPoints = "thousands_by_points",
+    /// A number has a unit behind it that is not the column's.
+    UnitOfCell = "unit_of_cell",
+    /// Numbers have lost their decimal points.
+    PointsLost = "points_lost",
     /// A number has a comma in a file of points.
     DecimalComma = "decimal_comma",
     /// A number is hexadecimal.

@@ -21,6 +21,7 @@ mod recording;
 mod rows;
 pub mod shown;
 mod source;
+mod spelling;
 mod static_means;
 mod text_file;
 pub mod toml_place;

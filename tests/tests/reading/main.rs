@@ -6,6 +6,8 @@ mod fuzz_corpus;
 mod json_and_stamps;
 mod make_formats;
 mod names_and_units;
+mod programs;
 mod real_formats;
 mod silent_losses;
+mod spellings;
 mod unit_detection;

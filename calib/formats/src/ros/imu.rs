@@ -2,11 +2,13 @@
 
 use std::collections::HashMap;
 use std::hash::Hash;
+use std::io::Read;
 
 use findings::{Finding, Kind as Cause};
 
+use super::json;
 use crate::bytes::Fields;
-use crate::error::cut;
+use crate::error::{cut, damaged};
 use crate::stream::{Handle, Recorder};
 use crate::{Content, Error, Quantity};
 
@@ -17,6 +19,8 @@ pub(crate) enum Encoding {
     Ros1,
     /// ROS 2: CDR with its 4 bytes of encapsulation.
     Cdr,
+    /// JSON with the names of either.
+    Json,
 }
 
 /// A kind of message that is read.
@@ -29,7 +33,7 @@ enum Kind {
 impl Kind {
     /// The kind called `name`, in the spelling of either ROS.
     fn of(name: &str) -> Option<Self> {
-        match name {
+        match name.replace('.', "/").as_str() {
             "sensor_msgs/Imu" | "sensor_msgs/msg/Imu" => Some(Self::Imu),
             "sensor_msgs/MagneticField" | "sensor_msgs/msg/MagneticField" => {
                 Some(Self::MagneticField)
@@ -47,6 +51,19 @@ struct Topic {
     streams: [Option<Handle>; 2],
     /// Messages so far.
     count: u64,
+}
+
+/// What zstd begins with: bags may be compressed message by message.
+const ZSTD: &[u8] = b"\x28\xb5\x2f\xfd";
+/// A longer message is no reading.
+const LONGEST: u64 = 64 << 10;
+
+/// The message that `packed` holds.
+fn unpacked(packed: &[u8]) -> Option<Vec<u8>> {
+    let decoder = ruzstd::decoding::StreamingDecoder::new(packed).ok()?;
+    let mut message = Vec::new();
+    decoder.take(LONGEST).read_to_end(&mut message).ok()?;
+    Some(message)
 }
 
 const NANO: i64 = 1_000_000_000;
@@ -73,6 +90,15 @@ impl Topic {
     fn take(&mut self, message: &[u8], at: u64, recorder: &mut Recorder) -> Result<(), Error> {
         self.count += 1;
         let short = || Error::at(at, cut(format!("message {}", self.count), "topic"));
+        if self.encoding == Encoding::Json {
+            let said = json::said(message).ok_or_else(|| Error::at(at, damaged("message")))?;
+            for (stream, value) in [said.first, said.second].into_iter().enumerate() {
+                if let Some(value) = value {
+                    self.push(recorder, stream, said.stamp, value)?;
+                }
+            }
+            return Ok(());
+        }
         let (stamp, body) = self.header(message, at)?.ok_or_else(short)?;
         let mut numbers = Fields(body);
         let mut vector = || Some([numbers.f64()?, numbers.f64()?, numbers.f64()?]);
@@ -119,10 +145,6 @@ impl Topic {
                 Some([0, 1, ..]) => {}
                 Some([0, 0, ..]) => {
                     return Err(Error::at(at, Finding::of(Cause::MessageBigEndian)));
-                }
-                // What zstd begins with.
-                Some([0x28, 0xb5, 0x2f, 0xfd]) => {
-                    return Err(Error::at(at, Finding::of(Cause::MessageCompressed)));
                 }
                 Some([a, b, ..]) => {
                     let found = Finding::of(Cause::EncapsulationUnknown);
@@ -235,10 +257,15 @@ impl<K: Eq + Hash> Topics<K> {
             return Ok(());
         };
         topic.messages += 1;
-        match &mut topic.read {
-            Some(read) => read.take(message, at, recorder),
-            None => Ok(()),
+        let Some(read) = &mut topic.read else {
+            return Ok(());
+        };
+        if read.encoding == Encoding::Cdr && message.starts_with(ZSTD) {
+            let message = unpacked(message)
+                .ok_or_else(|| Error::at(at, Finding::of(Cause::MessageCompressed)))?;
+            return read.take(&message, at, recorder);
         }
+        read.take(message, at, recorder)
     }
 
     /// The streams of the topics, and a list of all topics.

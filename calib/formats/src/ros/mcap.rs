@@ -15,7 +15,7 @@ use crate::{Content, Error, Limits, Wanted};
 /// MCAP files; chunks by lz4, zstd or as they are. Indices are not needed.
 pub(crate) static MCAP: Format = Format {
     name: "mcap",
-    about: "an MCAP file of ROS 2 or ROS 1 with sensor_msgs/Imu",
+    about: "an MCAP file with sensor_msgs/Imu, of ROS 2, ROS 1 or in JSON",
     begins: |head| head.starts_with(MAGIC),
     reads: Reads::Forward(read),
 };
@@ -106,6 +106,7 @@ impl File {
         let encoding = match encoding.as_str() {
             "cdr" => Some(Encoding::Cdr),
             "ros1" => Some(Encoding::Ros1),
+            "json" => Some(Encoding::Json),
             _ => None,
         };
         self.channels

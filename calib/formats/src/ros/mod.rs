@@ -3,5 +3,6 @@
 pub(crate) mod bag;
 pub(crate) mod db3;
 pub(crate) mod imu;
+mod json;
 pub(crate) mod mcap;
 mod sqlite;

@@ -1,12 +1,13 @@
-//! Files of tables: JSON, Parquet, HDF5 with MATLAB 7.3, Excel workbooks.
+//! Files of tables: JSON, NumPy, Parquet, HDF5 with MATLAB 7.3, Excel workbooks.
 //!
 //! Their columns have names and no meaning, as those of a text. So a table is read as the comma-separated text that it
-//! would be, and one reader of texts knows names, units and sensors. Every reader but that of JSON is a feature
-//! of the build.
+//! would be, and one reader of texts knows names, units and sensors. Every reader but those of JSON and NumPy is a
+//! feature of the build.
 
 #[cfg(feature = "hdf5")]
 mod hdf5;
 mod json;
+mod npy;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod reader;
@@ -89,6 +90,15 @@ pub static TABULAR: &[Tabular] = &[
             ]
         },
         reader: reader!("hdf5", hdf5::READER),
+    },
+    // A zip archive of nothing else is one too.
+    Tabular {
+        name: "npy",
+        about: "NumPy arrays (.npy, .npz): records, arrays called as the columns of a CSV, or a row per sample",
+        called: "a NumPy array",
+        begins: npy::begins,
+        instead: || vec![Remedy::SaveAsCsv],
+        reader: Some(npy::READER),
     },
     // A zip archive is a workbook by what is in it.
     Tabular {

@@ -18,7 +18,6 @@ pub(super) enum Cell {
     /// The same beyond 2⁶³.
     Unsigned(u64),
     /// A number of 32 bits, written in as few digits as tell it from its neighbours.
-    #[cfg(any(feature = "parquet", feature = "hdf5"))]
     Single(f32),
     /// A number of 64 bits, written in the same way.
     Double(f64),
@@ -35,7 +34,6 @@ impl Cell {
             Self::Whole(number) => write!(row, "{number}"),
             Self::Unsigned(number) => write!(row, "{number}"),
             // With an exponent where there would be many zeros.
-            #[cfg(any(feature = "parquet", feature = "hdf5"))]
             Self::Single(number) => write!(row, "{number:?}"),
             Self::Double(number) => write!(row, "{number:?}"),
             Self::Text(words) => {
@@ -132,7 +130,6 @@ mod tests {
         }
     }
 
-    #[cfg(any(feature = "parquet", feature = "hdf5"))]
     #[test]
     fn numbers_of_32_bits_have_no_more_digits_than_tell_them_apart() {
         let mut row = String::new();

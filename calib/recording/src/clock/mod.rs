@@ -8,6 +8,7 @@ pub(crate) mod patterns;
 pub(crate) mod restarts;
 pub(crate) mod time;
 pub(crate) mod time_of_day;
+pub(crate) mod twelve_hours;
 pub(crate) mod wraps;
 
 use crate::clock::time_of_day::TimeOfDay;
@@ -214,7 +215,8 @@ fn iso(text: &str) -> Option<jiff::Timestamp> {
 
 /// Dates that are not ISO 8601 and can be read in one way only: months in letters, and a third colon.
 fn unmistakable(text: &str) -> Option<jiff::Timestamp> {
-    let text = text.trim();
+    let of_the_day = twelve_hours::of_the_day(text.trim());
+    let text = of_the_day.as_ref();
     let pointed;
     let text = match text.rfind(':') {
         Some(at) if text.matches(':').count() == 3 && !text.contains('+') => {

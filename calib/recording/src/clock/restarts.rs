@@ -7,6 +7,8 @@ use crate::rows::table::Table;
 const FEWEST: usize = 20;
 /// Steps that time goes back by rows that are out of order.
 const SHUFFLED: f64 = 50.0;
+/// Steps without a row before a header: ten seconds at 100 Hz.
+const PAUSE: f64 = 1000.0;
 /// More often no device begins again in one file.
 const MOST: usize = 100;
 
@@ -27,11 +29,18 @@ pub(crate) struct Session {
 
 /// The recordings in `table`, one where its clock never begins again.
 pub(crate) fn sessions(table: &Table) -> Vec<Session> {
-    if table.ascends() || table.repeats() {
+    let goes_on = table.ascends() || table.repeats();
+    if goes_on && table.headers.is_empty() {
         return Vec::new();
     }
     let rows = table.stamped_lines();
-    let restarts = restarts(&rows);
+    let restarts = match goes_on {
+        true => begun_again(&rows, &table.headers),
+        false => restarts(&rows),
+    };
+    if restarts.is_empty() && goes_on {
+        return Vec::new();
+    }
     let starts = [0].into_iter().chain(restarts.iter().copied());
     let ends = restarts.iter().copied().chain([rows.len()]);
     let session = |(start, end): (usize, usize)| {
@@ -87,6 +96,28 @@ fn restarts(rows: &[(u64, f64)]) -> Vec<usize> {
     }
 }
 
+/// The rows below a header that comes again long after the row before it: the logger was started once more.
+fn begun_again(rows: &[(u64, f64)], headers: &[u64]) -> Vec<usize> {
+    let Some(usual) = usual_step(rows) else {
+        return Vec::new();
+    };
+    let is_late = |at: &usize| *at > 0 && rows[*at].1 - rows[at - 1].1 > PAUSE * usual;
+    let below = headers
+        .iter()
+        .map(|line| rows.partition_point(|(row, _)| row < line));
+    let found: Vec<usize> = below
+        .filter(|at| *at < rows.len())
+        .filter(is_late)
+        .collect();
+    let starts = [0].into_iter().chain(found.iter().copied());
+    let ends = found.iter().copied().chain([rows.len()]);
+    let are_whole = starts.zip(ends).all(|(start, end)| end >= start + FEWEST);
+    match are_whole {
+        true => found,
+        false => Vec::new(),
+    }
+}
+
 /// Returns true if the rows ascend without a jump up to the time `latest`. Rows that were written late leave a jump behind them.
 fn goes_on(rows: &[(u64, f64)], latest: f64, usual: f64) -> bool {
     rows.windows(2)
@@ -116,6 +147,14 @@ mod tests {
         assert_eq!(restarts(&rows(&[(30, 0.0), (1000, 0.0)])), [30]);
         // The second took longer until its first row.
         assert_eq!(restarts(&rows(&[(40, 0.0), (1000, 0.3)])), [40]);
+    }
+
+    #[test]
+    fn a_header_after_a_pause_begins_another_recording() {
+        let both = rows(&[(1000, 0.0), (1000, 100.0)]);
+        assert_eq!(begun_again(&both, &[1002]), [1000]);
+        // Within a recording, and a pause without a header.
+        assert!(begun_again(&both, &[300]).is_empty() && begun_again(&both, &[]).is_empty());
     }
 
     #[test]

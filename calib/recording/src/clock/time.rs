@@ -27,6 +27,26 @@ const SECONDS_OF_A_YEAR: f64 = 31_556_952.0;
 /// Rates of most recordings, Hz: of two units the one with such a rate is meant.
 const USUAL: std::ops::Range<f64> = 20.0..2000.0;
 
+/// Units that people convert stamps to, and no clock counts in.
+const LONG: [TimeUnit; 3] = [TimeUnit::Days, TimeUnit::Hours, TimeUnit::Minutes];
+
+/// A recording of turns is no shorter, s.
+const SHORTEST: f64 = 10.0;
+
+fn is_usual(unit: &TimeUnit, step: f64) -> bool {
+    USUAL.contains(&(unit.per_second() / step))
+}
+
+/// True for stamps that would be those of a few seconds of a very fast sensor, and in minutes or hours those of a usual recording.
+/// What is called `t` is in seconds.
+fn may_be_minutes(table: &Table, step: f64) -> bool {
+    let span = |t: &Vec<f64>| Some(t.last()? - t.first()?);
+    let spans = [&table.accel.t, &table.gyro.t].into_iter().filter_map(span);
+    let is_short = spans.fold(0.0, f64::max) < SHORTEST;
+    let is_fast = 1.0 / step >= USUAL.end;
+    !table.plain_time && is_fast && is_short && LONG.iter().any(|unit| is_usual(unit, step))
+}
+
 /// Turns the stamps of every table, on one clock and in one unit, into seconds; returns the stamp at zero, ns.
 pub(crate) fn to_seconds(
     tables: &mut [Table],
@@ -183,7 +203,8 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
     if step == 1.0 {
         return unit_of_ones(table, warnings);
     }
-    if plausible(&TimeUnit::Seconds) {
+    let is_open = may_be_minutes(table, step);
+    if plausible(&TimeUnit::Seconds) && !is_open {
         return Ok(TimeUnit::Seconds);
     }
     // Of a packet with one stamp every sample is one.
@@ -197,7 +218,7 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
         fitted = fitting(USUAL);
     }
     match fitted[..] {
-        [unit] => {
+        [unit] if !is_open => {
             let rate = (unit.per_second() / step).round();
             warnings.push(decided(table, unit).number("rate", rate, "Hz"));
             Ok(unit)
@@ -211,7 +232,11 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
             let is_days =
                 first.is_some_and(|first| (1e4..1e6).contains(first) || (0.0..1.0).contains(first));
             let is_days = is_days && plausible(&TimeUnit::Days);
-            let unit = if is_days { "d" } else { "ms" };
+            let unit = match LONG.iter().find(|unit| is_usual(unit, step)) {
+                Some(unit) => unit.name(),
+                None if is_days => TimeUnit::Days.name(),
+                None => TimeUnit::Milliseconds.name(),
+            };
             Err(in_file(
                 &table.name,
                 Finding::of(Kind::TimeUnitOpen)

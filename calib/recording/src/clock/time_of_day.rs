@@ -1,7 +1,10 @@
-//! Stamps such as `22:13:01.123` and `22:13:01:123` as seconds.
+//! Stamps such as `22:13:01.123`, `22:13:01:123` and `10:13:01.123 PM` as seconds.
 
-/// Periods after which a time of day starts again, s: a minute or an hour where the larger fields stand still, and a day.
-const WRAPS: [f64; 3] = [60.0, 3600.0, 86_400.0];
+use super::twelve_hours;
+
+/// Periods after which a time of day starts again, s: a minute or an hour where the larger fields stand still, a dial of twelve
+/// hours, and a day.
+const WRAPS: [f64; 4] = [60.0, 3600.0, 43_200.0, 86_400.0];
 /// A step over a start is no longer, s.
 const STEP: f64 = 5.0;
 
@@ -13,9 +16,10 @@ pub(crate) struct TimeOfDay {
 }
 
 /// The seconds since midnight of `HH:MM:SS`, with decimals behind a point, a comma or a third colon; those since the hour of
-/// `MM:SS.s`, as spreadsheets show a time with its decimals.
+/// `MM:SS.s`, as spreadsheets show a time with its decimals. Behind it may stand the half of the day.
 pub(crate) fn seconds(text: &str) -> Option<f64> {
-    let (hours, rest) = text.trim().split_once(':')?;
+    let text = twelve_hours::of_the_day(text.trim());
+    let (hours, rest) = text.split_once(':')?;
     let (hours, (minutes, rest)) = match rest.split_once(':') {
         Some(parts) => (hours, parts),
         None if rest.contains(['.', ',']) => ("0", (hours, rest)),
@@ -74,6 +78,16 @@ mod tests {
         let mut clock = TimeOfDay::default();
         let read = ["23:59:59.5", "00:00:00.5"].map(|text| clock.read(text).unwrap());
         assert_eq!(read[1] - read[0], 1.0);
+        assert_eq!(seconds("12:00:01.5 AM"), Some(1.5));
+        assert_eq!(seconds("1:00:00 pm"), Some(46_800.0));
+        for texts in [
+            ["12:59:59.9 PM", "01:00:00.0 PM"],
+            ["12:59:59.9", "1:00:00"],
+        ] {
+            let mut clock = TimeOfDay::default();
+            let read = texts.map(|text| clock.read(text).unwrap());
+            assert!((read[1] - read[0] - 0.1).abs() < 1e-9, "{texts:?}");
+        }
         let mut clock = TimeOfDay::default();
         let read = ["59:59.9", "00:00.0"].map(|text| clock.read(text).unwrap());
         assert!((read[1] - read[0] - 0.1).abs() < 1e-9);

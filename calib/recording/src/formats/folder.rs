@@ -99,7 +99,7 @@ fn add_thermometer(
     Ok(())
 }
 
-/// The two files in whose names a word is a sensor's, as in `Sensor1_2026_Accelerometer_100Hz.csv`.
+/// The two files in whose names a word is a sensor's, as in `Sensor1_2026_Accelerometer_100Hz.csv` and `VID_20261121accel.csv`.
 fn by_words(files: &Files) -> Option<[(&Entry, Sensor); 2]> {
     const DERIVED: [&str; 4] = ["linear", "gravity", "user", "free"];
     let only = |names: &[&str]| {
@@ -110,7 +110,7 @@ fn by_words(files: &Files) -> Option<[(&Entry, Sensor); 2]> {
                 .next()
                 .unwrap_or_default()
                 .to_lowercase();
-            let words: Vec<&str> = name.split(|c: char| !c.is_alphanumeric()).collect();
+            let words: Vec<&str> = name.split(|c: char| !c.is_alphabetic()).collect();
             let has = |all: &[&str]| words.iter().any(|word| all.contains(word));
             has(names) && (has(&EXTENSIONS) || files.are_tables()) && !has(&DERIVED)
         });

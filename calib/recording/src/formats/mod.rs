@@ -18,8 +18,11 @@ pub use file_formats::catches_panics;
 use findings::{Finding, Kind};
 pub use log_streams::{LogContents, LogStream};
 use phones::{androsensor, phyphox, physics_toolbox, sensor_logger, sensorlog, sensorstream};
-use robots::{betaflight, kalibr, px4_text, razor, ros_text, serial, trackers, vmu931};
-use texts::{brackets, clock_text, date_and_time, long, split_stamp, tagged, unpadded, wide};
+use robots::{betaflight, kalibr, novatel, px4_text, razor, ros_text, serial, trackers, vmu931};
+use texts::{
+    brackets, clock_text, date_and_time, labview, long, per_axis, split_stamp, tagged, unpadded,
+    wide,
+};
 
 pub use crate::formats::format::Format;
 pub use crate::source::Source;
@@ -27,6 +30,7 @@ pub use crate::source::Source;
 /// Every format.
 pub static FORMATS: &[&dyn Format] = &[
     &tables::Tables("json", recognise),
+    &tables::Tables("npy", recognise),
     &tables::Tables("parquet", recognise),
     &tables::Tables("hdf5", recognise),
     &tables::Tables("xlsx", recognise),
@@ -55,9 +59,12 @@ pub static FORMATS: &[&dyn Format] = &[
     &betaflight::BETAFLIGHT,
     &razor::RAZOR,
     &vmu931::VMU931,
+    &novatel::NOVATEL,
     &tagged::GET_SENSOR_DATA,
     &tagged::GNSS_LOGGER,
     &tagged::VECTORNAV,
+    &labview::LABVIEW,
+    &per_axis::PER_AXIS,
     &wide::WIDE,
     &long::LONG,
     &serial::ADAFRUIT,

@@ -62,6 +62,9 @@ const DIALECTS: [Dialect; 8] = [
     },
 ];
 
+/// Rows that one separator splits, so that one line more is none for another.
+const ENOUGH: usize = 10;
+
 impl Dialect {
     /// The decimal mark.
     pub fn mark(self) -> u8 {
@@ -76,7 +79,9 @@ impl Dialect {
         for dialect in DIALECTS {
             let reads = |line: &&&[u8]| dialect.reads(line, &mut cells);
             let score = lines.iter().filter(reads).count();
-            if score > best.0 {
+            // Of names such as `Channel 1` blanks make numbers, where another separator splits all rows.
+            let names = usize::from(dialect.separator == Separator::Blanks && best.0 >= ENOUGH);
+            if score > best.0 + names {
                 best = (score, dialect);
             }
         }

@@ -1,6 +1,7 @@
 //! Column names to quantities.
 
 pub(crate) mod affine;
+mod axes_units;
 pub(crate) mod by_unit;
 pub(crate) mod dialect;
 pub(crate) mod gravity;
@@ -93,6 +94,9 @@ impl Layout {
             ..Self::default()
         };
         layout.assign(&roles, map)?;
+        if layout.affine.is_empty() {
+            axes_units::refuse_several(&layout.names, layout.accel, layout.gyro)?;
+        }
         layout.state_units();
         Ok(layout)
     }
@@ -397,7 +401,13 @@ fn likely_times(names: &[String], roles: &[(Role, usize)]) -> Vec<usize> {
     let mut times: Vec<usize> = (0..names.len()).filter(free).filter(like).collect();
     // Ticks and counters have units that nobody states.
     times.sort_by_key(|&at| !names[at].to_lowercase().contains("time"));
-    times
+    // `Phone timestamp` beside `sensor timestamp [ns]` is the arrival's.
+    let sampled = |at: &usize| is_sampling_stamp(&names[*at], "");
+    let mut stamps = times.iter().copied().filter(sampled);
+    match (stamps.next(), stamps.next()) {
+        (Some(stamp), None) => vec![stamp],
+        _ => times,
+    }
 }
 
 /// Refuses one column for two roles.

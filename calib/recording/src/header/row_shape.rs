@@ -2,6 +2,7 @@
 
 use super::dialect::Dialect;
 use super::preface::{Kept, cells, is_row};
+use crate::rows::number::{self, Dialects, Fault};
 
 /// The first row that is as wide as most are: a line of a preface may hold numbers too.
 pub(super) fn first_row(kept: &[Kept], dialect: Dialect) -> Option<usize> {
@@ -52,6 +53,22 @@ pub(super) fn ends_empty(rows: &[&Kept], dialect: Dialect) -> bool {
             .last()
             .is_some_and(|cell| cell.is_empty())
     })
+}
+
+/// True if no row has a number in a column, but a word for a missing one.
+pub(super) fn is_empty(rows: &[&Kept], dialect: Dialect, column: usize) -> bool {
+    let is_missing = |row: &&Kept| {
+        let Some(cell) = cells(&row.bytes, dialect).get(column).cloned() else {
+            return false;
+        };
+        let read = number::parse(
+            &row.bytes[cell],
+            dialect.decimal_comma,
+            &mut Dialects::default(),
+        );
+        matches!(read, Err(Fault::Missing | Fault::NotFinite))
+    };
+    rows.len() >= FEWEST_STANDING && rows.iter().all(is_missing)
 }
 
 /// True if no row has a decimal point.

@@ -1,6 +1,6 @@
 //! The beginning of a text, looked at before it is read: separators, header, first row.
 
-use findings::{Finding, Findings, Kind};
+use findings::{Finding, Findings, Kind, OptionName, Remedy};
 use sensor::Sensor;
 
 use super::dialect::{Cell, Dialect, Separator};
@@ -9,7 +9,7 @@ use super::preface::{
 };
 use super::quotes::open_quote;
 use super::row_shape::{
-    ends_empty, first_row, only_integers, rows_are_numbered, stands_still, usual_width,
+    ends_empty, first_row, is_empty, only_integers, rows_are_numbered, stands_still, usual_width,
 };
 use super::suggest::suggestion;
 use super::unit_row;
@@ -39,6 +39,8 @@ pub(crate) struct Start {
     pub layout: Layout,
     /// The header as it is written, to know it again.
     pub header: Option<Vec<u8>>,
+    /// The row of units below it, for the same reason.
+    pub units: Option<Vec<u8>>,
     /// Its line.
     pub header_line: u64,
     /// Bytes from the decimal mark on that the last number of every row has, if they are as many.
@@ -118,6 +120,7 @@ impl Start {
             dialect,
             layout: Layout::default(),
             header: preface.header.map(|kept| kept.bytes.clone()),
+            units: preface.units.map(|kept| kept.bytes.clone()),
             header_line: preface.header.map_or(0, |kept| kept.number),
             tail: None,
             after: last.map_or(0, |kept| kept.number),
@@ -282,11 +285,10 @@ impl Start {
             }
             if options.columns.0.is_empty() {
                 names.resize(width.max(names.len()), String::new());
-                let numbers: Vec<String> = (1..=width).map(|i| i.to_string()).collect();
                 let other = Finding::of(Kind::HeaderWidth)
                     .count("names", cells.len())
                     .count("width", width)
-                    .only_remedies([suggestion(&numbers)]);
+                    .only_remedies([by_readings(rows, self.dialect, width, only)]);
                 return Err(refuse(other.into()));
             }
             names.resize(width, String::new());
@@ -295,6 +297,12 @@ impl Start {
         if !options.columns.names(Role::Time) {
             let stands_still = |column| stands_still(rows, self.dialect, column);
             self.layout.take_time_that_moves(stands_still);
+        }
+        // Stamps that a logger did not have.
+        let has_none = |time: &usize| is_empty(rows, self.dialect, *time);
+        if self.layout.time.is_some_and(|time| has_none(&time)) {
+            self.layout.time = None;
+            self.layout.stated.time = None;
         }
         self.warnings.extend(self.layout.by_unit.clone());
         Ok(())
@@ -341,6 +349,19 @@ impl Start {
         let assigned = self.layout.assign(&roles, &options.columns);
         assigned.map_err(refuse)
     }
+}
+
+/// The columns of the axes as the readings of rows of another width than the header's show them, else any as an example.
+fn by_readings(rows: &[&Kept], dialect: Dialect, width: usize, only: Option<Sensor>) -> Remedy {
+    let numbers: Vec<String> = (1..=width).map(|i| i.to_string()).collect();
+    let Some(roles) = Unnamed::of(rows, dialect).roles(only) else {
+        return suggestion(&numbers);
+    };
+    let columns = roles
+        .iter()
+        .map(|(role, at)| format!("{}={}", role.name(), at + 1));
+    let columns: Vec<String> = columns.collect();
+    Remedy::such_as(OptionName::Columns, columns.join(","))
 }
 
 /// The first lines of the text that are not blank.

@@ -6,11 +6,15 @@ use nalgebra::Vector3;
 use super::{Others, Rows, Trouble, cell_of};
 use crate::Error;
 use crate::clock::patterns::pattern_of;
+use crate::header::dialect::Cell;
+use crate::header::names::role_of;
+use crate::header::preface::decode;
 use crate::header::quotes::open_quote;
-use crate::rows::number::{self, Fault, LARGEST};
-use crate::shown::shown_cell;
+use crate::rows::number::{self, Dialects, Fault, LARGEST};
+use crate::shown::{shown_cell, shown_list};
 use crate::source::cut::is_cut;
 use crate::source::lines::{Line, lines};
+use crate::spelling::is_number_with_unit;
 
 impl Rows<'_> {
     /// Takes the row in, or says what is wrong with which cell.
@@ -18,6 +22,9 @@ impl Rows<'_> {
         let layout = &self.start.layout;
         if self.start.header.as_deref() == Some(line.bytes) {
             return Err(Trouble::Header);
+        }
+        if self.start.units.as_deref() == Some(line.bytes) {
+            return Err(Trouble::Units);
         }
         self.start
             .dialect
@@ -30,8 +37,18 @@ impl Rows<'_> {
         if self.cells.len() == layout.width + 1 && self.cells.last().is_some_and(|c| c.is_empty()) {
             self.cells.pop();
         }
+        if let Some(names) = self.other_header(line) {
+            let other = Finding::of(Kind::OtherHeader)
+                .count("header_line", self.start.header_line as usize)
+                .detail("names", names);
+            return Err(Trouble::Refused(self.at(line, 0, other)));
+        }
         if self.cells.len() != layout.width {
-            return Err(Trouble::Broken(self.ragged(line)));
+            let ragged = self.ragged(line);
+            return Err(match self.holds_words(line) {
+                true => Trouble::Words(ragged),
+                false => Trouble::Broken(ragged),
+            });
         }
         self.whole(line)?;
         let accel = self.triad(line, layout.accel)?;
@@ -153,7 +170,12 @@ impl Rows<'_> {
         let cell = self.cells[column].clone();
         let content = shown_cell(&line.bytes[cell.clone()]);
         let column = self.start.layout.column(column);
-        let found = Finding::of(fault.kind())
+        let is_measure = || is_number_with_unit(&line.bytes[cell.clone()]);
+        let kind = match fault {
+            Fault::Text if is_measure() => Kind::UnitOfCell,
+            _ => fault.kind(),
+        };
+        let found = Finding::of(kind)
             .detail("cell", content)
             .detail("column", column);
         let found = match fault {
@@ -171,6 +193,38 @@ impl Rows<'_> {
             Fault::Text => Trouble::Broken(error),
             _ => Trouble::Refused(error),
         }
+    }
+
+    /// True if no cell of a line is a number, and none is empty.
+    fn holds_words(&self, line: Line<'_>) -> bool {
+        let is_word = |cell: &Cell| {
+            let cell = &line.bytes[cell.clone()];
+            let first = cell.first().is_some_and(u8::is_ascii_alphabetic);
+            first && matches!(self.parsed(cell), Err(Fault::Text))
+        };
+        self.start.header.is_some() && self.cells.iter().all(is_word)
+    }
+
+    fn parsed(&self, cell: &[u8]) -> Result<f64, Fault> {
+        let decimal_comma = self.start.dialect.decimal_comma;
+        number::parse(cell, decimal_comma, &mut Dialects::default())
+    }
+
+    /// Names of a line that holds those of a sensor's axes and no number, as the header of another table does.
+    fn other_header(&self, line: Line<'_>) -> Option<String> {
+        let is_number = |cell: &Cell| self.parsed(&line.bytes[cell.clone()]).is_ok();
+        if self.start.header.is_none() || self.cells.iter().any(is_number) {
+            return None;
+        }
+        let names = self
+            .cells
+            .iter()
+            .map(|cell| decode(&line.bytes[cell.clone()]));
+        let names: Vec<String> = names.collect();
+        let is_axis =
+            |name: &&String| role_of(name, None).is_some_and(|role| role.reading().is_some());
+        let axes = names.iter().filter(is_axis).count();
+        (axes >= 3).then(|| shown_list(names.iter()))
     }
 
     fn ragged(&self, line: Line<'_>) -> Error {

@@ -32,7 +32,8 @@ use crate::source::lines::{Line, end_of_line, lines};
 use crate::source::pipeline::parse_all;
 use crate::source::place::{at_column, at_line, in_file};
 
-/// A header that comes again so often is the habit of a logger; once or twice, and tables are in one file.
+/// A header that comes again so often is the habit of a logger; once or twice, and tables are in one file, whose stamps say how
+/// much time is between them.
 const A_HABIT: usize = 3;
 
 /// Why a row is not used.
@@ -43,8 +44,12 @@ enum Trouble {
     Broken(Error),
     /// A number is missing; `--na drop` applies.
     Missing(Error),
-    /// The header again: some loggers write it every so many rows.
+    /// A line of words, as a logger writes before its header.
+    Words(Error),
+    /// The header again: some loggers write it every so many rows, or as often as they start.
     Header,
+    /// The units below it.
+    Units,
 }
 
 /// Readings of a row beside those of the accelerometer and the gyroscope.
@@ -72,6 +77,8 @@ pub(crate) struct Rows<'a> {
     headers: Vec<u64>,
     /// The trouble of the row before, which is forgiven if no row follows.
     pending: Option<Error>,
+    /// Lines of words before this one, of which that is the first.
+    words: usize,
 }
 
 impl<'a> Rows<'a> {
@@ -90,6 +97,7 @@ impl<'a> Rows<'a> {
             dropped: 0,
             headers: Vec::new(),
             pending: None,
+            words: 0,
         }
     }
 
@@ -225,13 +233,23 @@ impl<'a> Rows<'a> {
         if number <= self.start.after || bytes.trim_ascii_start().is_empty() || is_comment(bytes) {
             return Ok(());
         }
-        self.settle_pending()?;
         let kept = self.row(Line {
             number,
             bytes,
             below: &behind[end..],
             ended: end > 0,
         });
+        match &kept {
+            // Words before words, or before the header, that are no damage until a row follows.
+            Err(Trouble::Words(_)) if self.words > 0 => {
+                self.words += 1;
+                return Ok(());
+            }
+            Err(Trouble::Header) if self.words > 0 => {
+                (self.pending, self.words) = (None, 0);
+            }
+            _ => self.settle_pending()?,
+        }
         self.count(kept, number)
     }
 
@@ -240,6 +258,8 @@ impl<'a> Rows<'a> {
         match kept {
             Ok(()) => self.rows += 1,
             Err(Trouble::Header) => self.headers.push(line),
+            Err(Trouble::Units) => {}
+            Err(Trouble::Words(error)) => (self.pending, self.words) = (Some(error), 1),
             Err(Trouble::Missing(_)) if self.options.na_drop => self.dropped += 1,
             Err(Trouble::Missing(error) | Trouble::Broken(error)) => self.pending = Some(error),
             Err(Trouble::Refused(error)) => return Err(error),
@@ -256,10 +276,11 @@ impl<'a> Rows<'a> {
 
     /// A broken row with others after it is one of those allowed, or the end.
     fn settle_pending(&mut self) -> Result<(), Error> {
+        let rows = std::mem::take(&mut self.words).max(1);
         match self.pending.take() {
             None => Ok(()),
-            Some(_) if self.skipped < self.options.skip_bad_rows => {
-                self.skipped += 1;
+            Some(_) if self.skipped + rows <= self.options.skip_bad_rows => {
+                self.skipped += rows;
                 Ok(())
             }
             Some(error) => Err(error),
@@ -318,7 +339,8 @@ impl<'a> Rows<'a> {
         at_column(&self.table.name, line.number, byte + 1, found)
     }
 
-    fn finish(self) -> Result<(), Error> {
+    fn finish(mut self) -> Result<(), Error> {
+        self.table.headers = std::mem::take(&mut self.headers);
         let name = &self.table.name;
         let warnings = &mut self.table.warnings;
         if self.rows == 0 {
@@ -333,6 +355,9 @@ impl<'a> Rows<'a> {
                 .detail("read_as", read_as)
         };
         if let Some(error) = self.pending {
+            if self.words > 1 && self.skipped + self.words > self.options.skip_bad_rows {
+                return Err(error);
+            }
             warnings.push(
                 Finding::of(Kind::RowCut)
                     .in_recording(name)
@@ -340,15 +365,17 @@ impl<'a> Rows<'a> {
                     .detail("why", error.to_string()),
             );
         }
-        if let Some(first) = self.headers.first() {
+        let headers = &self.table.headers;
+        if let Some(first) = headers.first() {
             let of = |kind| Finding::of(kind).count("header_line", self.start.header_line as usize);
-            if self.headers.len() < A_HABIT {
+            let has_time = self.start.layout.time.is_some() && self.options.rate.is_none();
+            if headers.len() < A_HABIT && !has_time {
                 return Err(at_column(name, *first, 1, of(Kind::HeaderAgain)));
             }
             warnings.push(
                 of(Kind::HeadersLeftOut)
                     .in_recording(name)
-                    .count("count", self.headers.len())
+                    .count("count", headers.len())
                     .count("line", *first as usize),
             );
         }

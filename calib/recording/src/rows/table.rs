@@ -34,6 +34,8 @@ pub(crate) struct Table {
     pub temperature_lines: LineNumbers,
     /// Columns that may name the device of a row.
     pub labels: Labels,
+    /// Lines on which its header comes again.
+    pub headers: Vec<u64>,
     /// Units in the header.
     pub stated: Stated,
     /// Unknown units that the header states for the accelerometer and for the gyroscope.

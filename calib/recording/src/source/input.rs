@@ -17,6 +17,7 @@ use super::place::in_file;
 use crate::Error;
 use crate::header::look::Look;
 use crate::header::preface::is_comment;
+use crate::spelling::SPELLINGS;
 
 /// No comments are longer.
 const LONGEST_PREFACE: usize = 64 << 20;
@@ -65,7 +66,7 @@ impl Input {
         let mut head = take_head(&name, &mut reader)?;
         decode::refuse_other_formats(&name, &head)?;
         take_preface(&name, &mut reader, &mut head)?;
-        Ok(Self {
+        let input = Self {
             name,
             head,
             rest: reader,
@@ -73,7 +74,25 @@ impl Input {
             unchanged: None,
             origin,
             look: OnceLock::new(),
-        })
+        };
+        input.respelt()
+    }
+
+    /// The same text with numbers and stamps as readers take them.
+    fn respelt(mut self) -> Result<Self, Error> {
+        for spelling in SPELLINGS {
+            let Some(change) = (spelling.change)(self.look()) else {
+                continue;
+            };
+            self = self.changed(change)?;
+            self.warnings.push(
+                Finding::of(Kind::NumberSpelling)
+                    .in_recording(&self.name)
+                    .detail("spelling", spelling.spelling)
+                    .detail("read_as", spelling.read_as),
+            );
+        }
+        Ok(self)
     }
 
     /// The first lines.

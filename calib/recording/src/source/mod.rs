@@ -239,7 +239,7 @@ impl Source {
 /// Bytes that a zip archive begins with.
 const ZIP: &[u8] = b"PK\x03\x04";
 
-/// The files of a zip archive, or the tables of a workbook.
+/// The files of a zip archive, or the tables of a workbook or of arrays.
 fn archive(
     name: String,
     mut unpacked: decode::Unpacked,
@@ -254,7 +254,16 @@ fn archive(
     };
     let container = container.map_err(|error| Error::input(error.finding().in_file(&name)))?;
     let files = Files::new(name, container);
-    match Tabular::by_name("xlsx").filter(|_| files.entry("xl/workbook.xml").is_some()) {
+    let has_arrays = files
+        .entries()
+        .iter()
+        .all(|entry| entry.name.ends_with(".npy"));
+    let format = match (files.entry("xl/workbook.xml"), files.entries()) {
+        (Some(_), _) => Tabular::by_name("xlsx"),
+        (None, [_, ..]) if has_arrays => Tabular::by_name("npy"),
+        _ => None,
+    };
+    match format {
         Some(format) => tables_of(files.name, format, path, bytes, options),
         None => Ok(Source::Files(files)),
     }

@@ -3,6 +3,7 @@
 pub(crate) mod decide;
 mod direction;
 pub(crate) mod field;
+mod lost_points;
 pub(crate) mod repeated;
 pub(crate) mod rests;
 pub(crate) mod swapped;

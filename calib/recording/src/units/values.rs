@@ -13,6 +13,7 @@ use crate::recording::samples::Samples;
 use crate::recording::stream::least_steps;
 use crate::shown::figure;
 use crate::source::place::{at_line, in_file};
+use crate::units::lost_points::lost;
 use crate::units::rests::{rests, sphere};
 use crate::units::thousands::separated;
 
@@ -71,6 +72,12 @@ pub(crate) fn check(
                 .detail("value", figure(value))
                 .detail("thousands", figure(1e3 * value));
             return Err(at_line(name, samples.line(first), found));
+        }
+        if let Some(found) = lost(samples.values.iter().map(|value| value[axis])) {
+            let points = of(Kind::PointsLost)
+                .detail("value", figure(found.value))
+                .detail("beside", figure(found.beside));
+            return Err(at_line(name, samples.line(found.at), points));
         }
         let peak = high.max(-low);
         if peak > 0.0 && peak < TINIEST {

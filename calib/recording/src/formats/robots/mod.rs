@@ -4,6 +4,7 @@ pub(crate) mod ardupilot_text;
 pub(crate) mod betaflight;
 pub(crate) mod kalibr;
 mod log_prefix;
+pub(crate) mod novatel;
 pub(crate) mod px4_text;
 pub(crate) mod razor;
 pub(crate) mod ros_text;

@@ -3,7 +3,9 @@
 pub(crate) mod brackets;
 pub(crate) mod clock_text;
 pub(crate) mod date_and_time;
+pub(crate) mod labview;
 pub(crate) mod long;
+pub(crate) mod per_axis;
 pub(crate) mod places;
 pub(crate) mod split_stamp;
 pub(crate) mod tagged;

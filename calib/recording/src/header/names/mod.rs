@@ -6,7 +6,7 @@ mod words;
 
 use sensor::Sensor;
 
-use self::parts::{LONGEST, OPENING};
+use self::parts::{LONGEST, OPENING, behind_label};
 pub(crate) use self::parts::{compact, take_apart};
 pub(crate) use self::stamps::{
     is_like_time, is_message_stamp, is_sampling_stamp, is_temperature_beside, says_unknown_unit,
@@ -26,6 +26,9 @@ pub(crate) fn may_be_linear(name: &str) -> bool {
 pub(crate) fn role_of(name: &str, only: Option<Sensor>) -> Option<Role> {
     if name.len() > LONGEST {
         return None;
+    }
+    if let Some(own) = behind_label(name) {
+        return role_of(&own, only);
     }
     let bracket = name.find(OPENING).unwrap_or(name.len());
     let ends = name[..bracket]
@@ -134,6 +137,9 @@ mod tests {
             ("T (°C)", Some(Role::Temperature)),
             ("T [degC]", Some(Role::Temperature)),
             ("T [ms]", Some(Role::Time)),
+            ("Avanti sensor 2: GYRO.Y 2 (deg/s)", Some(Role::Gyro(1))),
+            ("IM sensor 12: ACC.Z 12", Some(Role::Accel(2))),
+            ("sensor 1: ACC.Z 2", None),
             // An angle, and what gravity is taken off.
             ("角度X(°)", None),
             ("线性加速度x", None),

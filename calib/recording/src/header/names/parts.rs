@@ -87,6 +87,20 @@ fn behind_underscores(name: &str) -> Option<(&str, &str)> {
     of_sensor.or_else(|| last.filter(|split| units::is_unit(split.1) || of_field(split)))
 }
 
+/// The name of a channel behind the label of its sensor, whose number both end with: `ACC.X (g)` of `Avanti sensor 1: ACC.X 1 (g)`.
+pub(super) fn behind_label(name: &str) -> Option<String> {
+    let (label, rest) = name.split_once(':')?;
+    let number = label.trim_end().rsplit(' ').next()?;
+    let is_number = !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit());
+    let at = last_bracket(rest).unwrap_or(rest.len());
+    let (own, unit) = rest.split_at(at);
+    let own = own
+        .trim()
+        .strip_suffix(number)
+        .filter(|own| own.ends_with(' '))?;
+    is_number.then(|| own.to_owned() + unit)
+}
+
 /// A name without punctuation, in small letters.
 pub(crate) fn compact(word: &str) -> String {
     word.chars()

@@ -22,7 +22,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "record on a usual computer (x86 or ARM), or convert the recording to CSV on the one that made it",
         ),
         Kind::MessageCompressed => error(
-            "each message of the bag is compressed by itself (compression_mode: message), which the program does not read",
+            "a message of the bag that is compressed by itself (compression_mode: message) cannot be unpacked",
             "let `ros2 bag convert` write the messages uncompressed",
         ),
         Kind::EncapsulationUnknown => error(

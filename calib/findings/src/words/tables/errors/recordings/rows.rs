@@ -10,6 +10,14 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "the header of line {header_line} comes again: two tables are in one file",
             "split the file here",
         ),
+        Kind::AxesInUnits => error(
+            "the axes of the {sensor} are in different units: {names}",
+            "write the three in one unit",
+        ),
+        Kind::OtherHeader => error(
+            "the names of other columns ({names}) stand here below the header of line {header_line}: two tables are in one file",
+            "split the file here",
+        ),
         Kind::RowEmpty => error_by(
             "every cell of the sensors is empty in this row",
             vec![Remedy::set_to(OptionName::Na, "drop")],
@@ -49,6 +57,14 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
         Kind::ThousandsByPoints => error(
             "{axis} of the {sensor} has whole numbers below 1000, and from 1 on numbers with three decimals: {value} seems to be {thousands} with a separator of thousands",
             "export the file without digit grouping",
+        ),
+        Kind::UnitOfCell => error(
+            "`{cell}` in {column} has a unit that is not that of the column",
+            "write all numbers of the column in one unit, and that unit in its name",
+        ),
+        Kind::PointsLost => error(
+            "{axis} of the {sensor} is {value} beside {beside}: numbers have lost their decimal points, as in a spreadsheet that takes points for separators of thousands",
+            "take the numbers from the file that the spreadsheet read, or tell it the decimal mark when it reads that file",
         ),
         Kind::DecimalComma => error(
             "`{cell}` in {column} has a decimal comma, and the other numbers of the file have decimal points",

@@ -1,0 +1,196 @@
+//! Numbers with separators of thousands: `1.234,56`, `1'000.5`, `10 006,7`.
+
+use std::collections::BTreeSet;
+
+use super::cells::{cells, lines, separator, with_cells};
+use super::respell::{Respell, Spelling};
+use crate::header::look::Look;
+use crate::source::rewrite::rewritten;
+
+/// Numbers that cannot be read in another way have such separators.
+pub(super) static GROUPED: Spelling = Spelling {
+    spelling: "numbers with thousands separators",
+    read_as: "numbers without",
+    change,
+};
+
+/// Marks between groups that are never decimal marks: apostrophes and blanks.
+const APART: [char; 6] = ['\'', '\u{2019}', '\u{a0}', '\u{202f}', '\u{2009}', ' '];
+
+/// Whole numbers and grouped ones that a column has at least where nothing else tells the points from decimal marks.
+const FEWEST: usize = 3;
+
+/// What a cell is by its marks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Number {
+    /// A whole number of as many digits.
+    Whole(usize),
+    /// Groups between this mark, which can be nothing else.
+    Grouped(char),
+    /// One mark before three digits, where a first digit is not 0.
+    Perhaps(char),
+    /// A decimal mark.
+    Decimal(char),
+}
+
+/// What `cell` is; `None` for what is no number.
+fn number(cell: &str) -> Option<Number> {
+    let digits = cell.trim_start_matches(['+', '-', '\u{2212}']);
+    let is_mark = |c: char| matches!(c, '.' | ',') || APART.contains(&c);
+    if !digits.starts_with(|c: char| c.is_ascii_digit()) {
+        return None;
+    }
+    let mut others = digits.chars().filter(|c| !c.is_ascii_digit());
+    let Some(first) = others.next() else {
+        return Some(Number::Whole(digits.len()));
+    };
+    let marks: Vec<char> = std::iter::once(first).chain(others).collect();
+    if !marks.iter().all(|c| is_mark(*c)) {
+        return None;
+    }
+    let groups: Vec<&str> = digits.split(is_mark).collect();
+    let last = marks[marks.len() - 1];
+    let decimals = (last != first || APART.contains(&last)) && matches!(last, '.' | ',');
+    let whole = &groups[..groups.len() - usize::from(decimals)];
+    let own = &marks[..marks.len() - usize::from(decimals)];
+    let are_groups = whole[1..].iter().all(|group| group.len() == 3)
+        && (1..=3).contains(&whole[0].len())
+        && !whole[0].starts_with('0')
+        && own.iter().all(|mark| *mark == first);
+    match own.len() {
+        0 => Some(Number::Decimal(first)),
+        _ if !are_groups && marks.len() == 1 => Some(Number::Decimal(first)),
+        _ if !are_groups => None,
+        1 if !decimals && !APART.contains(&first) => Some(Number::Perhaps(first)),
+        // Three numbers of three digits may share a cell.
+        _ if !decimals && first == ' ' => Some(Number::Perhaps(first)),
+        _ => Some(Number::Grouped(first)),
+    }
+}
+
+/// The mark between thousands in a text, and its separator.
+fn mark(look: &Look) -> Option<(char, char)> {
+    let lines = lines(look);
+    let separator = separator(&lines)?;
+    let rows: Vec<Vec<Option<Number>>> = lines
+        .iter()
+        .map(|line| {
+            let places = cells(line, separator).into_iter();
+            places.map(|at| number(&line[at])).collect()
+        })
+        .collect();
+    let all = || rows.iter().flatten().flatten();
+    let certain: BTreeSet<char> = all()
+        .filter_map(|number| match number {
+            Number::Grouped(mark) => Some(*mark),
+            _ => None,
+        })
+        .collect();
+    let mark = match certain.len() {
+        0 => by_column(&rows)?,
+        1 => *certain.first()?,
+        _ => return None,
+    };
+    // The same mark before decimals.
+    let is_decimal = all().any(|number| *number == Number::Decimal(mark));
+    (!is_decimal).then_some((mark, separator))
+}
+
+/// The mark before three digits, where the other one is the decimal mark and a column has whole numbers below a thousand beside them
+/// and none above.
+fn by_column(rows: &[Vec<Option<Number>>]) -> Option<char> {
+    let has = |mark| {
+        let mut all = rows.iter().flatten().flatten();
+        all.any(|number| *number == Number::Decimal(mark))
+    };
+    let mark = match (has(','), has('.')) {
+        (true, false) => '.',
+        (false, true) => ',',
+        _ => return None,
+    };
+    let width = rows.iter().map(Vec::len).max()?;
+    let tells = |column: usize| {
+        let cells = rows.iter().filter_map(|row| *row.get(column)?);
+        let (mut whole, mut grouped) = (0, 0);
+        for cell in cells {
+            match cell {
+                Number::Whole(1) => {}
+                Number::Whole(2 | 3) => whole += 1,
+                Number::Perhaps(found) if found == mark => grouped += 1,
+                _ => return false,
+            }
+        }
+        whole >= FEWEST && grouped >= FEWEST
+    };
+    (0..width).any(tells).then_some(mark)
+}
+
+fn change(look: &Look) -> Option<Respell> {
+    let (mark, separator) = mark(look)?;
+    Some(Box::new(move |text| {
+        rewritten(text, move |line, out| {
+            let Ok(text) = std::str::from_utf8(line) else {
+                return out.extend_from_slice(line);
+            };
+            let is_grouped = |at: &std::ops::Range<usize>| matches!(number(&text[at.clone()]), Some(Number::Grouped(found) | Number::Perhaps(found)) if found == mark);
+            let grouped = cells(text, separator).into_iter().filter(is_grouped);
+            let changes: Vec<_> = grouped
+                .map(|at| (at.clone(), text[at].replace(mark, "")))
+                .collect();
+            with_cells(text, &changes, out);
+        })
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::respell::respelt;
+    use super::*;
+
+    #[test]
+    fn groups_that_nothing_else_can_be_are_joined() {
+        for (text, expected) in [
+            (
+                "t;a;b\n1.010;-9.806,65;102,5\n",
+                "t;a;b\n1010;-9806,65;102,5\n",
+            ),
+            (
+                "t;a;b\n1'010;-9'806.65;102.5\n",
+                "t;a;b\n1010;-9806.65;102.5\n",
+            ),
+            (
+                "t;a;b\n10\u{202f}010;9 806,65;2,5\n",
+                "t;a;b\n10\u{202f}010;9 806,65;2,5\n",
+            ),
+            ("t;a;b\n10;9\u{a0}806,65;2,5\n", "t;a;b\n10;9806,65;2,5\n"),
+            ("t\ta\tb\n1\t9,806.65\t2.5\n", "t\ta\tb\n1\t9806.65\t2.5\n"),
+            ("t,a,b\n1,\"9,806.65\",2.5\n", "t,a,b\n1,\"9806.65\",2.5\n"),
+            ("t;a;b\n1.234.567;1;2\n", "t;a;b\n1234567;1;2\n"),
+            // A column of stamps that go on over a thousand, among decimal commas.
+            (
+                "t;a;b\n970;1,5;1\n980;1,5;1\n990;1,5;1\n1.000;1,5;1\n1.010;1,5;1\n1.020;1,5;1\n",
+                "t;a;b\n970;1,5;1\n980;1,5;1\n990;1,5;1\n1000;1,5;1\n1010;1,5;1\n1020;1,5;1\n",
+            ),
+            (
+                "t;a;b\n970;1.5;1\n980;1.5;1\n990;1.5;1\n1,000;1.5;1\n1,010;1.5;1\n1,020;1.5;1\n",
+                "t;a;b\n970;1.5;1\n980;1.5;1\n990;1.5;1\n1000;1.5;1\n1010;1.5;1\n1020;1.5;1\n",
+            ),
+        ] {
+            let read = respelt(&GROUPED, text);
+            assert_eq!(read.as_deref().unwrap_or(text), expected);
+        }
+    }
+
+    #[test]
+    fn decimals_are_left_alone() {
+        for text in [
+            "t;a;b\n1.010;-9.806;102.500\n",
+            "t;a;b\n0.500;9.806,65;1\n",
+            "t;a;b\n1,010;2,5;1.250\n",
+            "t,a,b\n1,2,3\n4,5,6\n",
+            "t;a;b\n2026.11.21;10:00:00;1,5\n",
+        ] {
+            assert_eq!(respelt(&GROUPED, text), None, "{text}");
+        }
+    }
+}

@@ -1,0 +1,29 @@
+//! A way to spell numbers, and the change of a text that is spelt so.
+
+use std::io::Read;
+
+use crate::header::look::Look;
+
+/// A change of a text that keeps its lines.
+pub(crate) type Respell = Box<dyn FnOnce(Box<dyn Read + Send>) -> Box<dyn Read + Send>>;
+
+/// A way to spell numbers.
+#[derive(Debug)]
+pub(crate) struct Spelling {
+    /// What is spelt so, in a remark.
+    pub spelling: &'static str,
+    /// What it is read as.
+    pub read_as: &'static str,
+    /// Function that returns the change of a text that is spelt so by its first lines; `None` for any other.
+    pub change: fn(&Look) -> Option<Respell>,
+}
+
+/// The text with its numbers as readers take them; `None` where it is not spelt so.
+#[cfg(test)]
+pub(super) fn respelt(spelling: &Spelling, text: &str) -> Option<String> {
+    let change = (spelling.change)(&Look::at(text.as_bytes()))?;
+    let mut changed = String::new();
+    let read = change(Box::new(std::io::Cursor::new(text.to_owned())));
+    { read }.read_to_string(&mut changed).ok()?;
+    Some(changed)
+}
