@@ -48,7 +48,7 @@ pub fn text(calibration: &Calibration) -> String {
     if all.is_empty() {
         return String::new();
     }
-    let rows: Vec<[String; 5]> = all.iter().flat_map(rows).collect();
+    let mut rows: Vec<[String; 5]> = all.iter().flat_map(rows).collect();
     let header = [
         "± 1 σ".into(),
         "scale, ppm".into(),
@@ -56,11 +56,11 @@ pub fn text(calibration: &Calibration) -> String {
         "mrad".into(),
         bias_header(&all),
     ];
-    let width = |k: usize| {
-        let cells = std::iter::once(&header).chain(&rows);
-        cells.map(|row| row[k].chars().count()).max().unwrap_or(0)
-    };
-    let widths = [0, 1, 2, 3, 4].map(width);
+    if 4 + widths(&header, &rows).iter().sum::<usize>() > terminal::width() {
+        let cells = rows.iter_mut().flatten();
+        cells.for_each(|cell| *cell = cell.replace(" ± ", "±"));
+    }
+    let widths = widths(&header, &rows);
     // Two columns between the cells where the terminal has them.
     let wide = 2 + widths.iter().sum::<usize>() + 2 * (widths.len() - 1) <= terminal::width();
     let between = if wide { "  " } else { " " };
@@ -76,6 +76,14 @@ pub fn text(calibration: &Calibration) -> String {
     let mut lines: Vec<String> = std::iter::once(&header).chain(&rows).map(line).collect();
     lines.extend(all.iter().filter_map(of_counts));
     lines.join("\n")
+}
+
+/// The columns that the cells of each take.
+fn widths(header: &[String; 5], rows: &[[String; 5]]) -> [usize; 5] {
+    [0, 1, 2, 3, 4].map(|k| {
+        let cells = std::iter::once(header).chain(rows);
+        cells.map(|row| row[k].chars().count()).max().unwrap_or(0)
+    })
 }
 
 /// The bias, and of which recording it is where each has its own.
