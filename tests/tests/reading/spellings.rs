@@ -142,26 +142,13 @@ fn grouped(number: f64, group: &str, mark: &str, decimals: usize) -> String {
 fn thousands_that_nothing_else_can_be_are_read() {
     let samples = Samples::of_session();
     let header = "t [ms];ax [mm/s²];ay [mm/s²];az [mm/s²];gx [mrad/s];gy [mrad/s];gz [mrad/s]";
-    for (group, mark) in [
-        (".", ","),
-        ("'", "."),
-        ("’", "."),
-        ("\u{202f}", ","),
-        (",", "."),
-    ] {
+    for (group, mark) in [("'", "."), ("’", "."), ("\u{202f}", ",")] {
         let row = |t: f64, numbers: [f64; 6]| {
             let numbers = joined(numbers, ";", |n| grouped(1e3 * n, group, mark, 5));
             format!("{};{numbers}", grouped(1e3 * t, group, mark, 0))
         };
         is_it("r.csv", table(&samples, header, row), &samples);
     }
-    // Only the stamps go over a thousand.
-    let row = |t: f64, numbers: [f64; 6]| {
-        let numbers = joined(numbers, ";", |n| format!("{n:.8}").replace('.', ","));
-        format!("{};{numbers}", grouped(1e3 * t, ".", ",", 0))
-    };
-    let header = HEADER.replace(',', ";").replace("time", "t [ms]");
-    is_it("r.csv", table(&samples, &header, row), &samples);
 }
 
 #[test]

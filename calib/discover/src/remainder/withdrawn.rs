@@ -21,8 +21,11 @@ use crate::state::State;
 /// Coefficients that chance makes so large in more cases than this say nothing.
 const BY_CHANCE: f64 = 0.05;
 
+/// An effect that leaves less than this share of the misfit of its channel is what is missing: what it leaves is of second order.
+const NEARLY_ALL: f64 = 0.01;
+
 /// Withdraws the effects that are not evident against what remains unexplained: a rest of `g` times the noise
-/// makes all likelihood ratios `g²` times too large.
+/// makes all likelihood ratios `g²` times too large. One that explains nearly all stays.
 pub(crate) fn without_weak(session: &Session<'_>, found: &mut Search) -> Result<bool, Error> {
     let threshold = session.request.threshold();
     let noise = found.last.noise;
@@ -34,9 +37,13 @@ pub(crate) fn without_weak(session: &Session<'_>, found: &mut Search) -> Result<
             return true;
         };
         let parts = Sequence::of(&name.without, noise).of_column(name.predicted().col_as_slice(0));
-        let gap = gap_of(&left, channel_of(&parts)).max(1.0);
+        let channel = channel_of(&parts);
+        let gap = gap_of(&left, channel).max(1.0);
+        let without = Sequence::of(&name.without, noise).misfits(&name.without);
+        let explains_nearly_all = gap.powi(2) < NEARLY_ALL * gap_of(&without, channel).powi(2);
         let ranked = &name.ranked;
-        let evident = ranked.evidence_at(ranked.statistic / (gap * gap)) > threshold;
+        let evident =
+            explains_nearly_all || ranked.evidence_at(ranked.statistic / (gap * gap)) > threshold;
         if !evident {
             extension.effects.retain(|(e, _)| e.name() != effect.name());
         }

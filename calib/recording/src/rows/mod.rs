@@ -32,9 +32,8 @@ use crate::source::lines::{Line, end_of_line, lines};
 use crate::source::pipeline::parse_all;
 use crate::source::place::{at_column, at_line, in_file};
 
-/// A header that comes again so often is the habit of a logger; once or twice, and tables are in one file, whose stamps say how
-/// much time is between them.
-const A_HABIT: usize = 3;
+/// A header that comes again so often is the habit of a logger; once or twice, and tables are in one file.
+pub(crate) const A_HABIT: usize = 3;
 
 /// Why a row is not used.
 enum Trouble {
@@ -341,6 +340,7 @@ impl<'a> Rows<'a> {
 
     fn finish(mut self) -> Result<(), Error> {
         self.table.headers = std::mem::take(&mut self.headers);
+        self.table.header_line = self.start.header_line;
         let name = &self.table.name;
         let warnings = &mut self.table.warnings;
         if self.rows == 0 {
@@ -368,6 +368,7 @@ impl<'a> Rows<'a> {
         let headers = &self.table.headers;
         if let Some(first) = headers.first() {
             let of = |kind| Finding::of(kind).count("header_line", self.start.header_line as usize);
+            // Stamps say whether the tables are recordings of their own.
             let has_time = self.start.layout.time.is_some() && self.options.rate.is_none();
             if headers.len() < A_HABIT && !has_time {
                 return Err(at_column(name, *first, 1, of(Kind::HeaderAgain)));

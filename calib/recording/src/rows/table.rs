@@ -36,6 +36,8 @@ pub(crate) struct Table {
     pub labels: Labels,
     /// Lines on which its header comes again.
     pub headers: Vec<u64>,
+    /// The line of its header.
+    pub header_line: u64,
     /// Units in the header.
     pub stated: Stated,
     /// Unknown units that the header states for the accelerometer and for the gyroscope.

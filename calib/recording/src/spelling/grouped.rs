@@ -1,4 +1,5 @@
-//! Numbers with separators of thousands: `1.234,56`, `1'000.5`, `10 006,7`.
+//! Numbers with separators of thousands that are never decimal marks: `1'000.5`, `10 006,7`. Points and commas between thousands are
+//! refused where they are read, for one of them is the decimal mark of another file.
 
 use std::collections::BTreeSet;
 
@@ -17,17 +18,14 @@ pub(super) static GROUPED: Spelling = Spelling {
 /// Marks between groups that are never decimal marks: apostrophes and blanks.
 const APART: [char; 6] = ['\'', '\u{2019}', '\u{a0}', '\u{202f}', '\u{2009}', ' '];
 
-/// Whole numbers and grouped ones that a column has at least where nothing else tells the points from decimal marks.
-const FEWEST: usize = 3;
-
 /// What a cell is by its marks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Number {
-    /// A whole number of as many digits.
-    Whole(usize),
+    /// A whole number.
+    Whole,
     /// Groups between this mark, which can be nothing else.
     Grouped(char),
-    /// One mark before three digits, where a first digit is not 0.
+    /// One blank before three digits: three numbers of three digits may share a cell.
     Perhaps(char),
     /// A decimal mark.
     Decimal(char),
@@ -42,7 +40,7 @@ fn number(cell: &str) -> Option<Number> {
     }
     let mut others = digits.chars().filter(|c| !c.is_ascii_digit());
     let Some(first) = others.next() else {
-        return Some(Number::Whole(digits.len()));
+        return Some(Number::Whole);
     };
     let marks: Vec<char> = std::iter::once(first).chain(others).collect();
     if !marks.iter().all(|c| is_mark(*c)) {
@@ -61,8 +59,7 @@ fn number(cell: &str) -> Option<Number> {
         0 => Some(Number::Decimal(first)),
         _ if !are_groups && marks.len() == 1 => Some(Number::Decimal(first)),
         _ if !are_groups => None,
-        1 if !decimals && !APART.contains(&first) => Some(Number::Perhaps(first)),
-        // Three numbers of three digits may share a cell.
+        _ if !APART.contains(&first) => None,
         _ if !decimals && first == ' ' => Some(Number::Perhaps(first)),
         _ => Some(Number::Grouped(first)),
     }
@@ -87,42 +84,13 @@ fn mark(look: &Look) -> Option<(char, char)> {
         })
         .collect();
     let mark = match certain.len() {
-        0 => by_column(&rows)?,
+        0 => return None,
         1 => *certain.first()?,
         _ => return None,
     };
     // The same mark before decimals.
     let is_decimal = all().any(|number| *number == Number::Decimal(mark));
     (!is_decimal).then_some((mark, separator))
-}
-
-/// The mark before three digits, where the other one is the decimal mark and a column has whole numbers below a thousand beside them
-/// and none above.
-fn by_column(rows: &[Vec<Option<Number>>]) -> Option<char> {
-    let has = |mark| {
-        let mut all = rows.iter().flatten().flatten();
-        all.any(|number| *number == Number::Decimal(mark))
-    };
-    let mark = match (has(','), has('.')) {
-        (true, false) => '.',
-        (false, true) => ',',
-        _ => return None,
-    };
-    let width = rows.iter().map(Vec::len).max()?;
-    let tells = |column: usize| {
-        let cells = rows.iter().filter_map(|row| *row.get(column)?);
-        let (mut whole, mut grouped) = (0, 0);
-        for cell in cells {
-            match cell {
-                Number::Whole(1) => {}
-                Number::Whole(2 | 3) => whole += 1,
-                Number::Perhaps(found) if found == mark => grouped += 1,
-                _ => return false,
-            }
-        }
-        whole >= FEWEST && grouped >= FEWEST
-    };
-    (0..width).any(tells).then_some(mark)
 }
 
 fn change(look: &Look) -> Option<Respell> {
@@ -151,10 +119,6 @@ mod tests {
     fn groups_that_nothing_else_can_be_are_joined() {
         for (text, expected) in [
             (
-                "t;a;b\n1.010;-9.806,65;102,5\n",
-                "t;a;b\n1010;-9806,65;102,5\n",
-            ),
-            (
                 "t;a;b\n1'010;-9'806.65;102.5\n",
                 "t;a;b\n1010;-9806.65;102.5\n",
             ),
@@ -163,18 +127,6 @@ mod tests {
                 "t;a;b\n10\u{202f}010;9 806,65;2,5\n",
             ),
             ("t;a;b\n10;9\u{a0}806,65;2,5\n", "t;a;b\n10;9806,65;2,5\n"),
-            ("t\ta\tb\n1\t9,806.65\t2.5\n", "t\ta\tb\n1\t9806.65\t2.5\n"),
-            ("t,a,b\n1,\"9,806.65\",2.5\n", "t,a,b\n1,\"9806.65\",2.5\n"),
-            ("t;a;b\n1.234.567;1;2\n", "t;a;b\n1234567;1;2\n"),
-            // A column of stamps that go on over a thousand, among decimal commas.
-            (
-                "t;a;b\n970;1,5;1\n980;1,5;1\n990;1,5;1\n1.000;1,5;1\n1.010;1,5;1\n1.020;1,5;1\n",
-                "t;a;b\n970;1,5;1\n980;1,5;1\n990;1,5;1\n1000;1,5;1\n1010;1,5;1\n1020;1,5;1\n",
-            ),
-            (
-                "t;a;b\n970;1.5;1\n980;1.5;1\n990;1.5;1\n1,000;1.5;1\n1,010;1.5;1\n1,020;1.5;1\n",
-                "t;a;b\n970;1.5;1\n980;1.5;1\n990;1.5;1\n1000;1.5;1\n1010;1.5;1\n1020;1.5;1\n",
-            ),
         ] {
             let read = respelt(&GROUPED, text);
             assert_eq!(read.as_deref().unwrap_or(text), expected);
@@ -185,6 +137,8 @@ mod tests {
     fn decimals_are_left_alone() {
         for text in [
             "t;a;b\n1.010;-9.806;102.500\n",
+            "t;a;b\n1.010;-9.806,65;102,5\n",
+            "t,a,b\n1,\"9,806.65\",2.5\n",
             "t;a;b\n0.500;9.806,65;1\n",
             "t;a;b\n1,010;2,5;1.250\n",
             "t,a,b\n1,2,3\n4,5,6\n",
