@@ -206,7 +206,7 @@ mod tests {
         assert_eq!(in_turn(&humming), None);
         // One of which every other read fails.
         let read = |k: usize| {
-            if k % 2 == 0 {
+            if k.is_multiple_of(2) {
                 Vector3::zeros()
             } else {
                 noisy(k, 0.0)
