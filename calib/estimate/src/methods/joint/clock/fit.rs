@@ -439,6 +439,22 @@ mod tests {
         assert_eq!(clock.sampling.value, 0.0);
     }
 
+    /// A scatter that is fitted beside one of the two makes its residuals small, and is no evidence for it.
+    #[test]
+    fn means_and_instants_are_told_apart_at_a_low_rate() {
+        for (sampling, instants) in [(Sampling::Average, false), (Sampling::Point, true)] {
+            for seed in 0..3 {
+                let mut spec = tactical(seed);
+                (spec.rate, spec.sampling) = (25.0, sampling);
+                if let simulate::Motion::HandHeld(motion) = &mut spec.motion {
+                    (motion.turn, motion.tremor, motion.shock) = ([1.0, 2.5], 0.0, 0.0);
+                }
+                let clock = clock_of(&spec);
+                assert_eq!(clock.instants, instants, "{sampling:?} {seed}: {clock:?}");
+            }
+        }
+    }
+
     #[test]
     fn knocks_seen_at_instants_miss_a_share_that_is_found() {
         let mut spec = Spec::hand_held(5);
