@@ -84,8 +84,8 @@ fn limits(values: &[Vector3<f64>], axis: usize) -> Limits {
 
 /// Number of rows of an axis at `limit` that stand in runs of three or more and cut off a peak.
 ///
-/// A parabola that is cut off over `n` rows and left by `s` a row is `n s / 4` higher. A row that repeats all axes of the one before was
-/// read too early, and counts for none.
+/// A parabola that is cut off over `n` rows and left by `s` a row is `n s / 4` higher; of `s` a least step may be rounding. A row that
+/// repeats all axes of the one before was read too early, and counts for none.
 pub(crate) fn cut_off_at(values: &[Vector3<f64>], axis: usize, step: f64, limit: f64) -> usize {
     let is_new = |k: &usize| {
         k.checked_sub(1)
@@ -104,7 +104,7 @@ pub(crate) fn cut_off_at(values: &[Vector3<f64>], axis: usize, step: f64, limit:
         }
         let beside = [begin.checked_sub(1), Some(end)].into_iter().flatten();
         let leaps: Vec<f64> = beside
-            .filter_map(|k| Some((column.get(k)? - limit).abs()))
+            .filter_map(|k| Some(((column.get(k)? - limit).abs() - step).max(0.0)))
             .collect();
         let slope = leaps.iter().sum::<f64>() / leaps.len().max(1) as f64;
         if 0.25 * run.len() as f64 * slope > HIGHER * step {
@@ -176,7 +176,7 @@ mod tests {
     #[test]
     fn a_turn_that_is_cut_off_is_at_the_limit_and_a_round_peak_of_coarse_readings_is_not() {
         assert!(at_the_top(1e-4, 4.0) > 10);
-        for step in [2e-3, 5e-3, 0.01, 0.02, 0.05] {
+        for step in [2e-3, 5e-3, 0.01, 0.02, 0.05, 1.0] {
             assert_eq!(at_the_top(step, 10.0), 0, "{step}");
         }
     }
