@@ -36,11 +36,11 @@ pub(crate) fn without_weak(session: &Session<'_>, found: &mut Search) -> Result<
         let Claim::Effect(effect) = &name.claim else {
             return true;
         };
-        let parts = Sequence::of(&name.without, noise).of_column(name.predicted().col_as_slice(0));
-        let channel = channel_of(&parts);
+        let without = Sequence::of(&name.without, noise);
+        let channel = channel_of(&without.of_column(name.predicted().col_as_slice(0)));
         let gap = gap_of(&left, channel).max(1.0);
-        let without = Sequence::of(&name.without, noise).misfits(&name.without);
-        let explains_nearly_all = gap.powi(2) < NEARLY_ALL * gap_of(&without, channel).powi(2);
+        let before = gap_of(&without.misfits(&name.without), channel);
+        let explains_nearly_all = gap.powi(2) < NEARLY_ALL * before.powi(2);
         let ranked = &name.ranked;
         let evident =
             explains_nearly_all || ranked.evidence_at(ranked.statistic / (gap * gap)) > threshold;

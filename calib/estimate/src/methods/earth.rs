@@ -5,6 +5,9 @@ use gyroscope::EARTH_RATE;
 use nalgebra::Vector3;
 use sensor::{EffectRef, Model, Nature};
 
+/// Standard deviation of a component of the earth's rotation where nothing is known of its direction, rad/s.
+pub const EARTH_COMPONENT: f64 = EARTH_RATE / 1.732_050_807_568_877_2;
+
 /// Returns true if the rotation of the earth is among the effects.
 pub fn is_among(effects: &[EffectRef]) -> bool {
     let mut natures = effects.iter().map(|effect| effect.nature());
@@ -47,7 +50,7 @@ pub fn at_rest(latitude: Option<f64>, up: Option<Vector3<f64>>) -> AtRest {
     let (Some(latitude), Some(up)) = (latitude, up) else {
         return AtRest {
             known: Vector3::zeros(),
-            std: Vector3::repeat(EARTH_RATE / 3f64.sqrt()),
+            std: Vector3::repeat(EARTH_COMPONENT),
         };
     };
     let horizontal = EARTH_RATE * latitude.to_radians().cos();

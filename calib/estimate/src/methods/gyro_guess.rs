@@ -74,7 +74,10 @@ pub fn gyroscope_guess(turns: &[TurnData]) -> GyroGuess {
     if let Some((_, axes)) = mounted.filter(|(value, _)| *value < PREDICTED) {
         return guess(1.0, axes);
     }
-    if in_si && let Some(axes) = turned(&all, &all_axes) {
+    if in_si
+        && turns.len() >= ENOUGH_TURNS
+        && let Some(axes) = turned(&all, &all_axes)
+    {
         return guess(1.0, axes);
     }
     let fine = scales(longest, SCALE_STEP);
@@ -101,8 +104,8 @@ pub fn gyroscope_guess(turns: &[TurnData]) -> GyroGuess {
     }
 }
 
-/// The sensor's axes turned by any angle, from the permutations that miss least by a few steps of Gauss and Newton; `None` where the turns
-/// are too few to tell, or none of them is right.
+/// The sensor's axes turned by any angle, from the permutations that miss least by a few steps of Gauss and Newton; `None` where none of
+/// them is right.
 fn turned(turns: &TurnProblem<'_>, all_axes: &[Matrix3<f64>]) -> Option<Matrix3<f64>> {
     let mut starts: Vec<(f64, Matrix3<f64>)> = all_axes
         .iter()
@@ -111,8 +114,7 @@ fn turned(turns: &TurnProblem<'_>, all_axes: &[Matrix3<f64>]) -> Option<Matrix3<
     starts.sort_by(|a, b| a.0.total_cmp(&b.0));
     let nearest = starts.into_iter().take(STARTS);
     let (value, axes) = least(nearest.map(|(_, axes)| improved(turns, axes)))?;
-    let rows = chords(turns, &axes).len();
-    (rows >= 3 * ENOUGH_TURNS && value < TURNED).then_some(axes)
+    (value < TURNED).then_some(axes)
 }
 
 /// The axes turned so that the turns miss least, by Gauss–Newton on the angle `δ` of `exp(δ) axes`, and by how much they miss then.
@@ -210,14 +212,9 @@ fn misfit(turns: &TurnProblem<'_>, scale: f64, axes: &Matrix3<f64>) -> f64 {
 /// The length by which each turn misses gravity for a perfect sensor of a scale.
 pub(super) fn perfect_chords(turns: &[TurnData], scale: f64) -> Vec<f64> {
     let model = Model::base(Sensor::Gyroscope);
-    let base = Base {
-        t: Matrix3::identity() * scale,
-        bias: Vector3::zeros(),
-    };
-    let mut rows = Vec::new();
-    plain(&model, turns).values(&base.parameters(), &mut rows);
-    let chords = rows.chunks_exact(3);
-    chords
+    let rows = chords(&plain(&model, turns), &(Matrix3::identity() * scale));
+    rows.as_slice()
+        .chunks_exact(3)
         .map(|r| Vector3::new(r[0], r[1], r[2]).norm())
         .collect()
 }

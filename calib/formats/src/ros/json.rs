@@ -20,12 +20,12 @@ pub(super) fn said(bytes: &[u8]) -> Option<Said> {
     let message: Value = serde_json::from_slice(bytes).ok()?;
     let stamps = ["/header/stamp", "/timestamp", "/stamp"];
     let stamp = stamps.iter().find_map(|path| message.pointer(path))?;
-    let part = |names: [&str; 3]| {
+    let part = |names: &[&str]| {
         let mut values = names.iter().filter_map(|name| stamp.get(name));
         values.next()?.as_i64()
     };
-    let seconds = part(["sec", "secs", "seconds"])?;
-    let nanoseconds = part(["nanosec", "nsec", "nsecs"]).or_else(|| part(["nanos", "", ""]))?;
+    let seconds = part(&["sec", "secs", "seconds"])?;
+    let nanoseconds = part(&["nanosec", "nsec", "nsecs", "nanos"])?;
     let vector = |name: &str| {
         let covariance = message.get(format!("{name}_covariance"));
         // A first entry of -1 says that the sensor does not measure it.

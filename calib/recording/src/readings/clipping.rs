@@ -87,6 +87,10 @@ fn limits(values: &[Vector3<f64>], axis: usize) -> Limits {
 /// A parabola that is cut off over `n` rows and left by `s` a row is `n s / 4` higher; of `s` a least step may be rounding. A row that
 /// repeats all axes of the one before was read too early, and counts for none.
 pub(crate) fn cut_off_at(values: &[Vector3<f64>], axis: usize, step: f64, limit: f64) -> usize {
+    // Most recordings reach their extreme once or twice.
+    if values.iter().filter(|value| value[axis] == limit).count() < RUN {
+        return 0;
+    }
     let is_new = |k: &usize| {
         k.checked_sub(1)
             .is_none_or(|before| values[before] != values[*k])

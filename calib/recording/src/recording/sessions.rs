@@ -6,7 +6,7 @@ use crate::Error;
 use crate::clock::restarts::{Session, sessions};
 use crate::clock::wraps;
 use crate::rows::table::Table;
-use crate::rows::{A_HABIT, sort};
+use crate::rows::{refuse_lone_header, sort};
 use crate::shown::figure;
 use crate::source::place::{at_column, at_line, in_file};
 use findings::{Finding, Findings, Kind};
@@ -80,7 +80,10 @@ fn only_part(
     let count = |of: &Vec<Session>| of.len().max(1);
     let most = found.iter().map(count).max().unwrap_or(1);
     if most == 1 {
-        tables.iter().try_for_each(refuse_header_again)?;
+        // Neither the stamps nor a habit of the logger say why a header comes again.
+        for table in &*tables {
+            refuse_lone_header(&table.name, table.header_line, &table.headers)?;
+        }
         refuse_part(name, options)?;
         return Ok(String::new());
     }
@@ -132,18 +135,6 @@ fn only_part(
         1 => String::new(),
         _ => format!("#{part}"),
     })
-}
-
-/// Refuses a table whose header comes again, where neither its stamps nor a habit of its logger say why.
-fn refuse_header_again(table: &Table) -> Result<(), Error> {
-    match table.headers.first() {
-        Some(first) if table.headers.len() < A_HABIT => {
-            let again = Finding::of(Kind::HeaderAgain);
-            let again = again.count("header_line", table.header_line as usize);
-            Err(at_column(&table.name, *first, 1, again))
-        }
-        _ => Ok(()),
-    }
 }
 
 /// Builds the error that one of several recordings has to be chosen.

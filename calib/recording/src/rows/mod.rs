@@ -33,7 +33,26 @@ use crate::source::pipeline::parse_all;
 use crate::source::place::{at_column, at_line, in_file};
 
 /// A header that comes again so often is the habit of a logger; once or twice, and tables are in one file.
-pub(crate) const A_HABIT: usize = 3;
+const A_HABIT: usize = 3;
+
+/// Refuses a header that comes again at some lines, where that is no habit of the logger.
+///
+/// # Errors
+/// [`Error::Input`] at the first of the lines.
+pub(crate) fn refuse_lone_header(
+    name: &str,
+    header_line: u64,
+    headers: &[u64],
+) -> Result<(), Error> {
+    match headers.first() {
+        Some(first) if headers.len() < A_HABIT => {
+            let again = Finding::of(Kind::HeaderAgain);
+            let again = again.count("header_line", header_line as usize);
+            Err(at_column(name, *first, 1, again))
+        }
+        _ => Ok(()),
+    }
+}
 
 /// Why a row is not used.
 enum Trouble {
@@ -367,14 +386,15 @@ impl<'a> Rows<'a> {
         }
         let headers = &self.table.headers;
         if let Some(first) = headers.first() {
-            let of = |kind| Finding::of(kind).count("header_line", self.start.header_line as usize);
+            let header_line = self.table.header_line;
             // Stamps say whether the tables are recordings of their own.
             let has_time = self.start.layout.time.is_some() && self.options.rate.is_none();
-            if headers.len() < A_HABIT && !has_time {
-                return Err(at_column(name, *first, 1, of(Kind::HeaderAgain)));
+            if !has_time {
+                refuse_lone_header(name, header_line, headers)?;
             }
             warnings.push(
-                of(Kind::HeadersLeftOut)
+                Finding::of(Kind::HeadersLeftOut)
+                    .count("header_line", header_line as usize)
                     .in_recording(name)
                     .count("count", headers.len())
                     .count("line", *first as usize),

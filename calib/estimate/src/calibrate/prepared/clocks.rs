@@ -96,8 +96,7 @@ pub(in crate::calibrate) fn without_bursts(recording: &Recording) -> Option<(Rec
 pub(in crate::calibrate) fn apart(recordings: &[&Recording]) -> Vec<Finding> {
     let (mut offsets, mut drifts) = (Vec::new(), Vec::new());
     for recording in recordings {
-        let sensors = recording.accelerometer.as_ref();
-        let Some((force, rate)) = sensors.zip(recording.gyroscope.as_ref()) else {
+        let Some((force, rate)) = both(recording) else {
             continue;
         };
         let offset = clock_offset(force, rate);
@@ -113,9 +112,14 @@ pub(in crate::calibrate) fn apart(recordings: &[&Recording]) -> Vec<Finding> {
 
 /// The finding about one of a recording's sensors that is later than the other; `None` where that is too little to see.
 pub fn late_clock(recording: &Recording) -> Option<Finding> {
-    let sensors = recording.accelerometer.as_ref();
-    let (force, rate) = sensors.zip(recording.gyroscope.as_ref())?;
+    let (force, rate) = both(recording)?;
     clock_offset(force, rate).map(|found| late(&recording.name, found))
+}
+
+/// Accelerometer and gyroscope of a recording that has them.
+fn both(recording: &Recording) -> Option<(&Stream, &Stream)> {
+    let force = recording.accelerometer.as_ref();
+    force.zip(recording.gyroscope.as_ref())
 }
 
 /// One clock that is late, perhaps by another offset.

@@ -2,19 +2,16 @@
 
 use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
 use faer::{Mat, MatMut, Par, Side};
-use gyroscope::EARTH_RATE;
 use nalgebra::DMatrix;
 
 use super::chain::Chain;
 use super::exposure::Exposure;
+use crate::methods::earth::EARTH_COMPONENT;
 use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::blocks::covariance::{Covariance, combined, independent};
 use crate::methods::joint::blocks::groups::RowGroups;
 use crate::methods::joint::noise::rows::RowNoise;
-
-/// Standard deviation of a component of the earth's rotation where nothing is known of its direction, rad/s.
-const EARTH_COMPONENT: f64 = EARTH_RATE / 1.732_050_807_568_877_2;
 
 /// Error of the integration over a turn that is always granted, rad: what the coning terms leave out.
 const INTEGRATION: f64 = 1e-8;
