@@ -359,6 +359,8 @@ kinds! {
     FieldDisturbed = "field_disturbed",
     /// The magnetic field differs from place to place.
     FieldUneven = "field_uneven",
+    /// The magnetic field differs a little from place to place.
+    FieldLittleUneven = "field_little_uneven",
     /// The magnetometer's bias steps part of the way.
     MagneticBiasStepped = "magnetic_bias_stepped",
     /// The magnetic field around the device steps part of the way.

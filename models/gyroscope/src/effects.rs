@@ -12,6 +12,7 @@ pub mod earth_rate;
 pub mod gyro_delay;
 pub mod gyro_g2_sensitivity;
 pub mod gyro_g_sensitivity;
+pub mod gyro_low_pass;
 pub mod gyro_room_field;
 pub mod gyro_vibration_rectification;
 
@@ -36,6 +37,7 @@ pub static EFFECTS: &[&dyn AnyEffect] = &[
     &SENSOR.has(Cubic, "gyro_cubic", "1/(rad/s)^2", 2e-4),
     &SENSOR.has(Asymmetry, "gyro_asymmetry", "", 5e-4),
     &gyro_delay::GyroDelay,
+    &gyro_low_pass::GyroLowPass,
     &SENSOR.has_with(
         MisalignmentTemperature,
         "gyro_misalignment_temperature",

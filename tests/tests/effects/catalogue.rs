@@ -50,6 +50,7 @@ const PROMISED: [(Sensor, &[&str]); 3] = [
             "gyro_cubic",
             "gyro_asymmetry",
             "gyro_delay",
+            "gyro_low_pass",
             "gyro_misalignment_temperature",
             "gyro_relaxation",
             "gyro_room_field",
@@ -66,6 +67,9 @@ const PROMISED: [(Sensor, &[&str]); 3] = [
             "mag_temperature",
             "mag_scale_temperature",
             "mag_g_sensitivity",
+            "mag_drift",
+            "mag_quadratic",
+            "mag_cubic",
         ],
     ),
 ];

@@ -1,12 +1,18 @@
 //! Accelerometer stamps that are late: only the moving accelerometer shows them.
 
+use estimate::methods::joint::TurnSensitivity;
 use nalgebra::{Matrix4, Vector3, Vector4};
+use sensor::Kinematics;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use crate::state::State;
 
 /// Turns that a verdict needs beyond the four coefficients.
 const SPARE_TURNS: usize = 6;
+
+/// Steps of Gauss and Newton at most, and the share of its standard error by which the last of them moves the delay.
+const STEPS: usize = 10;
+const SETTLED: f64 = 0.01;
 
 /// Time offset of the stamps, estimated from the accelerometer during motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,9 +41,9 @@ struct Turn {
     b: Vector4<f64>,
 }
 
-/// Estimates the delay `d` from the turns: what the accelerometer reads besides gravity,
+/// Estimates the delay `d` from the turns: what the accelerometer reads is of the motion `d` ago,
 ///
-/// `f − g u = −d g (u × ω) + α × r + ω × (ω × r) + hand`,
+/// `f(t) = [g u + α × r + ω × (ω × r) + hand](t − d)`, `∂(g u)/∂d = −g (u × ω)`,
 ///
 /// `u` the direction of gravity that the gyroscope carries, `r` the arm from the centre of the rotation to the
 /// accelerometer, `hand` its translation: it is no white noise, but independent from turn to turn, so
@@ -46,22 +52,31 @@ struct Turn {
 ///
 /// `None` with too few turns.
 pub fn delay(state: &State) -> Option<Delay> {
-    of_turns(&turns(state, |_| true))
+    of_turns(state, |_| true)
 }
 
 /// The same of every recording by its own turns, where there are several.
 pub fn delays(state: &State) -> Vec<(usize, Delay)> {
     let count = state.fit.data.sources.len();
     let recordings = if count > 1 { 0..count } else { 0..0 };
-    let of = |recording| {
-        let own = turns(state, |of_turn| of_turn == recording);
-        Some((recording, of_turns(&own)?))
-    };
+    let of = |recording| Some((recording, of_turns(state, |own| own == recording)?));
     recordings.filter_map(of).collect()
 }
 
-/// The turns of the recordings that are wanted.
-fn turns(state: &State, is_wanted: impl Fn(usize) -> bool) -> Vec<Turn> {
+/// The delay by the turns of the recordings that are wanted.
+fn of_turns(state: &State, is_wanted: impl Fn(usize) -> bool) -> Option<Delay> {
+    let found = by_equations(&equations(state, &is_wanted, 0.0))?;
+    let steps = std::iter::successors(Some((found, f64::INFINITY)), |(last, _)| {
+        let next = by_equations(&equations(state, &is_wanted, last.delay))?;
+        Some((next, (next.delay - last.delay).abs()))
+    });
+    let mut steps = steps.take(STEPS);
+    let settled = steps.find(|(found, step)| *step < SETTLED * found.std);
+    settled.map(|(found, _)| found).or(Some(found))
+}
+
+/// Normal equations of the turns that are wanted, linear about the delay `late`.
+fn equations(state: &State, is_wanted: &impl Fn(usize) -> bool, late: f64) -> Vec<Turn> {
     let gravity = state.fit.gravity;
     let all = state.sensitivities.turns.iter();
     all.filter(|turn| is_wanted(state.fit.data.turns[turn.turn].recording))
@@ -70,14 +85,19 @@ fn turns(state: &State, is_wanted: impl Fn(usize) -> bool) -> Vec<Turn> {
                 a: Matrix4::zeros(),
                 b: Vector4::zeros(),
             };
-            for truth in &turn.truth {
-                let (w, alpha) = (truth.angular_rate, truth.angular_acceleration);
-                let g = truth.attitude.into_body(&Vector3::z()) * gravity;
-                let late = -g.cross(&w);
-                let arm = alpha.cross_matrix() + w.cross_matrix() * w.cross_matrix();
-                let y = truth.specific_force - g;
+            for (t, truth) in turn.t.iter().zip(&turn.truth) {
+                let Motion {
+                    u,
+                    rate,
+                    acceleration,
+                } = Motion::at(turn, t - late);
+                let g = u * gravity;
+                let by_delay = -g.cross(&rate);
+                let cross = rate.cross_matrix();
+                let arm = acceleration.cross_matrix() + cross * cross;
+                let y = truth.specific_force - g + by_delay * late;
                 for i in 0..3 {
-                    let x = Vector4::new(late[i], arm[(i, 0)], arm[(i, 1)], arm[(i, 2)]);
+                    let x = Vector4::new(by_delay[i], arm[(i, 0)], arm[(i, 1)], arm[(i, 2)]);
                     sums.a += x * x.transpose();
                     sums.b += x * y[i];
                 }
@@ -87,7 +107,38 @@ fn turns(state: &State, is_wanted: impl Fn(usize) -> bool) -> Vec<Turn> {
         .collect()
 }
 
-fn of_turns(turns: &[Turn]) -> Option<Delay> {
+/// The motion at an instant of a turn.
+struct Motion {
+    /// Up, in the body's frame.
+    u: Vector3<f64>,
+    /// Angular rate, rad/s.
+    rate: Vector3<f64>,
+    /// Angular acceleration, rad/s².
+    acceleration: Vector3<f64>,
+}
+
+impl Motion {
+    /// Linear between the samples; before the first and after the last as there.
+    fn at(turn: &TurnSensitivity, t: f64) -> Self {
+        let next = turn.t.partition_point(|other| *other < t);
+        let (i, j) = (next.saturating_sub(1), next.min(turn.t.len() - 1));
+        let length = turn.t[j] - turn.t[i];
+        let share = if length > 0.0 {
+            (t - turn.t[i]) / length
+        } else {
+            0.0
+        };
+        let (a, b) = (&turn.truth[i], &turn.truth[j]);
+        let up = |of: &Kinematics<f64>| of.attitude.into_body(&Vector3::z());
+        Self {
+            u: up(a).lerp(&up(b), share),
+            rate: a.angular_rate.lerp(&b.angular_rate, share),
+            acceleration: a.angular_acceleration.lerp(&b.angular_acceleration, share),
+        }
+    }
+}
+
+fn by_equations(turns: &[Turn]) -> Option<Delay> {
     if turns.len() < 4 + SPARE_TURNS {
         return None;
     }
@@ -157,6 +208,11 @@ mod tests {
         assert!(
             late.gap_before > 2.0 && late.held_out_gap_after < 1.5,
             "{late:?}"
+        );
+        let very_late = found(0.2);
+        assert!(
+            (very_late.delay - 0.2).abs() < 4.0 * very_late.std,
+            "{very_late:?}"
         );
         let punctual = found(0.0);
         assert!(punctual.delay.abs() < 4.0 * punctual.std, "{punctual:?}");

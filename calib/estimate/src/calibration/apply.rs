@@ -81,7 +81,7 @@ fn corrected(
     ) {
         field.convert_to_microtesla();
         let own = calibration.magnetic_field.as_ref();
-        if own.is_some_and(|own| (own.unit == "uT") != field.unit.is_some()) {
+        if own.is_some_and(|own| (own.unit_of_readings() == "uT") != field.unit.is_some()) {
             corrected.warnings.push(Finding::of(Kind::UnitUnclear));
         }
     }

@@ -5,8 +5,11 @@ use serde::{Deserialize, Serialize};
 /// The field of the place, that of the last recording where there are several.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MagneticField {
-    /// `uT`, or `reading` where the file does not state the unit of the magnetometer.
+    /// Unit of the field: `uT`, or `reading` where neither the file states the unit of the magnetometer nor the strength was given.
     pub unit: String,
+    /// Unit of the magnetometer's readings, where it is another: `reading` where the strength was given and the file states none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reading_unit: Option<String>,
     /// True if the strength was given. Otherwise the scale of the magnetometer is free: its `T` has determinant 1, and the
     /// strength is that of the field in units of this sensor.
     pub strength_given: bool,
@@ -18,6 +21,13 @@ pub struct MagneticField {
     /// The field of every recording, where there are several.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub recordings: Vec<RecordingField>,
+}
+
+impl MagneticField {
+    /// Returns the unit of the magnetometer's readings.
+    pub fn unit_of_readings(&self) -> &str {
+        self.reading_unit.as_deref().unwrap_or(&self.unit)
+    }
 }
 
 /// The field of one recording.

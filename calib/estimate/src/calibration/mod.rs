@@ -304,7 +304,7 @@ impl Calibration {
         }
         if let (Some(triad), Some(field)) = (&mut self.magnetometer, &self.magnetic_field) {
             triad.units = Some(TriadUnits {
-                reading: field.unit.clone(),
+                reading: field.unit_of_readings().into(),
                 t: "1".into(),
                 corrected: field.unit.clone(),
             });

@@ -66,11 +66,13 @@ fn known(name: &str, finding: &Finding) -> Option<String> {
     if let Some(number) = finding.numbers.iter().find(|n| n.name == name) {
         return number.value.map(|value| human(value, &number.unit));
     }
-    let word = finding.word(name)?;
-    Some(match name {
-        "parameter" => parameters::with_words(word),
-        _ => word.to_owned(),
-    })
+    match (finding.word(name), name) {
+        (Some(word), "parameter") => Some(parameters::with_words(word)),
+        (Some(word), _) => Some(word.to_owned()),
+        (None, "interval") => place.interval.map(|interval| interval.to_string()),
+        (None, "turn") => place.turn.map(|turn| turn.to_string()),
+        (None, _) => None,
+    }
 }
 
 /// `static interval 3 (t = 1.20 to 4.50 s)`, or as much of it as is known.

@@ -124,7 +124,7 @@ fn magnetometer(calibration: &Calibration) -> String {
     else {
         return String::new();
     };
-    let unit = field_unit(calibration);
+    let unit = field_reading_unit(calibration);
     let mut text = String::from("\nMagnetometer   m = T (M - b)");
     if !field.strength_given {
         text.push_str(", T of determinant 1 (--field gives the scale)");
@@ -191,6 +191,14 @@ fn uneven(field: &MagneticField, unit: &str) -> String {
 pub fn field_unit(calibration: &Calibration) -> &'static str {
     match &calibration.magnetic_field {
         Some(field) if field.unit != "uT" => "reading",
+        _ => "µT",
+    }
+}
+
+/// Unit of the magnetometer's readings.
+fn field_reading_unit(calibration: &Calibration) -> &'static str {
+    match &calibration.magnetic_field {
+        Some(field) if field.unit_of_readings() != "uT" => "reading",
         _ => "µT",
     }
 }

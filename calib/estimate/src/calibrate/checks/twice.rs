@@ -1,4 +1,4 @@
-//! The same data in two recordings: standard errors would count them twice.
+//! The same data in two recordings, or twice in one: standard errors would count them twice.
 
 use findings::{Finding, Kind};
 use recording::intervals::{Segmentation, StaticInterval};
@@ -10,6 +10,9 @@ const IN_A_ROW: usize = 4;
 /// Directions of gravity that differ by less than this share of the variance of their noise have the same noise: of two
 /// recordings with the very same placements one pair of twenty would, and four in a row by chance in one of 10⁵.
 const SAME_NOISE: f64 = 0.1;
+
+/// The same within one recording, whose clock, unit and rounding are one: placements that a jig repeats differ by their noise.
+const SAME_NOISE_WITHIN: f64 = 0.01;
 
 /// Largest relative difference in length of equal static intervals, by rounding and by where the detector sees their ends.
 const SAME_LENGTH: f64 = 0.1;
@@ -35,7 +38,7 @@ pub fn without_copies<'a>(
     (kept, said)
 }
 
-/// Refuses recordings of which one repeats a part of another, whatever its clock, its unit and its name.
+/// Refuses recordings of which one repeats a part of another, whatever its clock, its unit and its name, or a part of its own.
 ///
 /// # Errors
 /// The two and where the same data are.
@@ -44,9 +47,17 @@ pub fn none_is_there_twice<'a>(
 ) -> Result<(), Error> {
     let all: Vec<_> = cut.into_iter().collect();
     for (k, (second, of_second)) in all.iter().enumerate() {
-        for (first, of_first) in &all[..k] {
-            let Some((i, j)) = same_from(&of_first.statics, &of_second.statics) else {
+        for (i_of, (first, of_first)) in all[..=k].iter().enumerate() {
+            let found = match i_of == k {
+                true => again_from(&of_second.statics),
+                false => same_from(&of_first.statics, &of_second.statics),
+            };
+            let Some((i, j)) = found else {
                 continue;
+            };
+            let other = match i_of == k {
+                true => "itself",
+                false => &first.name,
             };
             let (here, there) = (of_first.statics[i].span, of_second.statics[j].span);
             return Err(Error::input(
@@ -54,7 +65,7 @@ pub fn none_is_there_twice<'a>(
                     .in_recording(&second.name)
                     .at_interval(j)
                     .from_time(there.from)
-                    .detail("other", first.name.clone())
+                    .detail("other", other)
                     .count("interval", i + 1)
                     .detail("time", format!("{:.2} s", here.from)),
             ));
@@ -65,16 +76,37 @@ pub fn none_is_there_twice<'a>(
 
 /// From where on so many static intervals in a row are the same.
 fn same_from(first: &[StaticInterval], second: &[StaticInterval]) -> Option<(usize, usize)> {
-    let runs = |i: usize| {
-        let from = move |j: usize| (i, j);
-        (0..=second.len().checked_sub(IN_A_ROW)?)
-            .map(from)
-            .find(|(i, j)| (0..IN_A_ROW).all(|k| is_same(&first[i + k], &second[j + k])))
-    };
-    (0..=first.len().checked_sub(IN_A_ROW)?).find_map(runs)
+    let starts = 0..=first.len().checked_sub(IN_A_ROW)?;
+    let pairs = starts.flat_map(|i| (0..second.len()).map(move |j| (i, j)));
+    pairs.into_iter().find(|(i, j)| {
+        let second = second.get(*j..*j + IN_A_ROW);
+        second.is_some_and(|second| are_same(&first[*i..*i + IN_A_ROW], second, SAME_NOISE))
+    })
 }
 
-fn is_same(a: &StaticInterval, b: &StaticInterval) -> bool {
+/// From where on a recording has static intervals that were there before.
+fn again_from(all: &[StaticInterval]) -> Option<(usize, usize)> {
+    let runs = all.windows(IN_A_ROW).enumerate();
+    let pairs = runs.clone().flat_map(|(i, first)| {
+        let later = runs.clone().skip(i + IN_A_ROW);
+        later.map(move |(j, second)| ((i, first), (j, second)))
+    });
+    let mut noisy = pairs.filter(|((_, first), _)| first.iter().all(is_noisy));
+    let found = noisy.find(|((_, a), (_, b))| are_same(a, b, SAME_NOISE_WITHIN));
+    found.map(|((i, _), (j, _))| (i, j))
+}
+
+/// Returns true if the readings are more than one value.
+fn is_noisy(rest: &StaticInterval) -> bool {
+    rest.accelerometer
+        .is_some_and(|mean| mean.covariance.trace() > 0.0)
+}
+
+fn are_same(first: &[StaticInterval], second: &[StaticInterval], noise: f64) -> bool {
+    first.iter().zip(second).all(|(a, b)| is_same(a, b, noise))
+}
+
+fn is_same(a: &StaticInterval, b: &StaticInterval, noise: f64) -> bool {
     let (Some(one), Some(other)) = (a.accelerometer, b.accelerometer) else {
         return false;
     };
@@ -83,5 +115,29 @@ fn is_same(a: &StaticInterval, b: &StaticInterval) -> bool {
     let variance =
         [one, other].map(|m| m.covariance.trace() / m.mean.norm_squared() / m.count as f64);
     (long - short).abs() < SAME_LENGTH * long.max(short)
-        && direction.norm_squared() <= SAME_NOISE * (variance[0] + variance[1])
+        && direction.norm_squared() <= noise * (variance[0] + variance[1])
+}
+
+#[cfg(test)]
+mod tests {
+    use recording::intervals::{Detector, segment};
+    use simulate::Spec;
+
+    use super::*;
+
+    #[test]
+    fn a_recording_appended_to_itself_is_refused_and_repeated_faces_are_not() {
+        let once = Spec::hand_held(3).run().unwrap().recording;
+        let cut = segment(&once, &Detector::default()).unwrap();
+        assert!(none_is_there_twice([(&once, &cut)]).is_ok());
+        let (first, mut second) = (&cut.statics, cut.statics.clone());
+        let both = |second: &[StaticInterval]| [first, second].concat();
+        assert_eq!(again_from(&both(&second)), Some((0, first.len())));
+        // The very same placements with a noise of their own.
+        for rest in &mut second {
+            let mean = rest.accelerometer.as_mut().unwrap();
+            mean.mean.x += (mean.covariance[(0, 0)] / mean.count as f64).sqrt();
+        }
+        assert_eq!(again_from(&both(&second)), None);
+    }
 }

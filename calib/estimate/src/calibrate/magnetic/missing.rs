@@ -14,8 +14,16 @@ const UNLIKELY: f64 = 1e-5;
 /// changes with the attitude looks like an effect too, and only a part of it goes with any.
 const EXPLAINED: f64 = 0.5;
 
-/// The effect that is the least likely to be nothing, with its probability, if that is small and it explains most of what
-/// `found` leaves; `fit` fits a larger model.
+/// An effect that the readings go with and the model lacks.
+pub struct Missing {
+    pub effect: EffectRef,
+    /// Probability of so much by chance, over all effects.
+    pub p_value: f64,
+    /// The field's unevenness that it leaves.
+    pub unevenness: f64,
+}
+
+/// The effect that is the least likely to be nothing, if that is unlikely and it explains most of what `found` leaves; `fit` fits a larger model.
 ///
 /// By Wald's test in the larger model, with the degrees of freedom of its residuals.
 pub fn effect(
@@ -23,7 +31,7 @@ pub fn effect(
     found: &MagneticFit,
     has_temperature: bool,
     fit: impl Fn(&Model) -> Option<MagneticFit>,
-) -> Option<(EffectRef, f64)> {
+) -> Option<Missing> {
     // An even field leaves nothing to explain.
     if found.unevenness == 0.0 {
         return None;
@@ -41,12 +49,15 @@ pub fn effect(
         if larger.unevenness >= EXPLAINED * found.unevenness {
             return None;
         }
-        let p = by_chance(&larger, effect.params().len())?;
-        Some((effect, p))
+        let p_value = by_chance(&larger, effect.params().len())?;
+        Some(Missing {
+            effect,
+            p_value: p_value * magnetometer::EFFECTS.len() as f64,
+            unevenness: larger.unevenness,
+        })
     });
-    let (effect, p) = judged.min_by(|a, b| a.1.total_cmp(&b.1))?;
-    let p = p * magnetometer::EFFECTS.len() as f64;
-    (p < UNLIKELY).then_some((effect, p))
+    let best = judged.min_by(|a, b| a.p_value.total_cmp(&b.p_value))?;
+    (best.p_value < UNLIKELY).then_some(best)
 }
 
 /// Probability that the last `count` parameters are as far from 0 by chance.

@@ -108,6 +108,7 @@ fn fitted(
     request: &Request,
 ) -> Result<(), Error> {
     let unit = common_unit(recordings, request)?;
+    let units = Units::of(unit, request.field.is_some());
     if outcome.calibration.accelerometer.is_none() {
         return Err(Error::not_enough(Finding::of(Kind::AttitudeNotSeen)));
     }
@@ -145,11 +146,11 @@ fn fitted(
         .iter()
         .map(|&k| recordings[k].name.as_str())
         .collect();
-    // What an effect explains is no step.
-    let step = match missing {
-        None => stepped::stepped(&base, &whole, names[0]),
-        Some(_) => None,
-    };
+    // A step looks like a drift, and the other way round: the one that leaves less is meant.
+    let step = stepped::stepped(&base, &whole, names[0], &units);
+    let left = missing.as_ref().map_or(f64::INFINITY, |own| own.unevenness);
+    let step = step.filter(|(fit, _)| fit.unevenness < left);
+    let missing = missing.filter(|_| step.is_none());
     let is_divided = step.is_some();
     let (fit, step) = step.map_or((whole, None), |(fit, step)| (fit, Some(step)));
     if is_divided {
@@ -163,7 +164,7 @@ fn fitted(
             inertial: &inertial,
             recordings: &names,
             is_divided,
-            unit,
+            units,
             strength_given: request.field.is_some(),
             missing,
             updates_others: request.method == Method::Joint,
@@ -180,6 +181,29 @@ fn fitted(
     });
     calibration.warnings.extend(turned);
     Ok(())
+}
+
+/// Units of the numbers of a magnetometer, as findings have them.
+#[derive(Clone, Copy, Debug)]
+struct Units {
+    /// Of its readings.
+    reading: &'static str,
+    /// Of the field, to which a given strength brings readings of any unit.
+    field: &'static str,
+}
+
+/// Millionths of a tesla, and a unit that nobody states.
+const MICROTESLA: &str = "µT";
+const OF_READINGS: &str = "units of its readings";
+
+impl Units {
+    fn of(unit: Option<FieldUnit>, strength_given: bool) -> Self {
+        let word = |is_known| if is_known { MICROTESLA } else { OF_READINGS };
+        Self {
+            reading: word(unit.is_some()),
+            field: word(unit.is_some() || strength_given),
+        }
+    }
 }
 
 /// The unit of all magnetometers; `None` where no file states it.

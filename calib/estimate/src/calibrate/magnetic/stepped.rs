@@ -1,10 +1,11 @@
 //! A magnetometer whose bias, or the field around it, becomes another part of the way: as where a phone corrects its offset by itself.
 
 use findings::{Finding, Kind};
-use nalgebra::Vector3;
+use nalgebra::{Vector2, Vector3};
 use sensor::Sensor;
 
-use crate::methods::magnetic::{MagneticFit, MagneticRequest, fit_magnetometer};
+use super::Units;
+use crate::methods::magnetic::{Field, MagneticFit, MagneticRequest, fit_magnetometer};
 use crate::methods::small_sample::by_chance;
 
 /// Fewest placements on either side.
@@ -25,6 +26,7 @@ pub fn stepped<'a>(
     request: &MagneticRequest<'a>,
     fit: &MagneticFit,
     name: &str,
+    units: &Units,
 ) -> Option<(MagneticFit, Finding)> {
     let noise = fit.residual_rms / fit.reduced_chi2.max(f64::MIN_POSITIVE).sqrt();
     if request.recordings != 1 || fit.unevenness < UNEVEN * noise {
@@ -50,14 +52,22 @@ pub fn stepped<'a>(
         (0..3).map(|k| change[k].powi(2) / (before.std[k].powi(2) + after.std[k].powi(2)));
     let is_bias = by_chance(squares.sum(), 3.0) < UNLIKELY;
     let found = match is_bias {
-        true => of(Kind::MagneticBiasStepped).number("size", change.norm(), "µT"),
-        false => of(Kind::FieldStepped).number(
-            "size",
-            (best.fields[1].strength - best.fields[0].strength).abs(),
-            "µT",
-        ),
+        true => of(Kind::MagneticBiasStepped).number("size", change.norm(), units.reading),
+        false => {
+            let size = difference(&best.fields[0], &best.fields[1]);
+            of(Kind::FieldStepped).number("size", size, units.field)
+        }
     };
     Some((best, found))
+}
+
+/// The smallest difference of two fields, whose headings nothing ties.
+fn difference(one: &Field, other: &Field) -> f64 {
+    let part = |field: &Field| {
+        let (down, level) = field.inclination.sin_cos();
+        Vector2::new(level, down) * field.strength
+    };
+    (part(one) - part(other)).norm()
 }
 
 /// The same with the placements from `at` on as another recording.

@@ -2,10 +2,11 @@
 
 use findings::{Finding, Kind, OptionName, Remedy};
 use nalgebra::{DMatrix, DVector};
-use recording::FieldUnit;
-use sensor::{EffectRef, Model, Sensor};
+use sensor::{Base, Model, Sensor};
 
 use super::inertial::Inertial;
+use super::missing::Missing;
+use super::{MICROTESLA, Units};
 use crate::calibrate::assemble;
 use crate::calibration::{Calibration, MagneticField, RecordingBias, RecordingField, Triad};
 use crate::methods::Fitted;
@@ -13,6 +14,9 @@ use crate::methods::magnetic::{Field, MagneticFit, OwnBias};
 
 /// Turns and headings that disagree by chance in fewer cases than this do not correct the gyroscope.
 const CONTRADICTION: f64 = 1e-3;
+
+/// One that differs by more than so many times the noise of an interval's mean is worth a remark.
+const EVIDENT: f64 = 3.0;
 
 /// A field that differs by more than this share of itself from place to place is worth a warning.
 const UNEVEN: f64 = 0.02;
@@ -26,10 +30,10 @@ pub struct Written<'a> {
     pub recordings: &'a [&'a str],
     /// True if these are the parts of one recording, of which the last counts.
     pub is_divided: bool,
-    pub unit: Option<FieldUnit>,
+    pub units: Units,
     pub strength_given: bool,
-    /// An effect that the readings go with and the model lacks, and the probability of so much by chance.
-    pub missing: Option<(EffectRef, f64)>,
+    /// An effect that the readings go with and the model lacks.
+    pub missing: Option<Missing>,
     /// True if the magnetometer also corrects accelerometer and gyroscope.
     pub updates_others: bool,
 }
@@ -127,15 +131,12 @@ fn field(written: &Written<'_>) -> MagneticField {
         .map(of)
         .collect();
     let last = all[all.len() - 1].clone();
+    let [unit, reading_unit] = [written.units.field, written.units.reading].map(name_of);
     MagneticField {
-        unit: if written.unit.is_some() || written.strength_given {
-            "uT"
-        } else {
-            "reading"
-        }
-        .into(),
+        unit: unit.into(),
+        reading_unit: (reading_unit != unit).then(|| reading_unit.into()),
         strength_given: written.strength_given,
-        unevenness: written.fit.unevenness,
+        unevenness: unevenness(written.fit),
         last,
         recordings: match all.len() > 1 && !written.is_divided {
             true => all,
@@ -144,13 +145,22 @@ fn field(written: &Written<'_>) -> MagneticField {
     }
 }
 
+/// A unit as files have it.
+fn name_of(unit: &str) -> &'static str {
+    match unit {
+        MICROTESLA => "uT",
+        _ => "reading",
+    }
+}
+
+/// By how much the field differs per axis from place to place, in its own unit.
+fn unevenness(fit: &MagneticFit) -> f64 {
+    fit.unevenness * Base::from_parameters(&fit.model.values).scale()
+}
+
 fn warnings(written: &Written<'_>) -> Vec<Finding> {
     let fit = written.fit;
-    let unit = if written.unit.is_some() {
-        "µT"
-    } else {
-        "units of its readings"
-    };
+    let unit = written.units.reading;
     let of = |kind| Finding::of(kind).of_sensor(Sensor::Magnetometer);
     let mut all = Vec::new();
     for (place, size) in &fit.disturbed {
@@ -168,19 +178,25 @@ fn warnings(written: &Written<'_>) -> Vec<Finding> {
         .iter()
         .map(|f| f.strength)
         .fold(f64::INFINITY, f64::min);
-    if fit.unevenness > UNEVEN * strength {
-        all.push(
-            of(Kind::FieldUneven)
-                .number("size", fit.unevenness, unit)
-                .number("share", fit.unevenness / strength, "share")
-                .number("noise", fit.residual_rms / fit.reduced_chi2.sqrt(), unit),
-        );
-    }
-    all.extend(written.missing.as_ref().map(|(effect, p)| {
+    let share = unevenness(fit) / strength;
+    let noise = fit.residual_rms / fit.reduced_chi2.sqrt();
+    let kind = match share > UNEVEN {
+        true => Some(Kind::FieldUneven),
+        false if fit.unevenness > EVIDENT * noise => Some(Kind::FieldLittleUneven),
+        false => None,
+    };
+    all.extend(kind.map(|kind| {
+        of(kind)
+            .number("size", fit.unevenness, unit)
+            .number("share", share, "share")
+            .number("noise", noise, unit)
+    }));
+    all.extend(written.missing.as_ref().map(|missing| {
+        let name = missing.effect.name();
         of(Kind::MagneticEffect)
-            .detail("effect", effect.name())
-            .detail("p", format!("{p:.0e}"))
-            .only_remedies([Remedy::set_to(OptionName::Effects, effect.name())])
+            .detail("effect", name)
+            .detail("p", format!("{:.0e}", missing.p_value))
+            .only_remedies([Remedy::set_to(OptionName::Effects, name)])
     }));
     if written.updates_others && fit.turns_p_value <= CONTRADICTION {
         all.push(of(Kind::HeadingDisagrees).detail("p", format!("{:.0e}", fit.turns_p_value)));

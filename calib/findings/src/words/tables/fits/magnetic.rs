@@ -21,6 +21,11 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             remedies: vec![Remedy::AwayFromIron],
             ..care(0.5)
         },
+        Kind::FieldLittleUneven => Entry {
+            reason: "the magnetic field differs a little from place to place",
+            text: "the magnetic field differs by {size} per axis between static intervals ({share} of it; the magnetometer's noise makes {noise}). The magnetometer's standard errors cover that",
+            ..remark(0.2)
+        },
         Kind::MagneticBiasStepped => Entry {
             reason: "the magnetometer's bias steps",
             text: "from static interval {interval} on ({t0}) the magnetometer's bias is another by {size}, as where the device corrects it by itself or a magnet in it moved. The calibration holds from there on",
@@ -29,7 +34,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
         },
         Kind::FieldStepped => Entry {
             reason: "the magnetic field around the device steps",
-            text: "from static interval {interval} on ({t0}) the magnetic field around the device is another by {size} in strength, as where a current was switched on or iron was moved. The field of the calibration is that from there on",
+            text: "from static interval {interval} on ({t0}) the magnetic field around the device is another by {size} at least, as where a current was switched on or iron was moved. The field of the calibration is that from there on",
             remedies: vec![Remedy::AwayFromIron],
             ..care(0.5)
         },

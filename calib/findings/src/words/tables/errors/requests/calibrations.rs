@@ -84,7 +84,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
         ),
         Kind::ReadingsTwice => error(
             "this recording repeats readings of {other}: from {at} on they equal those from static interval {interval} (t = {time}) on. Counted twice they make the standard errors too small",
-            "leave one of the two recordings out",
+            "leave one of the two out: a recording, or the rows that come again",
         ),
         Kind::AxesOfOtherTurned => error_with(
             "the axes of this recording are turned against those of {other}: by their biases and scale factors, {axes}. One calibration of both would be wrong for either",
