@@ -314,6 +314,8 @@ kinds! {
     BiasMoved = "bias_moved",
     /// The bias of a sensor wandered during the recording.
     BiasWandered = "bias_wandered",
+    /// The bias wanders by less than a corrected reading shows.
+    BiasUnsteady = "bias_unsteady",
     /// Static intervals in a part of the recording fit another accelerometer.
     OfAnotherAccelerometer = "of_another_accelerometer",
     /// A recording that the fit did not see disagrees with the calibration, whatever its biases are.

@@ -182,7 +182,10 @@ fn withdraw_motion(warnings: &mut Findings, recording: &Recording, changes: &[Fi
             .is_some_and(|own| sensors.any(|sensor| sensor == own))
     };
     warnings.retain(|found| {
-        let moves = matches!(found.kind, Kind::BiasMoved | Kind::BiasWandered);
+        let moves = matches!(
+            found.kind,
+            Kind::BiasMoved | Kind::BiasWandered | Kind::BiasUnsteady
+        );
         let place = found.place.recording.as_deref();
         let is_here = place.is_some_and(|own| is_of(own, &recording.name));
         !(moves && is_here && changed(found))

@@ -48,7 +48,7 @@ fn motion(calibration: &Calibration, found: &Finding) -> Option<(Sensor, Vector3
     let size = found.value("size").map_or(0.0, f64::abs) / near_si;
     let motion = match found.kind {
         Kind::BiasMoved => OF_A_RAMP * Vector3::repeat(found.value("change")? / near_si),
-        Kind::BiasWandered => Vector3::repeat(size),
+        Kind::BiasWandered | Kind::BiasUnsteady => Vector3::repeat(size),
         Kind::BiasStep => {
             let axis = ["x", "y", "z"].map(|axis| found.word("axis") == Some(axis));
             let all = axis == [false; 3];

@@ -44,9 +44,14 @@ pub fn placements_apart(fit: &JointFit) -> Option<Finding> {
 /// An effect that the rows speak for though no channel as a whole misfits: its part in the errors is not in them.
 pub fn of_missing(missing: &Missing) -> Option<Finding> {
     (missing.p_value < SPEAKS).then(|| {
-        Finding::of(Kind::EffectMissing)
-            .of_sensor(missing.effect.sensor())
-            .detail("effect", missing.effect.name())
+        let found = Finding::of(Kind::EffectMissing);
+        let found = match missing.explains_most() {
+            true => found
+                .of_sensor(missing.effect.sensor())
+                .detail("effect", missing.effect.name()),
+            false => found,
+        };
+        found
             .number("statistic", missing.statistic, "1")
             .number("dof", missing.dof as f64, "count")
             .detail("p", format!("{:.0e}", missing.p_value))

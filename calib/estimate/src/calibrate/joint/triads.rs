@@ -42,7 +42,7 @@ fn bias_time(moved: &BiasMotion, unit: f64, bias: &[f64; 3]) -> BiasTime {
     }
 }
 
-/// Biases that moved by more than chance makes of it, or wander, by as much as a corrected reading shows.
+/// Biases that moved by more than chance makes of it, or wander; a remark where a corrected reading hardly shows it.
 pub fn biases_that_moved(
     fit: &JointFit,
     sensor: Sensor,
@@ -68,9 +68,23 @@ pub fn biases_that_moved(
         // A Brownian path of density q lies q √(T/6) from its mean over T, root mean square.
         let size = walk * (moved.span.length() / 6.0).sqrt();
         let wandering = found(Kind::BiasWandered, "size", size, size);
+        let kind = match wandering.severity() > SHOWS {
+            true => Kind::BiasWandered,
+            false => Kind::BiasUnsteady,
+        };
         // A walk is allowed for where none is seen, and is then as large as the noise can hide.
-        let wanders = wandering.severity() > SHOWS && fit.chance_without_walks(sensor) < MOVED;
-        wanders.then_some(wandering)
+        if size == 0.0 || fit.chance_without_walks(sensor) >= MOVED {
+            return None;
+        }
+        // Of that path the line from its start to its end has half the mean square, (q² T)/12; here the line is known.
+        let line = moved.change.amax() / 12f64.sqrt();
+        Some(match kind {
+            Kind::BiasWandered => wandering,
+            _ => {
+                let size = line.hypot(size / 2f64.sqrt());
+                found(kind, "size", size, size)
+            }
+        })
     };
     let sources = &fit.data.sources;
     motions.iter().zip(sources).filter_map(of).collect()

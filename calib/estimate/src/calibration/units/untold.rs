@@ -62,7 +62,7 @@ pub fn in_unit_of<'a>(
     };
     if by != UnitBy::File.name() && is_of_same_logger(calibration, &recording) {
         let taken = taken_as(unit, recording.into_owned());
-        if fastest(&taken) > FASTEST {
+        if fastest(calibration, &taken) > FASTEST {
             let found = found(Kind::UnitUntold, &taken, unit).detail("faster", unit.name());
             return Err(Error::input(found));
         }
@@ -76,10 +76,12 @@ pub fn in_unit_of<'a>(
     Err(Error::input(found.only_remedies([remedy])))
 }
 
-/// The largest reading of the gyroscope, rad/s.
-fn fastest(recording: &Recording) -> f64 {
+/// The largest rate by the calibration, rad/s: its `T` carries counts to rates.
+fn fastest(calibration: &Calibration, recording: &Recording) -> f64 {
+    let own = calibration.triad(Sensor::Gyroscope);
+    let scale = own.map_or(1.0, |own| own.base().scale());
     let rates = recording.gyroscope.iter().flat_map(|stream| &stream.values);
-    rates.map(Vector3::amax).fold(0.0, f64::max)
+    scale * rates.map(Vector3::amax).fold(0.0, f64::max)
 }
 
 /// The unit of the gyroscope in the files that a calibration was made from, and what told it there; `None` where they differ.

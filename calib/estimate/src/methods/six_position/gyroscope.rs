@@ -6,9 +6,13 @@ use sensor::{Base, Sensor};
 
 use super::placement::Face;
 use crate::calibration::Triad;
+use crate::methods::small_sample::widening;
 
 /// The earth's rate, rad/s, as the authors use it (IERS: 7.292115e-5).
 pub const EARTH_RATE: f64 = 7.29e-5;
+
+/// Placements in which an axis is horizontal.
+const ACROSS: usize = 4;
 
 /// Largest believable scale factor error: ten times that of a poor sensor.
 const BELIEVABLE_SCALE_ERROR: f64 = 0.1;
@@ -55,15 +59,16 @@ impl GyroscopePart {
                 .filter(|k| k / 2 != axis)
                 .map(|k| means[(axis, k)])
                 .collect();
-            let mean = across.iter().sum::<f64>() / 4.0;
-            (across.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / 3.0).sqrt()
+            let mean = across.iter().sum::<f64>() / ACROSS as f64;
+            let squares = across.iter().map(|v| (v - mean).powi(2)).sum::<f64>();
+            (squares / (ACROSS - 1) as f64).sqrt()
         });
         Self {
             bias: Vector3::from_fn(|axis, _| {
                 let (down, up) = pair(axis);
                 0.5 * (up + down)
             }),
-            bias_std: repeat / 2f64.sqrt(),
+            bias_std: repeat * (widening(ACROSS - 1) / 2f64.sqrt()),
             scale_error: Vector3::from_fn(|axis, _| {
                 let (down, up) = pair(axis);
                 (up - down - 2.0 * EARTH_RATE) / (2.0 * EARTH_RATE)

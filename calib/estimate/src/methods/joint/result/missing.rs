@@ -2,6 +2,7 @@
 
 use effects::catalogue_of;
 use faer::{ColRef, Mat};
+use nalgebra::{Rotation3, Vector3};
 use recording::Recording;
 use sensor::{EffectRef, Kinematics, Quantity, Role, Sensor};
 
@@ -11,7 +12,7 @@ use crate::methods::joint::fit::JointFit;
 use crate::methods::joint::noise::weights::Whitening;
 use crate::methods::joint::result::marginal::orthonormal;
 use crate::methods::joint::rows::error_columns::effect_columns;
-use crate::methods::joint::rows::sensitivity::Sensitivities;
+use crate::methods::joint::rows::sensitivity::{Sensitivities, TurnSensitivity};
 use crate::methods::small_sample::by_chance;
 
 /// An effect that the model lacks.
@@ -25,11 +26,23 @@ pub struct Missing {
     pub dof: usize,
     /// Probability that any of those tried explains so much where nothing is missing.
     pub p_value: f64,
+    /// What the model leaves of the whitened residuals beyond their noise: `|r|²` less its degrees of freedom.
+    pub excess: f64,
+}
+
+/// An effect is what is missing where it explains more than this share of the excess.
+const MOST: f64 = 0.6;
+
+impl Missing {
+    /// Returns true if the effect explains most of what the model leaves; otherwise something else is missing.
+    pub fn explains_most(&self) -> bool {
+        self.statistic - self.dof as f64 > MOST * self.excess
+    }
 }
 
 impl JointFit {
-    /// The effect for which all rows together speak most: of those that the model lacks and that go by the sensor's own signal, alone or
-    /// with time or temperature. What goes by time alone is a bias that walks. Against the noise that was measured, walks of the biases
+    /// The effect for which all rows together speak most: of those that the model lacks and that go by the sensor's own signal or the
+    /// motion, alone or with time or temperature. What goes by time alone is a bias that walks. Against the noise that was measured, walks of the biases
     /// among it; `recordings` are those of the fit.
     ///
     /// A score test (Rao 1948) needs no fit with the effect: `r` whitened residual, `J` its Jacobian, `E = ∂r/∂c` at `c = 0`;
@@ -43,7 +56,7 @@ impl JointFit {
         };
         let is_told = recordings.iter().all(|r| r.temperature.is_some());
         let all = catalogue_of(Sensor::Accelerometer).chain(catalogue_of(Sensor::Gyroscope));
-        let is_tried = |effect: &EffectRef| goes_by_signal(effect, is_told) && !own(effect);
+        let is_tried = |effect: &EffectRef| goes_by_motion(effect, is_told) && !own(effect);
         let tried: Vec<_> = all.filter(is_tried).collect();
         let by_noise = Beside::of(self, self.noise_whitening());
         let by_scatter = Beside::of(self, self.noise_whitening_with_scatter());
@@ -63,12 +76,13 @@ impl JointFit {
                 statistic,
                 dof,
                 p_value: (by_chance(statistic, dof as f64) * tried.len() as f64).min(1.0),
+                excess: beside.excess(),
             })
         });
         found.min_by(|a, b| a.p_value.total_cmp(&b.p_value))
     }
 
-    /// The sensitivities with the time and the temperature of every mean and sample.
+    /// The sensitivities with the time and the temperature of every mean and sample, and the motion through every turn.
     fn sensitivities_with_covariates(&self, recordings: &[&Recording]) -> Sensitivities {
         let mut all = self.sensitivities();
         let set = |truth: &mut Kinematics<f64>, recording: usize, t: f64| {
@@ -89,8 +103,26 @@ impl JointFit {
             let recording = self.data.turns[turn.turn].recording;
             let samples = turn.truth.iter_mut().zip(&turn.t);
             samples.for_each(|(truth, t)| set(truth, recording, *t));
+            let from = self.data.turns[turn.turn].from;
+            let up = self.rows().direction(self.parameters.values(), from);
+            set_motion(turn, up * self.gravity);
         }
         all
+    }
+}
+
+/// Sets the specific force of gravity, `force` before the turn, and the angular acceleration at every sample.
+fn set_motion(turn: &mut TurnSensitivity, mut force: Vector3<f64>) {
+    let rates: Vec<Vector3<f64>> = turn.truth.iter().map(|truth| truth.angular_rate).collect();
+    for (k, truth) in turn.truth.iter_mut().enumerate() {
+        let (before, after) = (k.saturating_sub(1), (k + 1).min(rates.len() - 1));
+        let length = turn.t[after] - turn.t[before];
+        if length > 0.0 {
+            truth.angular_acceleration = (rates[after] - rates[before]) / length;
+        }
+        let step = (turn.t[k] - turn.t[before]) * 0.5;
+        force = Rotation3::new((rates[before] + rates[k]) * -step) * force;
+        truth.specific_force = force;
     }
 }
 
@@ -110,6 +142,12 @@ impl Beside {
         }
     }
 
+    /// `|r|²` less its degrees of freedom.
+    fn excess(&self) -> f64 {
+        let square: f64 = self.residuals.iter().map(|r| r * r).sum();
+        square - (self.residuals.len() - self.model.rank()) as f64
+    }
+
     /// `|P_E r|²` of columns (`m × k`) and its degrees of freedom.
     fn score(&self, mut columns: Mat<f64>) -> (f64, usize) {
         self.whitening.white.apply(columns.as_mut());
@@ -121,16 +159,21 @@ impl Beside {
     }
 }
 
-/// Returns true if an effect goes by the signal of its sensor, alone or with time or, where that `is_told`, temperature, and is linear in
-/// its parameters.
-fn goes_by_signal(effect: &EffectRef, is_told: bool) -> bool {
+/// Returns true if an effect goes by the signal of its sensor or, of a gyroscope, by specific force and angular acceleration, alone or
+/// with time or, where that `is_told`, temperature, and is linear in its parameters.
+fn goes_by_motion(effect: &EffectRef, is_told: bool) -> bool {
     let (needs, signal) = (effect.needs(), Quantity::signal_of(effect.sensor()));
+    let moves = |need: &Quantity| match need {
+        Quantity::SpecificForce | Quantity::AngularAcceleration => signal == Quantity::AngularRate,
+        _ => false,
+    };
+    let is_signal = |need: &Quantity| *need == signal || moves(need);
     let may = |need: &Quantity| match need {
         Quantity::Time => true,
         Quantity::Temperature => is_told,
-        other => *other == signal,
+        other => is_signal(other),
     };
-    needs.contains(&signal)
+    needs.iter().any(is_signal)
         && needs.iter().all(may)
         && effect.params().iter().all(|p| p.role == Role::Coefficient)
 }

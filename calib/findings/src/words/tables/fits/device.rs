@@ -131,6 +131,11 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             remedies: vec![Remedy::Discover],
             ..care(0.1)
         },
+        Kind::BiasUnsteady => Entry {
+            reason: "the bias of the {sensor} wanders a little",
+            text: "the bias (the reading at rest) of the {sensor} lies {size} (rms) off its mean in the course of the recording. The errors of the bias count that",
+            ..remark(0.05)
+        },
         Kind::OfAnotherAccelerometer => Entry {
             reason: "a part of the recording is of another accelerometer",
             text: "{intervals:static interval} at {at} fit another accelerometer than the {used} that the program uses: with that one their gravity is off by {missed} (rms), with one of their own by {own}. Perhaps the file holds two devices, or a range or filter of the sensor was switched",

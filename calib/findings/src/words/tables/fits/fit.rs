@@ -14,8 +14,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             ..care(0.02)
         },
         Kind::EffectMissing => Entry {
-            reason: "the model of the {sensor} lacks a source of error, most like {effect}",
-            text: "the model of the {sensor} lacks a source of error, most like {effect}. The standard errors do not cover it",
+            reason: "the model[ of the {sensor}] lacks a source of error[, most like {effect}]",
+            text: "the model[ of the {sensor}] lacks a source of error[, most like {effect}]. The standard errors do not cover it",
             remedies: vec![Remedy::Discover],
             ..care(0.06)
         },
