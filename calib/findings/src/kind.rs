@@ -1362,6 +1362,8 @@ kinds! {
     FieldUnitsDiffer = "field_units_differ",
     /// Attitudes do not determine a magnetometer.
     AttitudesLeaveOpen = "attitudes_leave_open",
+    /// An axis of the magnetometer reads one value.
+    FieldAxisConstant = "field_axis_constant",
     /// Too few attitudes have readings of the magnetometer.
     AttitudesTooFew = "attitudes_too_few",
     /// A file was written by a newer version.
@@ -1420,6 +1422,8 @@ kinds! {
     NumbersEdited = "numbers_edited",
     /// An entry beside the parameters of a calibration was edited: method, covariance, limits or inputs.
     BasisEdited = "basis_edited",
+    /// An effect counts the time from the start of another recording.
+    EffectFromStart = "effect_from_start",
     /// An effect holds in the recordings of a calibration only, and these are not known.
     EffectOfRecordings = "effect_of_recordings",
     /// Only the longest static interval is analysed.

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use recording::intervals::Span;
-use recording::{AccelUnit, GyroUnit, Recording, Stream};
+use recording::{AccelUnit, GyroUnit, Recording, Stream, bursts};
 use sensor::Sensor;
 
 use super::allan::{AllanAccumulator, AllanCurve};
@@ -50,7 +50,8 @@ pub struct RecordingCurves {
 }
 
 impl RecordingCurves {
-    /// Computes the curves of a recording in memory, or of the stretch `within` of it.
+    /// Computes the curves of a recording in memory, or of the stretch `within` of it; stamps that come in bursts are brought to an even
+    /// clock.
     pub fn of(recording: &Recording, within: Option<Span>) -> Self {
         let mut accumulator = RecordingAccumulator::default();
         let RecordingAccumulator {
@@ -77,7 +78,8 @@ impl RecordingCurves {
 fn feed(sensor: &mut SensorAccumulator, stream: Option<&Stream>, within: Option<Span>) {
     let Some(stream) = stream else { return };
     let samples = within.map_or(0..stream.len(), |span| stream.between(span.from, span.to));
-    stream.t[samples.clone()]
+    let even = bursts(&stream.t).map(|found| found.even);
+    even.as_ref().unwrap_or(&stream.t)[samples.clone()]
         .iter()
         .zip(&stream.values[samples])
         .for_each(|(&t, v)| sensor.push(t, *v));

@@ -10,6 +10,7 @@ use recording::cut::{is_cut, usual_tail};
 use recording::intervals::Span;
 use recording::pipeline::parse_all;
 use recording::plain::{ACCEL, Block, GYRO, Plain, Row, STAMP};
+use recording::{Stream, are_no_rates_at_rest, bursts, devices_in_turn};
 
 use super::curves::{RecordingAccumulator, RecordingCurves, SensorAccumulator};
 
@@ -138,16 +139,23 @@ impl Feed {
         Some(())
     }
 
-    /// `None` where the first rows are in another unit of time, or of several devices by turns.
+    /// `None` where the first rows are in another unit of time or rate, of several devices by turns, or come in bursts.
     fn check_first(&self) -> Option<()> {
         let steps = self.first.windows(2).map(|w| w[1][STAMP] - w[0][STAMP]);
         let known = recording::averages::median(steps).is_none_or(|step| STEPS.contains(&step));
-        let mixed = [ACCEL, GYRO].iter().any(|&at| {
-            let value = |row: &Row| Vector3::new(row[at], row[at + 1], row[at + 2]);
-            let values: Vec<Vector3<f64>> = self.first.iter().map(value).collect();
-            recording::devices_in_turn(&values).is_some()
+        let [accelerometer, gyroscope] = [ACCEL, GYRO].map(|at| Stream {
+            t: self.first.iter().map(|row| row[STAMP]).collect(),
+            values: self
+                .first
+                .iter()
+                .map(|row| Vector3::new(row[at], row[at + 1], row[at + 2]))
+                .collect(),
         });
-        (known && !mixed).then_some(())
+        let mixed = [&accelerometer, &gyroscope]
+            .iter()
+            .any(|own| devices_in_turn(&own.values).is_some());
+        let is_plain = known && !mixed && bursts(&gyroscope.t).is_none();
+        (is_plain && !are_no_rates_at_rest(&gyroscope, &accelerometer)).then_some(())
     }
 }
 

@@ -40,5 +40,6 @@ pub use source::{Input, batches, cut, pipeline};
 pub use static_means::read_static_means;
 pub use text_file::read_text;
 pub use toml_place::explain_toml;
+pub use units::decide::are_no_rates_at_rest;
 pub use units::field::FieldUnit;
 pub use units::{AccelUnit, GyroUnit, TemperatureUnit, TimeUnit};

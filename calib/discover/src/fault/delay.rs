@@ -21,7 +21,7 @@ pub struct Delay {
     pub delay: f64,
     /// Standard error, s.
     pub std: f64,
-    /// `t²` of the estimate.
+    /// `t²` of the estimate that is linear about punctual stamps.
     pub statistic: f64,
     /// `ln p`, two-sided.
     pub log_p: f64,
@@ -72,7 +72,13 @@ fn of_turns(state: &State, is_wanted: impl Fn(usize) -> bool) -> Option<Delay> {
     });
     let mut steps = steps.take(STEPS);
     let settled = steps.find(|(found, step)| *step < SETTLED * found.std);
-    settled.map(|(found, _)| found).or(Some(found))
+    let settled = settled.map_or(found, |(settled, _)| settled);
+    // The test is of stamps that are punctual: it is linear about those.
+    Some(Delay {
+        statistic: found.statistic,
+        log_p: found.log_p,
+        ..settled
+    })
 }
 
 /// Normal equations of the turns that are wanted, linear about the delay `late`.

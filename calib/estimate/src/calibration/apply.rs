@@ -6,8 +6,8 @@ use recording::watch::{Stage, Watch};
 use recording::{Error, Recording, ScalarStream, Stream, figure};
 use sensor::{Base, Quantity, Role, ScalarSensorRef, Sensor};
 
-use super::Calibration;
 use super::scalar::ScalarValues;
+use super::{Calibration, EffectValues};
 use crate::methods::MULTIPLIERS;
 use crate::truth::{Models, Truth, require_of_instants};
 
@@ -208,10 +208,15 @@ fn belongs_to(calibration: &Calibration, recording: &Recording) -> Result<Option
             }
         }
     }
-    let Some((effect, param, value)) = first else {
-        return Ok(None);
-    };
     let made_from = calibration.was_made_from(recording);
+    let Some((effect, param, value)) = first else {
+        let drifts = drifting(calibration).filter(|_| made_from == Some(false));
+        return Ok(drifts.map(|name| {
+            Finding::of(Kind::EffectFromStart)
+                .in_recording(&recording.name)
+                .detail("effect", name)
+        }));
+    };
     let inputs = calibration.provenance.inputs.iter();
     let inputs: Vec<&str> = inputs.map(|input| input.recording.as_str()).collect();
     let of = |kind| {
@@ -234,6 +239,16 @@ fn belongs_to(calibration: &Calibration, recording: &Recording) -> Result<Option
             of(Kind::EffectNeedsHeading).in_recording(&recording.name),
         )),
     }
+}
+
+/// The first effect that goes by the time since the start of a recording.
+fn drifting(calibration: &Calibration) -> Option<&str> {
+    let mut effects = calibration.effects.iter();
+    let goes_by_time = |values: &&EffectValues| {
+        let effect = values.effect();
+        effect.is_ok_and(|effect| effect.needs().contains(&Quantity::Time))
+    };
+    Some(effects.find(goes_by_time)?.name.as_str())
 }
 
 /// Returns true if an effect depends on a quantity that only static intervals determine.

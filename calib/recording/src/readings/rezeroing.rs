@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::of_sensor::OfSensor;
 use super::symptom::Symptom;
+use crate::averages::median;
 
 /// Readings are compared as means over so long, s.
 const BATCH: f64 = 0.25;
@@ -46,6 +47,9 @@ const APART: f64 = 6.0;
 const COMMON: f64 = 0.86;
 const BESIDE_IT: usize = 2;
 
+/// Means that are so far from each other know nothing of each other.
+const APART_MEANS: usize = 3;
+
 /// Time constants of a decay that are tried, s.
 const DECAYS: [f64; 3] = [1.0, 3.0, 6.0];
 
@@ -65,9 +69,10 @@ pub(super) fn found(of: &OfSensor<'_>) -> Option<Symptom> {
         .max_by(|a, b| total(&a.1).total_cmp(&total(&b.1)))?;
     let shown: Vec<&(usize, f64)> = own.iter().filter(|(_, by)| *by > 0.0).collect();
     let largest = shown.iter().map(|(_, by)| *by).fold(0.0, f64::max);
+    let memory = memory(&rests);
     let is_evident = |explained: f64, count: usize| {
         let dof = 3.0 * count as f64;
-        explained > dof + EVIDENT * (2.0 * dof).sqrt()
+        explained / memory > dof + EVIDENT * (2.0 * dof).sqrt()
     };
     // One static interval that was touched has a jump of its own.
     let is_shown = shown.len() >= FEWEST
@@ -83,6 +88,21 @@ pub(super) fn found(of: &OfSensor<'_>) -> Option<Symptom> {
         size: size(&rests, *place),
         intervals: shown.iter().map(|(rest, _)| rest + 1).collect(),
     })
+}
+
+/// Variance of a level over that of means that know nothing of each other, at least 1: `(1 + ρ)/(1 − ρ)` of neighbours that correlate by
+/// `ρ`, which their differences show beside those of means [`APART_MEANS`] further. A jump is in few differences, and not in their median.
+fn memory(rests: &[Rest]) -> f64 {
+    let of = |lag: usize| {
+        let pairs = rests
+            .iter()
+            .flat_map(|rest| rest.means.iter().zip(rest.means.iter().skip(lag)));
+        median(pairs.flat_map(|(a, b)| (b - a).map(|d| d * d).data.0[0]))
+    };
+    match (of(1), of(APART_MEANS)) {
+        (Some(near), Some(far)) if near > 0.0 => (2.0 * far / near - 1.0).max(1.0),
+        _ => 1.0,
+    }
 }
 
 /// Returns the chi-square that jumps at `place` must exceed: that of a line or a decay in each interval (creep, warm-up,

@@ -114,6 +114,8 @@ pub(crate) fn assemble(
     for table in tables {
         add(&mut recording, table, options)?;
     }
+    // Turns tell the unit by the right signs.
+    flip(&mut recording, &options.flip);
     if let (Some((name, stated, strange)), Some(stream)) = (gyro, recording.gyroscope.take()) {
         let said = decide::Said {
             given: options.gyro_unit,
@@ -134,7 +136,6 @@ pub(crate) fn assemble(
     crate::readings::refuse_stopped(&recording)?;
     let frozen = frozen_finding(&recording);
     recording.warnings.extend(frozen);
-    flip(&mut recording, &options.flip);
     overlap(&recording)?;
     thermometer::check_clock(&mut recording);
     let sensors = [&recording.accelerometer, &recording.gyroscope].map(Option::is_some);

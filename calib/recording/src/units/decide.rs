@@ -382,6 +382,11 @@ fn rate_at_restless_rest(
     Some(found).filter(|[noise, bias]| *noise > NOISIEST || *bias > MOST_BIASED)
 }
 
+/// Returns true if readings of a device that rests throughout are no gyroscope's in rad/s.
+pub fn are_no_rates_at_rest(gyroscope: &Stream, accelerometer: &Stream) -> bool {
+    rate_at_restless_rest(gyroscope, Some(accelerometer), GyroUnit::RadiansPerSecond).is_some()
+}
+
 /// Refuses such a gyroscope: no turn tells its unit.
 fn refuse_restless_rest(
     name: &str,

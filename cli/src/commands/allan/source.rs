@@ -1,8 +1,10 @@
 //! Source of the samples for `allan`: a whole recording, or its static part.
 
+use ::findings::{Finding, Kind};
 use calib::Recording;
 use calib::intervals::Span;
 use calib::noise::{RecordingCurves, Stillness, curves_of_long_csv};
+use sensor::Sensor;
 
 use super::args::Args;
 use crate::commands::shared::inputs::{read, spinner};
@@ -78,6 +80,10 @@ impl<'a> Source<'a> {
             let streamed = curves_of_long_csv(&args.recording, within);
             spinner.finish_and_clear();
             if let Some(curves) = streamed {
+                // Its header names no unit.
+                show::warn_each([&Finding::of(Kind::UnitAssumed)
+                    .in_recording(&args.recording.display().to_string())
+                    .of_sensor(Sensor::Gyroscope)]);
                 return Ok(curves);
             }
         }

@@ -107,6 +107,9 @@ fn fitted(
     recordings: &[&Recording],
     request: &Request,
 ) -> Result<(), Error> {
+    for recording in recordings {
+        no_axis_is_constant(recording)?;
+    }
     let unit = common_unit(recordings, request)?;
     let units = Units::of(unit, request.field.is_some());
     if outcome.calibration.accelerometer.is_none() {
@@ -181,6 +184,26 @@ fn fitted(
     });
     calibration.warnings.extend(turned);
     Ok(())
+}
+
+/// Refuses a magnetometer of which an axis never changes.
+fn no_axis_is_constant(recording: &Recording) -> Result<(), Error> {
+    let values = recording
+        .magnetometer
+        .iter()
+        .flat_map(|own| &own.stream.values);
+    let Some(first) = values.clone().next() else {
+        return Ok(());
+    };
+    match (0..3).find(|&axis| values.clone().all(|value| value[axis] == first[axis])) {
+        Some(axis) => Err(Error::not_enough(
+            Finding::of(Kind::FieldAxisConstant)
+                .in_recording(&recording.name)
+                .detail("axis", ["x", "y", "z"][axis])
+                .detail("value", figure(first[axis])),
+        )),
+        None => Ok(()),
+    }
 }
 
 /// Units of the numbers of a magnetometer, as findings have them.

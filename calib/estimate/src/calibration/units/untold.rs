@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use findings::{Finding, Kind, OptionName, Remedy};
 use nalgebra::Vector3;
+use recording::averages::median;
 use recording::{Described, Error, GyroUnit, Recording, UnitBy};
 use sensor::Sensor;
 
@@ -11,6 +12,9 @@ use crate::calibration::{Calibration, SensorInput};
 
 /// The usual largest range of a gyroscope is 2000 °/s: beyond this, rad/s, a unit that nothing told is another.
 const FASTEST: f64 = 40.0;
+
+/// Readings at rest that differ by less than this share of a bias are that bias.
+const SAME_BIAS: f64 = 0.3;
 
 /// Reads a recording for a calibration. `read` takes the unit of the gyroscope that is to be assumed.
 ///
@@ -62,9 +66,13 @@ pub fn in_unit_of<'a>(
     };
     if by != UnitBy::File.name() && is_of_same_logger(calibration, &recording) {
         let taken = taken_as(unit, recording.into_owned());
+        let untold = || found(Kind::UnitUntold, &taken, unit);
         if fastest(calibration, &taken) > FASTEST {
-            let found = found(Kind::UnitUntold, &taken, unit).detail("faster", unit.name());
-            return Err(Error::input(found));
+            return Err(Error::input(untold().detail("faster", unit.name())));
+        }
+        if rests_in_degrees(calibration, &taken) {
+            let degrees = GyroUnit::DegreesPerSecond.name();
+            return Err(Error::input(untold().detail("still", degrees)));
         }
         return Ok(Cow::Owned(taken));
     }
@@ -82,6 +90,20 @@ fn fastest(calibration: &Calibration, recording: &Recording) -> f64 {
     let scale = own.map_or(1.0, |own| own.base().scale());
     let rates = recording.gyroscope.iter().flat_map(|stream| &stream.values);
     scale * rates.map(Vector3::amax).fold(0.0, f64::max)
+}
+
+/// Returns true if the middle readings are those of the calibration's bias in °/s where it is in rad/s: of a device that mostly rests.
+fn rests_in_degrees(calibration: &Calibration, recording: &Recording) -> bool {
+    let (Some(own), Some(stream)) = (calibration.triad(Sensor::Gyroscope), &recording.gyroscope)
+    else {
+        return false;
+    };
+    let axes = [0, 1, 2].map(|axis| median(stream.values.iter().map(|value| value[axis])));
+    let [Some(x), Some(y), Some(z)] = axes else {
+        return false;
+    };
+    let (bias, middle) = (own.base().bias, Vector3::new(x, y, z));
+    (middle.map(f64::to_radians) - bias).norm() < SAME_BIAS * bias.norm()
 }
 
 /// The unit of the gyroscope in the files that a calibration was made from, and what told it there; `None` where they differ.

@@ -71,7 +71,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             ])],
         ),
         Kind::UnitUntold => error_by(
-            "neither the file nor the readings tell the unit of the gyroscope[, and the recording of the calibration was in {other}][. In {faster}, as the recording of the calibration, the device would turn faster than gyroscopes can read]",
+            "neither the file nor the readings tell the unit of the gyroscope[, and the recording of the calibration was in {other}][. In {faster}, as the recording of the calibration, the device would turn faster than gyroscopes can read][. In {still}, unlike the recording of the calibration, it would have the bias of the calibration]",
             vec![Remedy::such_as(OptionName::GyroUnit, "deg/s")],
         ),
         Kind::RestlessRest => error_by(

@@ -51,6 +51,11 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "nothing has to be done if you edited it on purpose; else calibrate again",
             vec![],
         ),
+        Kind::EffectFromStart => doubt(
+            "the calibration corrects {effect} by the time since the start of a recording that is not this one",
+            "use it if the device was in the same state when this recording began, such as just switched on; else calibrate without {effect}",
+            vec![],
+        ),
         Kind::EffectOfRecordings => doubt(
             "the calibration corrects {effect} ({parameter} = {value}). Only the recordings that it was made from had this error, and the file does not name them",
             "correct only those with it; for any other recording calibrate again without {effect}",

@@ -47,6 +47,10 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "the orientations of the device do not determine the magnetometer's axes and offset[ ({open})][: its fit did not end ({ending})]",
             "record again with each of the six faces up once, and point the device to another heading (compass direction) each time",
         ),
+        Kind::FieldAxisConstant => error(
+            "axis {axis} of the magnetometer reads {value} throughout",
+            "correct the column if it is the wrong one; if it is right, check the magnetometer",
+        ),
         Kind::AttitudesTooFew => error(
             "{count:static interval} with readings of the magnetometer are too few[: {least} at least are needed]",
             "record at rest in more orientations",
