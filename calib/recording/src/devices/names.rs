@@ -73,7 +73,7 @@ const NUMBERS: [&str; 21] = [
 ];
 
 /// Words of what changes from row to row of one device, or from one placement of it to another.
-const OTHERS: [&str; 98] = [
+const OTHERS: [&str; 100] = [
     "status",
     "state",
     "flag",
@@ -112,9 +112,11 @@ const OTHERS: [&str; 98] = [
     "humidity",
     "hour",
     "minute",
+    "min",
     "second",
     "date",
     "day",
+    "week",
     "month",
     "year",
     "time",
@@ -265,6 +267,8 @@ mod tests {
             "sample_no",
             "PacketCounter",
             "device_state",
+            "min",
+            "week",
         ];
         all(&others, Class::Other);
     }
