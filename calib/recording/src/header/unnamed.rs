@@ -4,7 +4,7 @@ use sensor::Sensor;
 
 use super::dialect::{Cell, Dialect};
 use super::preface::{Kept, cells};
-use super::row_shape::usual_width;
+use super::row_shape::{stands_still, usual_width};
 use crate::averages::median;
 use crate::recording::options::Role;
 use crate::rows::number::{self, Dialects};
@@ -91,23 +91,31 @@ pub(crate) fn likely(rows: &[&Kept], dialect: Dialect) -> Option<Vec<(Role, usiz
     // Of numbers that change in every row.
     let changing: Vec<Option<Vec<f64>>> = (0..width).map(column).collect();
     let goes_up = |t: &Vec<f64>| t.windows(2).all(|pair| pair[0] <= pair[1]);
-    let begin = usize::from(changing.first()?.as_ref().is_none_or(goes_up));
+    let is_time = changing.first()?.as_ref().is_none_or(goes_up);
+    let begin = usize::from(is_time && !stands_still(rows, dialect, 0));
     let norm = |from: usize| {
         let [x, y, z] = [0, 1, 2].map(|axis| changing.get(from + axis)?.as_ref());
         let (x, y, z) = (x?, y?, z?);
         median((0..x.len()).map(|k| x[k].hypot(y[k]).hypot(z[k])))
     };
-    let one = |lengths: std::ops::Range<f64>| {
-        let is_it = |from: &usize| norm(*from).is_some_and(|norm| lengths.contains(&norm));
-        let mut found = (begin..width).filter(is_it);
-        let first = found.next()?;
-        found.all(|other| other < first + 3).then_some(first)
+    let of_length = |lengths: std::ops::Range<f64>| {
+        let is_it = move |from: &usize| norm(*from).is_some_and(|norm| lengths.contains(&norm));
+        (begin..width).filter(is_it)
     };
-    let accel = one(7.0..13.0).or_else(|| one(0.8..1.25))?;
-    let may_turn = |from: &usize| norm(*from).is_some_and(|norm| norm < SLOWEST);
-    let before = accel.checked_sub(3).filter(|from| *from >= begin);
-    let gyro = [Some(accel + 3), before];
-    let gyro = gyro.into_iter().flatten().find(may_turn);
+    // A quaternion has the length 1 too, and what is turned into the frame of the earth comes behind what was read.
+    let mut in_g = of_length(0.8..1.25);
+    let one_in_g = in_g
+        .next()
+        .filter(|first| in_g.all(|other| other < first + 3));
+    let accel = of_length(7.0..13.0).next().or(one_in_g)?;
+    let beside = [Some(accel + 3), accel.checked_sub(3)];
+    let beside = beside.into_iter().flatten().filter(|from| *from >= begin);
+    let lengths = beside.filter_map(|from| Some((from, norm(from)?)));
+    // Of a field and a rate the rate is less.
+    let gyro = lengths
+        .filter(|(_, length)| *length < SLOWEST)
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .map(|(from, _)| from);
     let accel = (0..3).map(|axis| (Role::Accel(axis), accel + axis));
     let gyro = gyro.map(|from| (0..3).map(move |axis| (Role::Gyro(axis), from + axis)));
     let sensors = accel.chain(gyro.into_iter().flatten());
@@ -287,6 +295,13 @@ mod tests {
             format!("{k},0.5,0.5,0.5,0.5,{rate},{force},{field}")
         };
         assert_eq!(likely_of(&wide), Some(vec![0, 8, 9, 10, 5, 6, 7]));
+        // The field in gauss behind the accelerometer.
+        let gauss = |k: usize| {
+            let [rate, force, field] =
+                [(0.01, 0.02), (0.1, 9.8), (0.2, -0.4)].map(|(x, z)| triad(k, x, z));
+            format!("{k},{rate},{force},{field}")
+        };
+        assert_eq!(likely_of(&gauss), Some(vec![0, 4, 5, 6, 1, 2, 3]));
         // Light, a button and a temperature behind.
         let still = |k: usize| format!("2023-07-22 04:26:{k},{},12,0,25.0", triad(k, 0.01, 1.0));
         assert_eq!(likely_of(&still), Some(vec![0, 1, 2, 3]));
