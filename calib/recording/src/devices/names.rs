@@ -73,7 +73,7 @@ const NUMBERS: [&str; 21] = [
 ];
 
 /// Words of what changes from row to row of one device, or from one placement of it to another.
-const OTHERS: [&str; 100] = [
+const OTHERS: [&str; 104] = [
     "status",
     "state",
     "flag",
@@ -111,9 +111,13 @@ const OTHERS: [&str; 100] = [
     "pressure",
     "humidity",
     "hour",
+    "hours",
     "minute",
+    "minutes",
     "min",
     "second",
+    "seconds",
+    "overflow",
     "date",
     "day",
     "week",

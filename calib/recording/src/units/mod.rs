@@ -85,7 +85,7 @@ unit! {
         /// Standard gravity, 9.80665 m/s².
         G = "g" | "g0" | "gs",
         /// Thousandths of standard gravity.
-        MilliG = "mg" | "milli-g",
+        MilliG = "mg" | "milli-g" | "millig",
         /// Centimetres per second squared.
         Gal = "cm/s^2" | "cm/s2" | "cm/s²" | "gal" | "cmps2",
         /// Millimetres per second squared.

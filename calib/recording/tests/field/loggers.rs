@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use stillpoint_recording::{ReadOptions, Recording};
 
-use crate::session::{G, Session, is_it, read, says, session, table, xyz};
+use crate::session::{G, Session, is_it, read, read_as, says, session, table, xyz};
 
 /// A row of seconds, the force in g or m/s² and the rate in °/s or rad/s.
 fn row(s: &Session, k: usize, [force, rate]: [f64; 2]) -> String {
@@ -189,4 +189,15 @@ fn the_name_of_a_section_is_no_row() {
     let header = "File created by a logger\n\n[column names]\ntime ax ay az gx gy gz\n\n[data]";
     let text = table(header, |k| row(&s, k, IN_SI).replace(',', " "));
     is_it(&read(&text), &s, 1e-4);
+}
+
+#[test]
+fn acceleration_in_the_frame_of_the_earth_is_named_as_lacking_gravity() {
+    let s = session();
+    let text = table("t,FreeAcc_E,FreeAcc_N,FreeAcc_U,Gyr_X,Gyr_Y,Gyr_Z", |k| {
+        row(&s, k, [1e-3, 1.0])
+    });
+    let error = read_as(&text, &ReadOptions::default()).unwrap_err();
+    let words = error.text(findings::Front::CommandLine);
+    assert!(words.contains("without gravity"), "{words}");
 }

@@ -163,6 +163,7 @@ mod tests {
             ("Time of Run: x (g)", None),
             ("Beschleunigung_x in m/s²", Some(Role::Accel(0))),
             ("Gyro_z in °/s", Some(Role::Gyro(2))),
+            ("acc_x m/s^2", Some(Role::Accel(0))),
             ("Zeit in ms", Some(Role::Time)),
             ("Z rate of rotation (deg/s)", Some(Role::Gyro(2))),
             ("linear_accel_x", Some(Role::Accel(0))),

@@ -98,12 +98,16 @@ fn before_axis(name: &str) -> Option<(String, &str)> {
     (is_sensor || is_field).then(|| (word + &axis.to_lowercase(), unit))
 }
 
-/// A name and the unit behind a word that leads to it: `Beschleunigung_x in m/s²`.
+/// A name and the unit behind a word that leads to it, or behind a blank: `Beschleunigung_x in m/s²`, `acc_x m/s^2`.
 fn behind_in(name: &str) -> Option<(&str, &str)> {
-    let (word, unit) = name.trim().rsplit_once(" in ")?;
-    let unit = unit.trim();
-    let is_unit = units::is_unit(unit) || unit.parse::<TimeUnit>().is_ok();
-    is_unit.then_some((word, unit))
+    let name = name.trim();
+    let is_unit = |unit: &str| units::is_unit(unit) || unit.parse::<TimeUnit>().is_ok();
+    let led_to = name
+        .rsplit_once(" in ")
+        .filter(|(_, unit)| is_unit(unit.trim()));
+    let is_of_sensor = |unit: &str| unit.contains('/') && units::is_of_sensor(unit);
+    let bare = || name.rsplit_once(' ').filter(|(_, unit)| is_of_sensor(unit));
+    led_to.or_else(bare)
 }
 
 /// A name and the unit behind an underscore; one of a sensor may have underscores itself: `gyro_x_deg_per_sec`.

@@ -203,11 +203,13 @@ fn refuse_others(tables: &[Table]) -> Result<(), Error> {
 /// Refuses tables whose only accelerometer has lost its gravity, as phones write it beside the rate.
 fn refuse_without_gravity(tables: &[Table]) -> Result<(), Error> {
     for table in tables {
-        let found = triads(&table.unused);
-        let Some(linear) = found.iter().find(|triad| is_without_gravity(&triad.stem)) else {
+        // Those of the frame of the earth have no x, y, z.
+        let is_one = |name: &&String| is_without_gravity(&name.to_lowercase());
+        let columns: Vec<&String> = table.unused.iter().filter(is_one).collect();
+        if columns.len() < SENSOR {
             continue;
-        };
-        let columns = linear.columns.iter().map(|&at| &table.unused[at]);
+        }
+        let columns = columns.into_iter();
         return Err(in_file(
             &table.name,
             Finding::of(Kind::ColumnsWithoutGravity).detail("columns", shown_list(columns)),
