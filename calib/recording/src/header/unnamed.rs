@@ -107,13 +107,13 @@ pub(crate) fn likely(rows: &[&Kept], dialect: Dialect) -> Option<Vec<(Role, usiz
     let one_in_g = in_g
         .next()
         .filter(|first| in_g.all(|other| other < first + 3));
-    let accel = of_length(7.0..13.0).next().or(one_in_g)?;
+    let accel = of_length(IN_SI).next().or(one_in_g)?;
     let beside = [Some(accel + 3), accel.checked_sub(3)];
     let beside = beside.into_iter().flatten().filter(|from| *from >= begin);
     let lengths = beside.filter_map(|from| Some((from, norm(from)?)));
     // Of a field and a rate the rate is less.
     let gyro = lengths
-        .filter(|(_, length)| *length < SLOWEST)
+        .filter(|(_, length)| *length < SLOWEST && !IN_SI.contains(length))
         .min_by(|a, b| a.1.total_cmp(&b.1))
         .map(|(from, _)| from);
     let accel = (0..3).map(|axis| (Role::Accel(axis), accel + axis));
@@ -152,6 +152,8 @@ fn number_in(row: &Kept, cell: &Cell, dialect: Dialect) -> Option<f64> {
     number::parse(bytes, dialect.decimal_comma, &mut Dialects::default()).ok()
 }
 
+/// Lengths of gravity, m/s².
+const IN_SI: std::ops::Range<f64> = 7.0..13.0;
 /// A gyroscope at the beginning of a recording is at rest and reads less than this, in degrees per second or less.
 const SLOWEST: f64 = 20.0;
 /// Whole numbers below this may say which device a row is of.
