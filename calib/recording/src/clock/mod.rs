@@ -1,5 +1,6 @@
 //! Time stamps as they are written: numbers, large epochs, dates, counters that wrap.
 
+pub(crate) mod digits_of_the_day;
 pub(crate) mod drift;
 pub(crate) mod even;
 pub(crate) mod held;

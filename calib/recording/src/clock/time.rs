@@ -2,7 +2,7 @@
 
 use crate::Error;
 use crate::header::affine::Affine;
-use crate::header::names::says_unknown_unit;
+use crate::header::names::{is_of_ticks, says_unknown_unit};
 use crate::recording::options::{ReadOptions, Role};
 use crate::rows::table::Table;
 use crate::shown::{figure, shown, significant};
@@ -20,6 +20,9 @@ const COUNTED: [TimeUnit; 4] = [
     TimeUnit::Microseconds,
     TimeUnit::Nanoseconds,
 ];
+
+/// Years from which tenths of microseconds are counted: Windows' and .NET's.
+const YEARS_OF_TENTHS: [f64; 2] = [1601.0, 1.0];
 
 /// A mean Gregorian year, s.
 const SECONDS_OF_A_YEAR: f64 = 31_556_952.0;
@@ -75,6 +78,12 @@ pub(crate) fn to_seconds(
             .stated
             .time
             .filter(|_| options.time_unit.is_none() && !table.clock.dates);
+        let own = match own {
+            None if is_of_another_unit(table, first, origin) => {
+                Some(unit(table, options, warnings)?)
+            }
+            own => own,
+        };
         let per_second = own
             .filter(|_| table.time_affine.is_none())
             .unwrap_or(first)
@@ -90,6 +99,13 @@ pub(crate) fn to_seconds(
         }
     }
     Ok(zero)
+}
+
+/// True if the stamps of `table` would be of no sensor in the unit of the first: a file of seconds beside one of milliseconds.
+fn is_of_another_unit(table: &Table, first: TimeUnit, origin: i64) -> bool {
+    let rate = usual_step(table).map(|step| first.per_second() / step);
+    let is_plain = !table.clock.dates && table.time_affine.is_none() && origin == 0;
+    is_plain && rate.is_some_and(|rate| !POSSIBLE.contains(&rate))
 }
 
 /// An origin as nanoseconds where it is in units of `seconds`; to the last digit for whole nanoseconds and powers of ten of them.
@@ -190,12 +206,12 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
     let Some(step) = step else {
         return Ok(TimeUnit::Seconds);
     };
+    let is_ticks = |(role, name): &(Role, String)| *role == Role::Time && is_of_ticks(name);
     let plausible = |unit: &TimeUnit| (1.0..=10_000.0).contains(&(unit.per_second() / step));
     // A counter of microseconds looks like seconds of this century after half an hour: its rate tells.
     if let Some(unit) = table.clock.origin.and_then(of_epoch).filter(plausible) {
         if unit != TimeUnit::Seconds {
-            let first = table.clock.origin.unwrap_or_default() as f64 / unit.per_second();
-            let year = 1970.0 + (first / SECONDS_OF_A_YEAR).floor();
+            let year = year_of(table.clock.origin.unwrap_or_default(), unit);
             warnings.push(decided(table, unit).number("year", year, "count"));
         }
         return Ok(unit);
@@ -232,6 +248,11 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
             let is_days =
                 first.is_some_and(|first| (1e4..1e6).contains(first) || (0.0..1.0).contains(first));
             let is_days = is_days && plausible(&TimeUnit::Days);
+            if table.roles.iter().any(is_ticks) {
+                let found = Finding::of(Kind::TimeUnitOpen).detail("step", significant(step, 6));
+                let scaled = Remedy::such_as(OptionName::Columns, "t=ticks/32768");
+                return Err(in_file(&table.name, found.only_remedies([scaled])));
+            }
             let unit = match LONG.iter().find(|unit| is_usual(unit, step)) {
                 Some(unit) => unit.name(),
                 None if is_days => TimeUnit::Days.name(),
@@ -271,12 +292,30 @@ fn decided(table: &Table, unit: TimeUnit) -> Finding {
         .detail("unit", unit.name())
 }
 
+/// Years in which a recording may have been made.
+const YEARS: std::ops::Range<f64> = 2001.0..2100.0;
+
 /// The unit in which `stamp` lies between 2001 and 2100.
 fn of_epoch(stamp: i64) -> Option<TimeUnit> {
     let years = 978_307_200.0..4_102_444_800.0;
-    TimeUnit::ALL
-        .into_iter()
-        .find(|u| years.contains(&(stamp as f64 / u.per_second())))
+    let is_one = |unit: &TimeUnit| years.contains(&(stamp as f64 / unit.per_second()));
+    let tenths = TimeUnit::TenthMicroseconds;
+    let since_1970 = TimeUnit::ALL.into_iter().find(is_one);
+    since_1970.or_else(|| year_of_tenths(stamp).map(|_| tenths))
+}
+
+/// The year of a stamp in an epoch that it lies in.
+fn year_of(stamp: i64, unit: TimeUnit) -> f64 {
+    let since_1970 = || 1970.0 + (stamp as f64 / unit.per_second() / SECONDS_OF_A_YEAR).floor();
+    let tenths = year_of_tenths(stamp).filter(|_| unit == TimeUnit::TenthMicroseconds);
+    tenths.unwrap_or_else(since_1970)
+}
+
+/// The year of tenths of microseconds since one of the years that they are counted from.
+fn year_of_tenths(stamp: i64) -> Option<f64> {
+    let years = stamp as f64 / TimeUnit::TenthMicroseconds.per_second() / SECONDS_OF_A_YEAR;
+    let mut possible = YEARS_OF_TENTHS.iter().map(|from| (from + years).floor());
+    possible.find(|year| YEARS.contains(year))
 }
 
 /// The usual step of the sensor with more samples.
@@ -293,6 +332,7 @@ fn rows_per_stamp(table: &Table) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use super::*;
     use crate::Recording;
 
     /// A recording of 1200 samples of 100 Hz that arrive eight at a time, 10 µs apart, in a unit that the file does not say.
@@ -306,6 +346,22 @@ mod tests {
             text += &format!("{stamp:.6},{x},{y},{up},{y},{z},{x}\n");
         }
         Recording::from_bytes("bursts.csv", text.as_bytes(), &Default::default()).unwrap()
+    }
+
+    #[test]
+    fn epochs_are_told_with_their_year() {
+        for (stamp, unit, year) in [
+            (1_690_000_000, TimeUnit::Seconds, 2023.0),
+            (1_690_000_000_000, TimeUnit::Milliseconds, 2023.0),
+            (1_690_000_000_000_000_000, TimeUnit::Nanoseconds, 2023.0),
+            // 22 July 2023 of Windows and of .NET.
+            (133_344_736_000_000_000, TimeUnit::TenthMicroseconds, 2023.0),
+            (638_255_968_000_000_000, TimeUnit::TenthMicroseconds, 2023.0),
+        ] {
+            assert_eq!(of_epoch(stamp), Some(unit), "{stamp}");
+            assert_eq!(year_of(stamp, unit), year, "{stamp}");
+        }
+        assert_eq!(of_epoch(5_000_000_000), None);
     }
 
     #[test]

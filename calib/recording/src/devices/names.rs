@@ -73,7 +73,7 @@ const NUMBERS: [&str; 21] = [
 ];
 
 /// Words of what changes from row to row of one device, or from one placement of it to another.
-const OTHERS: [&str; 98] = [
+const OTHERS: [&str; 104] = [
     "status",
     "state",
     "flag",
@@ -111,10 +111,16 @@ const OTHERS: [&str; 98] = [
     "pressure",
     "humidity",
     "hour",
+    "hours",
     "minute",
+    "minutes",
+    "min",
     "second",
+    "seconds",
+    "overflow",
     "date",
     "day",
+    "week",
     "month",
     "year",
     "time",
@@ -265,6 +271,8 @@ mod tests {
             "sample_no",
             "PacketCounter",
             "device_state",
+            "min",
+            "week",
         ];
         all(&others, Class::Other);
     }

@@ -50,20 +50,12 @@ pub(super) fn add_magnetometer(
     unit: Option<FieldUnit>,
     options: &ReadOptions,
 ) {
-    const NAMES: [&str; 4] = ["magnetometeruncalibrated", "magnetometer", "mag", "magn"];
-    let called = |entry: &&file_formats::Entry, wanted: &str| {
-        let name = entry.name.rsplit('/').next().unwrap_or_default();
-        name.to_lowercase().split('.').next() == Some(wanted)
-    };
-    let entries = || files.entries().iter();
-    let entry = NAMES
-        .iter()
-        .find_map(|name| entries().find(|entry| called(entry, name)));
-    let Some((entry, part)) = entry.and_then(|entry| {
-        let part = magnetometer::part(&Look::at(&files.head(entry)), unit)?;
-        Some((entry, part))
-    }) else {
+    let Some(entry) = magnetometers_file(files) else {
         return;
+    };
+    let Some(part) = magnetometer::part(&Look::at(&files.head(entry)), unit) else {
+        let what = format!("the columns of {} are not understood", shown(&entry.name));
+        return parts::without_field(tables, &what);
     };
     let origin = tables.first().and_then(|table| table.clock.origin);
     let read = files.text(entry, options);
@@ -71,6 +63,32 @@ pub(super) fn add_magnetometer(
         Ok(table) => tables.push(table),
         Err(error) => parts::without_field(tables, &error),
     }
+}
+
+/// The entry that is called after a magnetometer; else the one table in whose name a word is one's, as in `rec_MAG.csv`.
+fn magnetometers_file(files: &Files) -> Option<&file_formats::Entry> {
+    const NAMES: [&str; 4] = ["magnetometeruncalibrated", "magnetometer", "mag", "magn"];
+    const TABLES: [&str; 4] = ["csv", "txt", "tsv", "dat"];
+    let words = |entry: &file_formats::Entry| -> Vec<String> {
+        let name = entry.name.rsplit('/').next().unwrap_or_default();
+        let words = name.split(|c: char| !c.is_alphanumeric());
+        words.map(str::to_lowercase).collect()
+    };
+    let called = |entry: &&file_formats::Entry, wanted: &str| {
+        let name = entry.name.rsplit('/').next().unwrap_or_default();
+        name.to_lowercase().split('.').next() == Some(wanted)
+    };
+    let entries = || files.entries().iter();
+    let mut exact = NAMES.iter();
+    if let Some(entry) = exact.find_map(|name| entries().find(|entry| called(entry, name))) {
+        return Some(entry);
+    }
+    let has = |words: &[String], all: &[&str]| words.iter().any(|word| all.contains(&&word[..]));
+    let mut by_word = entries().filter(|entry| {
+        let words = words(entry);
+        has(&words, &NAMES) && has(&words, &TABLES)
+    });
+    by_word.next().filter(|_| by_word.next().is_none())
 }
 
 /// Words in the names of files that hold neither sensor.

@@ -4,12 +4,14 @@ use sensor::Sensor;
 
 use super::phones::{androsensor, physics_toolbox, sensorlog};
 use super::robots::{kalibr, px4_text, ros_text, trackers};
-use super::texts::{TextFormat, brackets, clock_text, date_and_time, split_stamp, unpadded};
+use super::texts::{
+    TextFormat, brackets, clock_text, date_and_time, split_stamp, start_and_rate, unpadded,
+};
 use crate::header::look::Look;
 use crate::rows::parts::Part;
 
 /// Tables whose names say less than their program means.
-static TEXTS: [&TextFormat; 13] = [
+static TEXTS: [&TextFormat; 14] = [
     &physics_toolbox::PHYSICS_TOOLBOX,
     &sensorlog::SENSORLOG,
     &androsensor::ANDROSENSOR,
@@ -18,6 +20,7 @@ static TEXTS: [&TextFormat; 13] = [
     &px4_text::SENSOR_COMBINED,
     &trackers::XSENS,
     &trackers::SHIMMER,
+    &start_and_rate::START_AND_RATE,
     &split_stamp::SPLIT_STAMP,
     &unpadded::UNPADDED,
     &clock_text::TIME_OF_DAY,

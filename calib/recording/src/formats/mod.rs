@@ -18,10 +18,12 @@ pub use file_formats::catches_panics;
 use findings::{Finding, Kind};
 pub use log_streams::{LogContents, LogStream};
 use phones::{androsensor, phyphox, physics_toolbox, sensor_logger, sensorlog, sensorstream};
-use robots::{betaflight, kalibr, novatel, px4_text, razor, ros_text, serial, trackers, vmu931};
+use robots::{
+    adafruit, betaflight, kalibr, novatel, px4_text, razor, ros_text, serial, trackers, vmu931,
+};
 use texts::{
-    brackets, clock_text, date_and_time, labview, long, per_axis, split_stamp, tagged, unpadded,
-    wide,
+    brackets, clock_text, date_and_time, labview, long, per_axis, split_stamp, start_and_rate,
+    tagged, unpadded, wide,
 };
 
 pub use crate::formats::format::Format;
@@ -67,8 +69,9 @@ pub static FORMATS: &[&dyn Format] = &[
     &per_axis::PER_AXIS,
     &wide::WIDE,
     &long::LONG,
-    &serial::ADAFRUIT,
+    &adafruit::ADAFRUIT,
     &serial::SERIAL,
+    &start_and_rate::START_AND_RATE,
     &split_stamp::SPLIT_STAMP,
     &unpadded::UNPADDED,
     &clock_text::TIME_OF_DAY,

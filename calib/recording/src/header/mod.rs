@@ -25,8 +25,8 @@ use crate::header::affine::Affine;
 use crate::header::by_unit::by_unit;
 use crate::header::gravity::Split;
 use crate::header::names::{
-    is_like_time, is_message_stamp, is_sampling_stamp, is_temperature_beside, may_be_linear,
-    role_of, stated_unit, take_apart,
+    is_like_time, is_message_stamp, is_of_ticks, is_sampling_stamp, is_temperature_beside,
+    may_be_linear, role_of, says_gravity, stated_unit, take_apart,
 };
 use crate::header::suggest::{nearest, suggestion};
 use crate::header::triads::Triad;
@@ -80,6 +80,7 @@ impl Layout {
         let by_unit = by_unit(&names, only, &mut roles);
         of_the_one(&names, only, &mut roles);
         as_sampled(&names, map, &mut roles);
+        not_of_ticks(&names, map, &mut roles);
         let times = likely_times(&names, &roles);
         if let [time] = times[..] {
             roles.push((Role::Time, time));
@@ -146,10 +147,23 @@ impl Layout {
         if map.is_of_a_thermometer() || self.has_sensor() {
             return Ok(());
         }
-        Err(Finding::of(Kind::NoSensorColumns)
-            .detail("columns", shown_list(self.names.iter()))
-            .only_remedies([suggestion(&self.names)])
-            .into())
+        let found = triads::triads(&self.names);
+        let mut accelerometers = found
+            .iter()
+            .filter(|triad| triad.sensor() == Some(Sensor::Accelerometer));
+        let unknown = match (accelerometers.next(), accelerometers.next()) {
+            // The advice is the first one's, and who means another has its names.
+            (Some(_), Some(other)) => Finding::of(Kind::SensorTwice)
+                .of_sensor(Sensor::Accelerometer)
+                .detail(
+                    "columns",
+                    shown_list(other.columns.iter().map(|at| &self.names[*at])),
+                ),
+            _ => {
+                Finding::of(Kind::NoSensorColumns).detail("columns", shown_list(self.names.iter()))
+            }
+        };
+        Err(unknown.only_remedies([suggestion(&self.names)]).into())
     }
 
     /// Takes another time where that of the layout stands still, as the stamp of a header that nobody fills does.
@@ -159,6 +173,23 @@ impl Layout {
         if self.time.is_some_and(&stands_still)
             && let Some(other) = (0..self.names.len()).find(moves)
         {
+            self.time = Some(other);
+            self.state_units();
+        }
+    }
+
+    /// Takes the one other time that is finer than that of the layout, as milliseconds are beside a date of whole seconds.
+    pub fn take_finer_time(&mut self, is_finer: impl Fn(usize, usize) -> bool) {
+        let is_time = |at: &usize| {
+            let name = &self.names[*at];
+            role_of(name, None) == Some(Role::Time) || is_like_time(name)
+        };
+        let Some(time) = self.time else { return };
+        let mut finer = (0..self.names.len())
+            .filter(|at| !self.is_read(*at))
+            .filter(is_time)
+            .filter(|at| is_finer(*at, time));
+        if let (Some(other), None) = (finer.next(), finer.next()) {
             self.time = Some(other);
             self.state_units();
         }
@@ -308,6 +339,11 @@ fn roles_by_name(
                 }
             }
             Some(_) if matches!(role, Role::Field(_)) => {}
+            Some(at) if says_gravity(&names[roles[at].1]) != says_gravity(name) => {
+                if says_gravity(name) {
+                    roles[at].1 = index;
+                }
+            }
             // Linear acceleration beside the accelerometer.
             Some(at) if may_be_linear(&names[roles[at].1]) != may_be_linear(name) => {
                 if !may_be_linear(name) {
@@ -364,6 +400,23 @@ fn as_sampled(names: &[String], map: &ColumnMap, roles: &mut [(Role, usize)]) {
         is_given || is_sampling_stamp(used, ""),
     ) {
         roles[time].1 = stamp;
+    }
+}
+
+/// Takes the one column called after a time instead of a counter of ticks beside it: `offsetTime` beside `Tick#`.
+fn not_of_ticks(names: &[String], map: &ColumnMap, roles: &mut [(Role, usize)]) {
+    let free = |at: &usize| roles.iter().all(|(_, column)| column != at);
+    let time = roles.iter().position(|(role, _)| *role == Role::Time);
+    let Some(time) = time.filter(|at| is_of_ticks(&names[roles[*at].1])) else {
+        return;
+    };
+    let is_time = |at: &usize| {
+        let name = &names[*at];
+        is_like_time(name) && name.to_lowercase().ends_with("time")
+    };
+    let mut times = (0..names.len()).filter(free).filter(is_time);
+    if let (Some(other), None, false) = (times.next(), times.next(), map.names(Role::Time)) {
+        roles[time].1 = other;
     }
 }
 
@@ -479,6 +532,17 @@ pub(crate) fn roles_by_map(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_acceleration_with_gravity_is_taken_before_one_without() {
+        let of = |stem: &str| ["x", "y", "z"].map(|axis| format!("{stem}.{axis}"));
+        let [without, with] = ["acceleration", "accelerationIncludingGravity"].map(of);
+        for (first, second, accel) in [(&without, &with, [3, 4, 5]), (&with, &without, [0, 1, 2])] {
+            let names = [first.as_slice(), second.as_slice()].concat();
+            let layout = Layout::of_names(names, &ColumnMap::default(), None).unwrap();
+            assert_eq!(layout.accel, Some(accel));
+        }
+    }
 
     #[test]
     fn the_small_letter_is_the_time_and_the_capital_the_temperature() {

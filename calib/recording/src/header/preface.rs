@@ -25,7 +25,7 @@ pub(crate) struct Preface<'a> {
     pub header: Option<&'a Kept>,
     /// The units below them.
     pub units: Option<&'a Kept>,
-    /// The last of what a program said before rows without names.
+    /// The last of what a program said before rows without names, or below the names and the units.
     pub said: Option<&'a Kept>,
 }
 
@@ -34,6 +34,13 @@ pub(crate) fn is_comment(line: &[u8]) -> bool {
     // What terminals write: `=~=~=~ PuTTY log`, `--- Miniterm on COM3`.
     let marks: [&[u8]; 5] = [b"#", b"%", b"//", b"=~=~", b"--- "];
     marks.iter().any(|mark| line.starts_with(mark))
+}
+
+/// True for the name of a section: `[data]`.
+fn is_section(line: &[u8]) -> bool {
+    let name = line.trim_ascii().strip_prefix(b"[");
+    let name = name.and_then(|name| name.strip_suffix(b"]"));
+    name.is_some_and(|name| !name.is_empty() && name.iter().all(u8::is_ascii_alphabetic))
 }
 
 /// The line without the mark of a comment.
@@ -115,7 +122,14 @@ impl Finder<'_> {
         });
         let is_text = |k: &&Kept| !k.comment && !self.is_broken_row(k);
         let nameless = row.is_some() && header.is_none();
-        let said = nameless.then(|| before.iter().rfind(is_text)).flatten();
+        let said = match units.or(header).filter(|_| row.is_some()) {
+            // Where a column comes from, and the name of a section, are no rows.
+            Some(names) => before.iter().rfind(|k| {
+                let is_said = units.is_some() && self.is_words(k, names);
+                !k.comment && k.number > names.number && (is_said || is_section(&k.bytes))
+            }),
+            None => before.iter().rfind(|k| nameless && is_text(k)),
+        };
         Preface {
             header,
             units,
@@ -187,6 +201,16 @@ impl Finder<'_> {
         let is_open = |k: &&Kept| self.dialect.split(&k.bytes, &mut Vec::new()).is_err();
         let begin = texts().rfind(|k| k.number < header.number && is_open(k));
         Some(begin.filter(|_| is_open(&header)).unwrap_or(header))
+    }
+
+    /// True for a line as wide as `other` with words and no number in its cells.
+    fn is_words(&self, line: &Kept, other: &Kept) -> bool {
+        let words_of = |line: &Kept| words(&line.bytes, self.dialect);
+        let own = words_of(line);
+        let is_number = |word: &String| word.trim().parse::<f64>().is_ok();
+        own.len() == words_of(other).len()
+            && own.iter().any(|word| word.contains(char::is_alphabetic))
+            && !own.iter().any(is_number)
     }
 
     /// True if most of its cells begin like numbers.

@@ -88,3 +88,21 @@ pub(super) fn stands_still(rows: &[&Kept], dialect: Dialect, column: usize) -> b
     let first = rows.first().and_then(cell);
     rows.len() >= FEWEST_STANDING && rows.iter().all(|row| cell(row) == first)
 }
+
+/// True if most rows have the cell of the row before them in the column `time`, which changes more than once, and a larger
+/// number than that row in the column `other`.
+pub(super) fn is_finer(rows: &[&Kept], dialect: Dialect, other: usize, time: usize) -> bool {
+    let cell = |row: &Kept, column: usize| {
+        let own = cells(&row.bytes, dialect).get(column)?.clone();
+        Some(row.bytes[own].to_vec())
+    };
+    let number = |row: &Kept| {
+        let cell = cell(row, other)?;
+        number::parse(&cell, dialect.decimal_comma, &mut Dialects::default()).ok()
+    };
+    let pairs = || rows.windows(2).map(|pair| (pair[0], pair[1]));
+    let changes = pairs().filter(|(a, b)| cell(a, time) != cell(b, time));
+    let changes = changes.count();
+    let goes_on = |(a, b)| matches!((number(a), number(b)), (Some(a), Some(b)) if a < b);
+    changes > 1 && 2 * changes < rows.len() && pairs().all(goes_on)
+}

@@ -9,11 +9,12 @@ use super::preface::{
 };
 use super::quotes::open_quote;
 use super::row_shape::{
-    ends_empty, first_row, is_empty, only_integers, rows_are_numbered, stands_still, usual_width,
+    ends_empty, first_row, is_empty, is_finer, only_integers, rows_are_numbered, stands_still,
+    usual_width,
 };
 use super::suggest::suggestion;
 use super::unit_row;
-use super::unnamed::Unnamed;
+use super::unnamed::{Unnamed, likely};
 use crate::Error;
 use crate::devices::labels::{self, Class};
 use crate::header::{self, Layout};
@@ -115,7 +116,7 @@ impl Start {
             options,
         };
         let preface = finder.preface(&kept, row);
-        let last = preface.units.or(preface.header).or(preface.said);
+        let last = preface.said.or(preface.units).or(preface.header);
         let mut start = Self {
             dialect,
             layout: Layout::default(),
@@ -297,6 +298,8 @@ impl Start {
         if !options.columns.names(Role::Time) {
             let stands_still = |column| stands_still(rows, self.dialect, column);
             self.layout.take_time_that_moves(stands_still);
+            let is_finer = |other, time| is_finer(rows, self.dialect, other, time);
+            self.layout.take_finer_time(is_finer);
         }
         // Stamps that a logger did not have.
         let has_none = |time: &usize| is_empty(rows, self.dialect, *time);
@@ -329,7 +332,8 @@ impl Start {
             let roles = told.or_else(|| self.undecided.then(|| unnamed.two_triads()));
             let roles = roles.ok_or_else(|| {
                 let unknown = Finding::of(Kind::NoHeader).count("width", width);
-                refuse(unknown.only_remedies([suggestion(&names)]).into())
+                let example = by_readings(rows, self.dialect, width, only);
+                refuse(unknown.only_remedies([example]).into())
             })?;
             // Four columns of a file that is known to hold one sensor need no comment.
             if only.is_none() && !self.undecided {
@@ -354,7 +358,8 @@ impl Start {
 /// The columns of the axes as the readings of rows of another width than the header's show them, else any as an example.
 fn by_readings(rows: &[&Kept], dialect: Dialect, width: usize, only: Option<Sensor>) -> Remedy {
     let numbers: Vec<String> = (1..=width).map(|i| i.to_string()).collect();
-    let Some(roles) = Unnamed::of(rows, dialect).roles(only) else {
+    let roles = Unnamed::of(rows, dialect).roles(only);
+    let Some(roles) = roles.or_else(|| likely(rows, dialect)) else {
         return suggestion(&numbers);
     };
     let columns = roles

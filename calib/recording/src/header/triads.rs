@@ -87,18 +87,29 @@ const QUALIFIERS: [&str; 25] = [
 /// Words of rates, in the names of which axes are called roll, pitch and yaw: without one they are angles.
 const RATES: [&str; 4] = ["rate", "vel", "speed", "gyr"];
 
-/// Every three columns that differ by x y z, by 0 1 2 or 1 2 3, or by roll pitch yaw, in one place of their names.
+/// The axes of a vehicle or a body, in the names of accelerations.
+const AHEAD: [[&str; 3]; 4] = [
+    ["inline", "lateral", "vertical"],
+    ["longitudinal", "lateral", "vertical"],
+    ["long", "lat", "vert"],
+    ["forward", "side", "up"],
+];
+
+/// Every three columns that differ by x y z, by 0 1 2 or 1 2 3, by roll pitch yaw, or by the axes of a vehicle, in one place of their
+/// names.
 pub(crate) fn triads(names: &[String]) -> Vec<Triad> {
     let lower: Vec<String> = names.iter().map(|name| name.to_lowercase()).collect();
     let mut taken = vec![false; lower.len()];
     let mut found = Vec::new();
     const TURNS: [&str; 3] = ["roll", "pitch", "yaw"];
-    for axes in [["x", "y", "z"], ["0", "1", "2"], ["1", "2", "3"], TURNS] {
+    let by_letter = [["x", "y", "z"], ["0", "1", "2"], ["1", "2", "3"], TURNS];
+    for axes in by_letter.into_iter().chain(AHEAD) {
         for at in 0..lower.len() {
             let Some((columns, stem)) = triad(&lower, &taken, at, axes) else {
                 continue;
             };
-            if axes == TURNS && !RATES.iter().any(|word| stem.contains(word)) {
+            let has = |words: &[&str]| words.iter().any(|word| stem.contains(word));
+            if (axes == TURNS && !has(&RATES)) || (AHEAD.contains(&axes) && !has(&ACCEL)) {
                 continue;
             }
             for column in columns {
@@ -257,6 +268,18 @@ mod tests {
             [([0, 1, 2], gyro)]
         );
         assert!(of(&["roll", "pitch", "yaw"]).is_empty());
+        for names in [
+            ["InlineAcc", "LateralAcc", "VerticalAcc"],
+            ["G Force Long", "G Force Lat", "G Force Vert"],
+            [
+                "Acceleration Forward",
+                "Acceleration Side",
+                "Acceleration Up",
+            ],
+        ] {
+            assert_eq!(of(&names), [([0, 1, 2], accel)]);
+        }
+        assert!(of(&["GPS Long", "GPS Lat", "GPS Vert"]).is_empty());
     }
 
     #[test]

@@ -15,6 +15,14 @@ fn bare(cell: &str) -> &str {
     cell.trim_matches(brackets)
 }
 
+/// A cell as units are spelled: a time since 1970 is in seconds where no unit follows it.
+fn spelled(cell: &str) -> &str {
+    match bare(cell) {
+        since if since.eq_ignore_ascii_case("unix time") => "s",
+        cell => cell,
+    }
+}
+
 /// True for what stands in place of the unit of a column without one.
 fn is_blank(cell: &str) -> bool {
     matches!(bare(cell), "" | "-" | "--" | "1") || is_unitless(cell)
@@ -24,8 +32,16 @@ fn is_blank(cell: &str) -> bool {
 fn is_unitless(cell: &str) -> bool {
     matches!(
         bare(cell).to_lowercase().as_str(),
-        "no_units" | "no units" | "unitless" | "local_flux" | "n/a" | "none"
+        "no_units" | "no units" | "unitless" | "local_flux" | "n/a" | "na" | "none"
     )
+}
+
+/// True for the pattern that dates are written by: `yyyy/mm/dd hh:mm:ss.000`.
+fn is_pattern_of_dates(cell: &str) -> bool {
+    let cell = bare(cell).to_lowercase();
+    ["yy", "mm", "dd", "hh"]
+        .iter()
+        .all(|part| cell.contains(part))
 }
 
 /// True if half or more of what the cells hold is a unit, of any quantity.
@@ -93,10 +109,11 @@ impl Row<'_> {
     ) -> Result<Option<U>, Box<Finding>> {
         let mut unit = by_name;
         for &column in columns {
-            let Some(cell) = self.cells.get(column).filter(|cell| !is_blank(cell)) else {
+            let says = |cell: &&String| !is_blank(cell) && !is_pattern_of_dates(cell);
+            let Some(cell) = self.cells.get(column).filter(says) else {
                 continue;
             };
-            let found = bare(cell).parse::<U>();
+            let found = spelled(cell).parse::<U>();
             match (found, unit) {
                 (Ok(found), None) => unit = Some(found),
                 (Ok(found), Some(unit)) if found == unit => {}
@@ -125,5 +142,26 @@ impl Row<'_> {
             Some((option, value)) => found.remedy(Remedy::such_as(option, value)),
             None => found,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_stands_for_a_unit_is_read_as_one_or_passed() {
+        let names = ["timestamp", "ax", "ay", "az"].map(str::to_owned).to_vec();
+        let layout = Layout::of_names(names, &Default::default(), None).unwrap();
+        let time = |cell: &str| {
+            let cells = [cell, "G", "G", "G"].map(str::to_owned);
+            let stated = stated(&layout, &cells, &ReadOptions::default());
+            stated.ok().map(|stated| stated.time)
+        };
+        use crate::units::TimeUnit;
+        assert_eq!(time("unix time"), Some(Some(TimeUnit::Seconds)));
+        assert_eq!(time("yyyy/mm/dd hh:mm:ss.000"), Some(None));
+        assert_eq!(time("(na)"), Some(None));
+        assert_eq!(time("furlong"), None);
     }
 }

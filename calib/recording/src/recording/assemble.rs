@@ -105,6 +105,7 @@ pub(crate) fn assemble(
         .iter()
         .flat_map(|table| table.unused.clone())
         .collect();
+    let unread = unclear::unread_accelerometer(&tables);
     let gyro = tables.iter().find(|table| !table.gyro.t.is_empty());
     let gyro = gyro.map(|table| {
         let strange = table.strange[1].clone();
@@ -156,6 +157,10 @@ pub(crate) fn assemble(
     let missing = missing.map(|missing| match unused.is_empty() {
         true => missing,
         false => missing.detail("unused", format!("`{}`", unused.join("`, `"))),
+    });
+    let missing = missing.map(|missing| match unread.filter(|_| !sensors[0]) {
+        Some(columns) => missing.remedy(columns),
+        None => missing,
     });
     recording
         .warnings

@@ -87,8 +87,15 @@ impl Magnetometer {
     }
 }
 
-/// A file of a magnetometer by itself: its time and its axes, by their names or called x, y, z.
+/// A file of a magnetometer by itself: its time and its axes, by their names or called x, y, z; without names in this order.
 pub(crate) fn part(look: &Look, unit: Option<FieldUnit>) -> Option<Part> {
+    let first = look.first();
+    if first.len() == 4 && first.iter().all(|cell| cell.parse::<f64>().is_ok()) {
+        return Some(Part {
+            field_unit: unit,
+            ..Part::of(Sensor::Magnetometer, ["1", "2", "3", "4"])
+        });
+    }
     let at = |wanted: Role, letter: &str| {
         let named = look.column(wanted);
         named.or_else(|| numbered(&look.first(), letter))

@@ -4,7 +4,7 @@ use super::options::{ReadOptions, Role};
 use super::samples::Backwards;
 use crate::Error;
 use crate::clock::restarts::{Session, sessions};
-use crate::clock::wraps;
+use crate::clock::{digits_of_the_day, wraps};
 use crate::rows::table::Table;
 use crate::rows::{refuse_lone_header, sort};
 use crate::shown::figure;
@@ -28,6 +28,9 @@ pub(crate) fn take_one(
     if options.rate.is_some() {
         refuse_part(name, options)?;
         return Ok(String::new());
+    }
+    if options.time_unit.is_none() {
+        digits_of_the_day::count_on(tables);
     }
     for table in &mut *tables {
         match options.sort_time {

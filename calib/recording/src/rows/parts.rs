@@ -236,10 +236,10 @@ pub(crate) fn read(
 }
 
 /// Goes on without a magnetometer, and says why: no calibration uses it.
-pub(crate) fn without_field(tables: &mut [Table], error: &Error) {
+pub(crate) fn without_field(tables: &mut [Table], why: &dyn std::fmt::Display) {
     if let Some(table) = tables.first_mut() {
         table
             .warnings
-            .push(Finding::of(Kind::FieldLeftOut).detail("why", error.to_string()));
+            .push(Finding::of(Kind::FieldLeftOut).detail("why", why.to_string()));
     }
 }

@@ -64,6 +64,8 @@ unit! {
         TenthMilliseconds = "0.1ms" | "100us",
         /// Microseconds.
         Microseconds = "us" | "µs" | "micros",
+        /// Tenths of microseconds, as Windows and .NET count them.
+        TenthMicroseconds = "0.1us" | "0.1µs" | "100ns",
         /// Nanoseconds.
         Nanoseconds = "ns" | "nanos",
         /// Minutes.
@@ -79,11 +81,11 @@ unit! {
     /// Unit of an accelerometer.
     AccelUnit {
         /// Metres per second squared.
-        MetresPerSecondSquared = "m/s^2" | "m/s2" | "m/s²" | "m/s/s" | "ms^-2" | "ms-2" | "m.s-2" | "m*s^-2" | "ms⁻²" | "mps2" | "ms2",
+        MetresPerSecondSquared = "m/s^2" | "m/s2" | "m/s²" | "m/s/s" | "ms^-2" | "ms-2" | "m.s-2" | "m.s^-2" | "m*s^-2" | "ms⁻²" | "mps2" | "ms2",
         /// Standard gravity, 9.80665 m/s².
         G = "g" | "g0" | "gs",
         /// Thousandths of standard gravity.
-        MilliG = "mg" | "milli-g",
+        MilliG = "mg" | "milli-g" | "millig",
         /// Centimetres per second squared.
         Gal = "cm/s^2" | "cm/s2" | "cm/s²" | "gal" | "cmps2",
         /// Millimetres per second squared.
@@ -99,11 +101,11 @@ unit! {
     /// Unit of a gyroscope.
     GyroUnit {
         /// Radians per second.
-        RadiansPerSecond = "rad/s" | "rads" | "rads^-1" | "rads-1" | "rad.s-1" | "rad*s^-1" | "rads⁻¹" | "radps",
+        RadiansPerSecond = "rad/s" | "rads" | "rads^-1" | "rads-1" | "rad.s-1" | "rad.s^-1" | "rad*s^-1" | "rads⁻¹" | "radps",
         /// Thousandths of radians per second.
         MilliRadiansPerSecond = "mrad/s" | "mradps",
         /// Degrees per second.
-        DegreesPerSecond = "deg/s" | "°/s" | "dps" | "degs" | "degs^-1" | "degs-1" | "º/s" | "d/s" | "degps",
+        DegreesPerSecond = "deg/s" | "°/s" | "dps" | "degs" | "degs^-1" | "degs-1" | "deg.s-1" | "deg.s^-1" | "º/s" | "d/s" | "degps",
         /// Thousandths of degrees per second.
         MilliDegreesPerSecond = "mdeg/s" | "mdps" | "m°/s",
         /// Degrees per hour.
@@ -237,6 +239,7 @@ impl TimeUnit {
             Self::Milliseconds => 1e3,
             Self::TenthMilliseconds => 1e4,
             Self::Microseconds => 1e6,
+            Self::TenthMicroseconds => 1e7,
             Self::Nanoseconds => 1e9,
             Self::Minutes => 1.0 / 60.0,
             Self::Hours => 1.0 / 3_600.0,

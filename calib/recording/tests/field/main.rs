@@ -7,5 +7,6 @@ mod apps;
 mod columns;
 mod formats;
 mod languages;
+mod loggers;
 mod session;
 mod stamps;

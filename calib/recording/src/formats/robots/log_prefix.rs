@@ -1,7 +1,8 @@
 //! What a logger of firmware writes before a message: `I (12345) imu: ..` of ESP-IDF, `[12345][I][main.cpp:42] loop(): ..` of
-//! Arduino, `[00:00:12.345,678] <inf> imu: ..` of Zephyr.
+//! Arduino, `[00:00:12.345,678] <inf> imu: ..` of Zephyr; and what a terminal writes before a line.
 
-use crate::clock::time_of_day::seconds;
+use crate::clock::time_of_day::{TimeOfDay, seconds};
+use crate::formats::texts::clock_text::split;
 
 /// A message with what stands before it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,6 +22,26 @@ pub(super) enum Stamp {
     SinceStart(f64),
     /// Since midnight.
     OfDay(f64),
+}
+
+impl Stamp {
+    /// The stamp as a cell, counted on over midnight.
+    pub fn written(self, clock: &mut TimeOfDay) -> String {
+        match self {
+            Self::SinceStart(seconds) => format!("{seconds:.6}"),
+            Self::OfDay(seconds) => format!("{:.6}", clock.count_on(seconds)),
+        }
+    }
+}
+
+/// The stamp that a terminal writes before a line, and the line: `22:13:01.123 -> ..`, `[2026-05-01 22:13:01.123] ..`.
+pub(super) fn by_terminal(line: &str) -> Option<(Stamp, &str)> {
+    if let Some((stamp, rest)) = split(line).filter(|_| line.contains("->")) {
+        return Some((Stamp::OfDay(seconds(stamp)?), rest));
+    }
+    let (stamp, rest) = line.trim_start().strip_prefix('[')?.split_once(']')?;
+    let time = stamp.trim().rsplit([' ', 'T']).next()?;
+    Some((Stamp::OfDay(seconds(time)?), rest.trim_start()))
 }
 
 /// The message of a line that has such a beginning.

@@ -1,14 +1,13 @@
 //! Output of microcontroller programs: `ax:-9\tay:..`, `a/g:\t-9\t..`, `22:13:01.123 -> -9,..`, `I (12345) imu: ax:-9 ..`,
-//! blocks of words.
+//! `[2026-05-01 22:13:01.123] ax:-9 ..`.
 
 use std::io::Read;
 
 use sensor::Sensor;
 
-use super::log_prefix::{Stamp, logged};
-use crate::clock::time_of_day::{TimeOfDay, seconds};
+use super::log_prefix::{Stamp, by_terminal, logged};
+use crate::clock::time_of_day::TimeOfDay;
 use crate::formats::texts::TextFormat;
-use crate::formats::texts::clock_text::split;
 use crate::header::look::{Look, cells};
 use crate::header::names::{compact, is_field, role_of, sensor_of, stated_unit};
 use crate::recording::options::Role;
@@ -21,13 +20,6 @@ pub(crate) static SERIAL: TextFormat = TextFormat {
     name: "serial",
     about: "a serial log: `ax:-9 ay:..`, `[0] Accel: X=-9 Y=.. m/s^2`, `a/g: -9 ..`, `22:13:01.123 -> -9,..`, `I (12345) imu: ax:-9 ..`; without stamps the rate has to be given",
     parts: labelled,
-};
-
-/// Adafruit's example programs.
-pub(crate) static ADAFRUIT: TextFormat = TextFormat {
-    name: "adafruit",
-    about: "what Adafruit's examples print: `Acceleration X: .., Y: .., Z: .. m/s^2`, `Rotation X: ..`; the rate has to be given",
-    parts: blocks,
 };
 
 /// Lines looked at from the first row on.
@@ -122,11 +114,9 @@ fn begins(row: &Numbers<'_>) -> bool {
 /// The numbers of a line of which at least one has a name or a label; `None` for any other line.
 fn numbers(line: &str) -> Option<Numbers<'_>> {
     let logged = logged(line);
-    let (stamp, rest) = match (logged, split(line)) {
+    let (stamp, rest) = match (logged, by_terminal(line)) {
         (Some(logged), _) => (Some(logged.stamp), logged.message),
-        (None, Some((stamp, rest))) if line.contains("->") => {
-            (seconds(stamp).map(Stamp::OfDay), rest)
-        }
+        (None, Some((stamp, rest))) => (Some(stamp), rest),
         _ => (None, line),
     };
     let mut pairs = Vec::new();
@@ -138,11 +128,12 @@ fn numbers(line: &str) -> Option<Numbers<'_>> {
         sensors.push(None);
         rest
     });
+    let is_json = rest.trim_start().starts_with('{');
     let separates = |c: char| {
         matches!(
             c,
             ',' | ';' | ' ' | '\t' | ':' | '=' | '|' | '(' | ')' | '[' | ']'
-        )
+        ) || (is_json && matches!(c, '{' | '}' | '"'))
     };
     // The unit of the numbers that follow, as in `Acc (mg) [ 1, 2, 3 ]`.
     let stands_in_parentheses = |word: &str| {
@@ -178,7 +169,9 @@ fn numbers(line: &str) -> Option<Numbers<'_>> {
     }
     // A stamp in brackets alone names no numbers.
     let mut named = pairs.iter().skip(usize::from(is_in_brackets));
-    let is_named = stamp.is_some() || named.any(|(name, _)| !name.is_empty());
+    let is_bracketed = logged.is_none() && line.trim_start().starts_with('[');
+    let is_stamped = stamp.is_some() && !is_bracketed;
+    let is_named = is_stamped || named.any(|(name, _)| !name.is_empty());
     let tag = logged.map(|logged| logged.tag);
     (pairs.len() >= 3 && is_named).then_some(Numbers {
         stamp,
@@ -325,77 +318,15 @@ fn rows_of_numbers(
 
 /// Writes the stamp of a row, if it has one, and its numbers.
 fn row(found: &Numbers<'_>, clock: &mut TimeOfDay, out: &mut Vec<u8>) {
-    let stamp = found.stamp.map(|stamp| match stamp {
-        Stamp::SinceStart(seconds) => format!("{seconds:.6}"),
-        Stamp::OfDay(seconds) => format!("{:.6}", clock.count_on(seconds)),
-    });
+    let stamp = found.stamp.map(|stamp| stamp.written(clock));
     let values = found.pairs.iter().map(|(_, value)| *value);
     let cells: Vec<&str> = stamp.as_deref().into_iter().chain(values).collect();
     out.extend_from_slice(cells.join(",").as_bytes());
 }
 
-/// The three numbers of `Acceleration X: 1, Y: 2, Z: 3 m/s^2`, called one of `quantity`.
-fn triad<'a>(line: &'a str, quantity: [&str; 2]) -> Option<[&'a str; 3]> {
-    let line = line.trim();
-    let mut numbers = quantity
-        .iter()
-        .find_map(|quantity| line.strip_prefix(quantity))?
-        .split([' ', ',', ':'])
-        .filter(|word| word.parse::<f64>().is_ok_and(f64::is_finite));
-    Some([numbers.next()?, numbers.next()?, numbers.next()?])
-}
-
-const ACCELERATION: [&str; 2] = ["Acceleration X:", "Accel X:"];
-const ROTATION: [&str; 2] = ["Rotation X:", "Gyro X:"];
-
-fn blocks(look: &Look) -> Option<Vec<Part>> {
-    let has = |quantity| look.lines().any(|line| triad(line, quantity).is_some());
-    (has(ACCELERATION) && has(ROTATION)).then(|| {
-        let axes = |axis: usize| {
-            [
-                (Role::Accel(axis), (axis + 1).to_string()),
-                (Role::Gyro(axis), (axis + 4).to_string()),
-            ]
-        };
-        vec![Part {
-            columns: (0..3).flat_map(axes).collect(),
-            accel_unit: Some(AccelUnit::MetresPerSecondSquared),
-            gyro_unit: Some(GyroUnit::RadiansPerSecond),
-            change: Some(rows_of_blocks),
-            ..Part::default()
-        }]
-    })
-}
-
-fn rows_of_blocks(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
-    let mut force: Option<String> = None;
-    rewritten(text, move |line, out| {
-        let text = std::str::from_utf8(line).unwrap_or_default();
-        if let Some(numbers) = triad(text, ACCELERATION) {
-            force = Some(numbers.join(","));
-        } else if let (Some(rate), Some(force)) = (triad(text, ROTATION), force.take()) {
-            out.extend_from_slice(format!("{force},{}", rate.join(",")).as_bytes());
-        }
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn blocks_of_both_kinds_of_words_are_one_row() {
-        for block in [
-            "Acceleration X: 1.00, Y: 2.00, Z: 3.00 m/s^2\nRotation X: 4.00, Y: 5.00, Z: 6.00 rad/s\n",
-            "\t\tAccel X: 1.00 \tY: 2.00 \tZ: 3.00 m/s^2 \n\t\tGyro X: 4.00 \tY: 5.00 \tZ: 6.00 radians/s \n",
-        ] {
-            assert!(blocks(&Look::at(block.as_bytes())).is_some(), "{block}");
-            let mut rows = String::new();
-            let text = Box::new(std::io::Cursor::new(block.to_owned()));
-            rows_of_blocks(text).read_to_string(&mut rows).unwrap();
-            assert_eq!(rows.trim(), "1.00,2.00,3.00,4.00,5.00,6.00");
-        }
-    }
 
     #[test]
     fn a_table_with_a_word_in_its_rows_is_no_serial_log() {
@@ -473,8 +404,16 @@ mod tests {
         let (stamp, pairs) = found("22:13:01.234 -> -9,-65,16346").unwrap();
         assert_eq!((stamp, pairs.len()), (Some(Stamp::OfDay(79_981.234)), 3));
         assert_eq!(found("a/g:\t1\t2\t3").unwrap().1[0], ("a/g", "1"));
+        let (stamp, pairs) = found("[2026-05-01 22:13:01.234] ax:-9 ay:1.5 az:3").unwrap();
+        assert_eq!(
+            (stamp, pairs[0]),
+            (Some(Stamp::OfDay(79_981.234)), ("ax", "-9"))
+        );
+        let (_, pairs) = found("22:13:01.234 -> {\"acc\": [1, 2, 3], \"gyr\": [4, 5, 6]}").unwrap();
+        assert_eq!((pairs[0], pairs[3]), (("acc", "1"), ("gyr", "4")));
         assert_eq!(found("1,2,3,4"), None);
         assert_eq!(found("[12.5] 1 2 3"), None);
+        assert_eq!(found("[2026-05-01 22:13:01.234] 1 2 3"), None);
         assert_eq!(found("MPU6050 connection successful"), None);
     }
 }

@@ -101,6 +101,7 @@ fn shimmer(look: &Look) -> Option<Vec<Part>> {
         "TimestampSync_Unix_CAL",
         "Timestamp_SyncUnix_CAL",
         "Timestamp_CAL",
+        "Timestamp_FormattedUnix_CAL",
     ];
     let stamp = stamps.iter().find_map(|name| ending((*name).to_owned()))?;
     columns.push((Role::Time, numbered(&names, &stamp)?));

@@ -8,6 +8,7 @@ pub(crate) mod long;
 pub(crate) mod per_axis;
 pub(crate) mod places;
 pub(crate) mod split_stamp;
+pub(crate) mod start_and_rate;
 pub(crate) mod tagged;
 mod text_format;
 pub(crate) mod unpadded;

@@ -9,8 +9,8 @@ use sensor::Sensor;
 use self::parts::{LONGEST, OPENING, behind_label};
 pub(crate) use self::parts::{compact, take_apart};
 pub(crate) use self::stamps::{
-    is_like_time, is_message_stamp, is_sampling_stamp, is_temperature_beside, says_unknown_unit,
-    stamps_of, stated_unit,
+    is_like_time, is_message_stamp, is_of_ticks, is_sampling_stamp, is_temperature_beside,
+    says_unknown_unit, stamps_of, stated_unit,
 };
 use self::words::{ACCEL, GYRO, TEMPERATURE, TIME};
 pub(crate) use self::words::{is_field, sensor_of};
@@ -20,6 +20,11 @@ use crate::units::{AccelUnit, GyroUnit, TemperatureUnit};
 /// True for the name of an accelerometer's column that may be without gravity: `Linear Acceleration X`.
 pub(crate) fn may_be_linear(name: &str) -> bool {
     take_apart(name).0.starts_with("lin")
+}
+
+/// True for the name of an acceleration that says it has gravity in it, as that of browsers does beside one without.
+pub(crate) fn says_gravity(name: &str) -> bool {
+    take_apart(name).0.contains("includinggravity")
 }
 
 /// The role of a name, or of what follows a point or slash in it: `field.angular_velocity.x`.
@@ -80,12 +85,21 @@ fn role_of_word(name: &str, only: Option<Sensor>) -> Option<Role> {
 /// What stands beside the letter of an axis: `x-axis`, `Achse X`, `x轴`.
 const BESIDE_AXES: [&str; 5] = ["axis", "achse", "axe", "轴", "軸"];
 
+/// The angles that browsers call turns about the axes by, with their axes.
+const ANGLES: [(&str, usize); 3] = [("beta", 0), ("gamma", 1), ("alpha", 2)];
+
 /// The axis in a name, and what is left of it: `accx`, `xacc`, `accxaxis`, and `acc` of `acc[0]`.
 fn axis_and_stem<'a>(word: &'a str, unit: &str) -> Option<(usize, &'a str)> {
     let axis = |c: char| "xyz".find(c);
     let mut ends = BESIDE_AXES.iter().map(|beside| word.strip_suffix(beside));
     let ends = ends.find_map(|rest| rest.filter(|rest| rest.ends_with(['x', 'y', 'z'])));
     let word = ends.unwrap_or(word);
+    let about = |(angle, axis): &(&str, usize)| Some((*axis, word.strip_suffix(angle)?));
+    if let Some((axis, stem)) = ANGLES.iter().find_map(about)
+        && sensor_of(stem) == Some(Sensor::Gyroscope)
+    {
+        return Some((axis, stem));
+    }
     if let Some((at, last)) = word.char_indices().next_back()
         && let Some(axis) = axis(last)
     {
@@ -140,6 +154,23 @@ mod tests {
             ("Avanti sensor 2: GYRO.Y 2 (deg/s)", Some(Role::Gyro(1))),
             ("IM sensor 12: ACC.Z 12", Some(Role::Accel(2))),
             ("sensor 1: ACC.Z 2", None),
+            ("Run 1: X-axis acceleration (m/s²)", Some(Role::Accel(0))),
+            ("Latest: Y-axis gyro (rad/s)", Some(Role::Gyro(1))),
+            ("Data Set 2:Z-Accel(m/s^2)", Some(Role::Accel(2))),
+            ("Acceleration - x (m/s²) Run #1", Some(Role::Accel(0))),
+            ("Angular Velocity Y (°/s) Run 12", Some(Role::Gyro(1))),
+            ("Time (s) Run 1", Some(Role::Time)),
+            ("Time of Run: x (g)", None),
+            ("Beschleunigung_x in m/s²", Some(Role::Accel(0))),
+            ("Gyro_z in °/s", Some(Role::Gyro(2))),
+            ("acc_x m/s^2", Some(Role::Accel(0))),
+            ("Zeit in ms", Some(Role::Time)),
+            ("Z rate of rotation (deg/s)", Some(Role::Gyro(2))),
+            ("linear_accel_x", Some(Role::Accel(0))),
+            ("accelerationIncludingGravity.z", Some(Role::Accel(2))),
+            ("rotationRate.alpha", Some(Role::Gyro(2))),
+            ("rotationRate.beta", Some(Role::Gyro(0))),
+            ("orientation.alpha", None),
             // An angle, and what gravity is taken off.
             ("角度X(°)", None),
             ("线性加速度x", None),

@@ -2,7 +2,7 @@
 
 use super::words::{is_field, sensor_of};
 use crate::units::field::FieldUnit;
-use crate::units::{self, AccelUnit, GyroUnit};
+use crate::units::{self, AccelUnit, GyroUnit, TimeUnit};
 
 /// What a unit in a name begins with, in the width of letters and in that of signs.
 pub(crate) const OPENING: [char; 7] = ['(', '[', '{', '（', '［', '【', '〔'];
@@ -14,6 +14,7 @@ pub(crate) const LONGEST: usize = 200;
 
 /// A column name taken apart: what it calls, and the unit in brackets or behind an underscore.
 pub(crate) fn take_apart(name: &str) -> (String, Option<&str>) {
+    let name = without_run(name);
     if let Some((word, unit)) = before_axis(name.trim()) {
         return (word, Some(unit));
     }
@@ -23,9 +24,38 @@ pub(crate) fn take_apart(name: &str) -> (String, Option<&str>) {
             let unit = unit.trim_end().trim_end_matches(CLOSING);
             (&name[..at], Some(unit))
         }
-        None => behind_underscores(name.trim()).map_or((name, None), |(w, unit)| (w, Some(unit))),
+        None => behind_in(name)
+            .or_else(|| behind_underscores(name.trim()))
+            .map_or((name, None), |(word, unit)| (word, Some(unit))),
     };
     (compact(word), unit)
+}
+
+/// What a run of an experiment is called where it is the last.
+const LATEST: &str = "latest";
+/// What runs are called that have a number.
+const RUNS: [&str; 2] = ["run", "data set"];
+
+/// A name without the run that programs of laboratories write around it: `Run 1: Time (s)`, `Latest: Time (s)`, `Time (s) Run #1`.
+fn without_run(name: &str) -> &str {
+    let own = name
+        .split_once(':')
+        .filter(|(label, _)| is_run(label) || label.trim().eq_ignore_ascii_case(LATEST));
+    let name = own.map_or(name, |(_, own)| own.trim_start());
+    let blanks = name.rmatch_indices(' ').take(2);
+    let mut ends = blanks.map(|(at, _)| name.split_at(at));
+    ends.find(|(_, end)| is_run(end))
+        .map_or(name, |(own, _)| own.trim_end())
+}
+
+/// True for a run with its number: `Run 1`, `Run #1`.
+fn is_run(label: &str) -> bool {
+    let Some((word, number)) = label.trim().rsplit_once(' ') else {
+        return false;
+    };
+    let number = number.trim_start_matches('#');
+    let is_number = !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit());
+    is_number && RUNS.contains(&word.to_lowercase().as_str())
 }
 
 /// Returns the index of the brackets at the end of a name, as in `accel(0):X[g]`; `None` if more of the name follows them.
@@ -66,6 +96,18 @@ fn before_axis(name: &str) -> Option<(String, &str)> {
     let is_sensor = sensor_of(&word).is_some() && is_unit;
     let is_field = is_field(&word) && unit.parse::<FieldUnit>().is_ok();
     (is_sensor || is_field).then(|| (word + &axis.to_lowercase(), unit))
+}
+
+/// A name and the unit behind a word that leads to it, or behind a blank: `Beschleunigung_x in m/s²`, `acc_x m/s^2`.
+fn behind_in(name: &str) -> Option<(&str, &str)> {
+    let name = name.trim();
+    let is_unit = |unit: &str| units::is_unit(unit) || unit.parse::<TimeUnit>().is_ok();
+    let led_to = name
+        .rsplit_once(" in ")
+        .filter(|(_, unit)| is_unit(unit.trim()));
+    let is_of_sensor = |unit: &str| unit.contains('/') && units::is_of_sensor(unit);
+    let bare = || name.rsplit_once(' ').filter(|(_, unit)| is_of_sensor(unit));
+    led_to.or_else(bare)
 }
 
 /// A name and the unit behind an underscore; one of a sensor may have underscores itself: `gyro_x_deg_per_sec`.

@@ -118,6 +118,11 @@ pub(crate) fn stamps_of(name: &str) -> Option<Sensor> {
         .filter(|_| matches!(word.as_str(), "ta" | "tg") || is_like_time(name) || is(TIME))
 }
 
+/// True for the name of a counter whose rate nobody states: `Tick#`.
+pub(crate) fn is_of_ticks(name: &str) -> bool {
+    matches!(take_apart(name).0.as_str(), "tick" | "ticks")
+}
+
 /// True for the stamp in the header of the message that has the column `reading` too: it says when the readings were taken, and a
 /// time beside it when the message arrived.
 pub(crate) fn is_message_stamp(name: &str, reading: &str) -> bool {
@@ -175,7 +180,6 @@ mod tests {
             ("t", None),
             ("items", None),
             ("time_min", Some(TimeUnit::Minutes)),
-            ("Time in minutes", Some(TimeUnit::Minutes)),
             ("vitamin", None),
         ] {
             assert_eq!(unit_of_time(name), unit, "{name}");
@@ -184,7 +188,9 @@ mod tests {
         assert!(
             is_like_time("minutes") && is_like_time("elapsed (min)") && !is_like_time("ax_min")
         );
-        assert_eq!(stated_unit("时间（分钟）"), Some(TimeUnit::Minutes));
+        for name in ["时间（分钟）", "Time in minutes"] {
+            assert_eq!(stated_unit(name), Some(TimeUnit::Minutes));
+        }
         let since = stated_unit("time (s since start)");
         assert_eq!(since, Some(TimeUnit::Seconds));
         assert!(says_unknown_unit("t [cs]") && says_unknown_unit("Time (1/60 sec)"));

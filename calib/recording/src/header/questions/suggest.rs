@@ -3,7 +3,7 @@
 use findings::{OptionName, Remedy};
 use sensor::Sensor;
 
-use crate::header::names::{is_like_time, role_of, take_apart};
+use crate::header::names::{is_like_time, is_of_ticks, role_of, take_apart};
 use crate::header::triads::{Triad, triads};
 use crate::recording::options::Role;
 use crate::shown::shown;
@@ -111,7 +111,7 @@ pub(crate) fn suggestion(names: &[String]) -> Remedy {
 /// The column that is the time by its name, or most like it.
 fn time(names: &[String]) -> Option<usize> {
     let is = |name: &String| role_of(name, None) == Some(Role::Time);
-    let exact = names.iter().position(is);
+    let exact = names.iter().position(|name| is(name) && !is_of_ticks(name));
     let in_time = |name: &String| {
         let unit = take_apart(name).1;
         unit.is_some_and(|unit| unit.parse::<TimeUnit>().is_ok())
@@ -121,9 +121,12 @@ fn time(names: &[String]) -> Option<usize> {
         let word = name.to_lowercase();
         is_like_time(name) && (word.contains("time") || word.contains("stamp"))
     };
+    let ticks = || names.iter().position(is);
     let like = || {
         let named = names.iter().position(says_time);
-        named.or_else(|| names.iter().position(|name| is_like_time(name)))
+        named
+            .or_else(ticks)
+            .or_else(|| names.iter().position(|name| is_like_time(name)))
     };
     exact
         .or_else(like)
@@ -190,6 +193,8 @@ mod tests {
             "accelZ",
         ];
         assert!(of(&names).starts_with("t=Clock:offsetTime,"));
+        let names = ["Tick#", "offsetTime", "u:accelX", "u:accelY", "u:accelZ"];
+        assert!(of(&names).starts_with("t=offsetTime,"));
         // Two devices: the gyroscope of the one whose accelerometer is taken.
         let names = [
             "t", "l_acc_x", "l_acc_y", "l_acc_z", "r_gyr_x", "r_gyr_y", "r_gyr_z", "l_gyr_x",

@@ -112,6 +112,18 @@ pub(crate) fn refuse(tables: &[Table]) -> Result<(), Error> {
     Ok(())
 }
 
+/// The columns that the one table calls an accelerometer's and that are not read, beside those that are.
+pub(crate) fn unread_accelerometer(tables: &[Table]) -> Option<Remedy> {
+    let [table] = tables else { return None };
+    let missing = Sensor::Accelerometer;
+    let found = triads(&table.unused);
+    let named = found
+        .iter()
+        .find(|triad| triad.sensor() == Some(missing) && !is_without_gravity(&triad.stem))?;
+    let names = named.columns.map(|at| table.unused[at].clone());
+    completed(&table.roles, &table.names, &names, missing)
+}
+
 /// Builds the finding about columns that look like a magnetometer's, if no magnetometer is read.
 pub(crate) fn unread_field(tables: &[Table]) -> Option<Finding> {
     if tables.iter().any(|table| !table.magnetometer.t.is_empty()) {
@@ -191,11 +203,13 @@ fn refuse_others(tables: &[Table]) -> Result<(), Error> {
 /// Refuses tables whose only accelerometer has lost its gravity, as phones write it beside the rate.
 fn refuse_without_gravity(tables: &[Table]) -> Result<(), Error> {
     for table in tables {
-        let found = triads(&table.unclear);
-        let Some(linear) = found.iter().find(|triad| is_without_gravity(&triad.stem)) else {
+        // Those of the frame of the earth have no x, y, z.
+        let is_one = |name: &&String| is_without_gravity(&name.to_lowercase());
+        let columns: Vec<&String> = table.unused.iter().filter(is_one).collect();
+        if columns.len() < SENSOR {
             continue;
-        };
-        let columns = linear.columns.iter().map(|&at| &table.unclear[at]);
+        }
+        let columns = columns.into_iter();
         return Err(in_file(
             &table.name,
             Finding::of(Kind::ColumnsWithoutGravity).detail("columns", shown_list(columns)),

@@ -8,7 +8,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
         Kind::ColumnMissing => error("the table has no column for {missing}", "export it too"),
         Kind::NoSensorColumns => error_with(
-            "the program finds no columns of an accelerometer or a gyroscope among {columns}",
+            "the program is sure of no columns of an accelerometer or a gyroscope among {columns}",
             "name the columns t,ax,ay,az,gx,gy,gz (and temp for a temperature)",
             vec![Remedy::such_as(
                 OptionName::Columns,

@@ -34,8 +34,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "download the file itself",
         ),
         Kind::RosEcho => error(
-            "this is what `ros2 topic echo` prints",
-            "record it as a table, which it prints with the option csv, or as a bag",
+            "this is what `rostopic echo` and `ros2 topic echo` print",
+            "record it as a bag or as a table, which `rostopic echo -p` and `ros2 topic echo --csv` print",
         ),
         Kind::ArdupilotText => error(
             "this is an ArduPilot log that was made a text",
