@@ -4,7 +4,7 @@ use std::f64::consts::LN_2;
 
 use estimate::methods::joint::{BiasNoise, Columns};
 use faer::Mat;
-use sensor::Sensor;
+use sensor::{EffectRef, Sensor};
 
 use super::family::{Claim, Family};
 use super::noise::level::Level;
@@ -127,6 +127,11 @@ fn best(place: usize, family: &Family, tried: Vec<Tried<'_>>, choice: f64) -> Op
     let ranked = tried.filter_map(|(k, tried)| {
         let over_all_noise = tried.log_p();
         let (level, statistic, score) = tried.likeliest?;
+        // A parameter moves the other way than its columns.
+        let is_negative = |effect: &EffectRef| effect.is_positive() && score.change[0] > 0.0;
+        if matches!(&family.claim, Claim::Effect(effect) if is_negative(effect)) {
+            return None;
+        }
         // Shapes describe, and are held against the scatter of a bias that wanders: by likelihood ratios.
         let log_p = match is_shape {
             true => log_tail(statistic, score.dof as f64 + family.shape_dof),

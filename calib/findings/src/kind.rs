@@ -59,6 +59,8 @@ kinds! {
     Frozen = "frozen",
     /// All readings from a row on repeat one pattern: memory that was never written.
     ErasedTail = "erased_tail",
+    /// The magnetometer reads zero throughout.
+    MagnetometerDead = "magnetometer_dead",
     /// Single samples are zero on every axis: the sensor was not read.
     FailedReads = "failed_reads",
     /// The device sets its zero anew while it rests.

@@ -54,6 +54,12 @@ pub fn run(args: &Args) -> Result<(), Failure> {
 /// The noise of the recording, or of the rest in it that is asked for or the longest.
 fn summary(args: &Args) -> Result<NoiseSummary, Failure> {
     let mut source = Source::new(args);
+    let mut summary = of_source(&mut source, args)?;
+    summary.warnings.extend(source.assumed);
+    Ok(summary)
+}
+
+fn of_source(source: &mut Source<'_>, args: &Args) -> Result<NoiseSummary, Failure> {
     if let Some([from, to]) = args.rest {
         if from >= to {
             return Err(Failure::usage("--rest T0,T1: T0 must be before T1"));

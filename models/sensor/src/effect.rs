@@ -67,6 +67,8 @@ pub trait Effect: Send + Sync + 'static {
     /// Quantities that the effect depends on, except its own signal. An effect is refused if one of them is not known,
     /// and the message names it. `None`: they are determined by trial ([`observed_needs`]).
     const NEEDS: Option<&'static [Quantity]> = None;
+    /// True if no sensor has negative coefficients: what speaks for them speaks for something else.
+    const POSITIVE: bool = false;
     /// Nature of the effect, for one that is not an error of the sensor.
     const NATURE: Nature = Nature::SensorError;
     /// The effect of lower order that comes with it: it stands for a reference, such as that of the temperature, which is
@@ -111,6 +113,9 @@ impl<E: Effect> AnyEffect for E {
     }
     fn companion(&self) -> Option<&'static str> {
         E::COMPANION
+    }
+    fn is_positive(&self) -> bool {
+        E::POSITIVE
     }
     fn reference(&self) -> Option<&'static str> {
         E::REFERENCE

@@ -156,9 +156,14 @@ fn deviations(effect: &EffectFinding, truth: &Truth) -> Vec<f64> {
             let std = x_std.zip(y_std).map(|(a, b)| (a * x).hypot(b * y) / length);
             vec![(length, std, north.hypot(east)), vertical]
         }
-        // Delays are relative to that of z.
-        ("gyro_delay", &[(x, x_std, x_truth), (y, y_std, y_truth), (.., z_truth)]) => {
-            vec![(x, x_std, x_truth - z_truth), (y, y_std, y_truth - z_truth)]
+        // Delays are relative to that of the axis without a standard error.
+        ("gyro_delay", all) => {
+            let earliest = all.iter().find(|(_, std, _)| std.is_none());
+            let least = earliest.map_or(0.0, |(.., truth)| *truth);
+            let relative = all
+                .iter()
+                .map(|(value, std, truth)| (*value, *std, truth - least));
+            relative.collect()
         }
         _ => known,
     };

@@ -62,7 +62,7 @@ fn every_effect_leaves_the_noise_on_another_recording_or_is_refused_by_name() {
         .into_iter()
         .flat_map(|trial| METHODS.map(|method| (trial.clone(), method)))
         .collect();
-    assert_eq!(all.len(), 2 * 46);
+    assert_eq!(all.len(), 2 * 50);
     let ends: Vec<End> = all
         .par_iter()
         // Another device, motion and noise for each, so that all together say more than one; the same however many there are.

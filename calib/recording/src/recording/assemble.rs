@@ -5,7 +5,7 @@ use std::collections::HashSet;
 
 use sensor::Sensor;
 
-use super::magnetometer::Magnetometer;
+use super::magnetometer::{self, Magnetometer};
 use super::options::{ReadOptions, Role};
 use super::samples::Samples;
 use super::{AppliedBefore, Described, Frozen, Recording, Stream, Temperature, UnitBy};
@@ -87,6 +87,9 @@ pub(crate) fn assemble(
         unclear::refuse(&tables)?;
     }
     recording.warnings.extend(unclear::unread_field(&tables));
+    recording
+        .warnings
+        .extend(tables.iter().find_map(magnetometer::dead));
     recording.magnetometer = Magnetometer::taken(&mut tables, options.mag_unit);
     match recording.magnetometer.is_some() && !tables.iter().any(Table::has_sensor) {
         // A temperature beside it is of no use without the sensors.

@@ -1,5 +1,6 @@
 //! Readings of a magnetometer: kept as the file has them, on their own clock.
 
+use findings::{Finding, Kind};
 use nalgebra::Vector3;
 use sensor::Sensor;
 
@@ -85,6 +86,14 @@ impl Magnetometer {
         tables.retain(|table| table.has_sensor() || !table.temperature.is_empty());
         found
     }
+}
+
+/// A magnetometer that reads zero throughout, which nothing uses.
+pub(crate) fn dead(table: &Table) -> Option<Finding> {
+    let values = &table.magnetometer.values;
+    let is_dead = !values.is_empty() && values.iter().all(|value| value.amax() == 0.0);
+    let found = Finding::of(Kind::MagnetometerDead).in_recording(&table.name);
+    is_dead.then(|| found.of_sensor(Sensor::Magnetometer))
 }
 
 /// A file of a magnetometer by itself: its time and its axes, by their names or called x, y, z; without names in this order.

@@ -55,6 +55,8 @@ pub fn listed(motions: &[Span]) -> String {
 pub struct Source<'a> {
     args: &'a Args,
     recording: Option<Recording>,
+    /// The unit that is assumed for a stream.
+    pub assumed: Option<Finding>,
 }
 
 impl<'a> Source<'a> {
@@ -63,6 +65,7 @@ impl<'a> Source<'a> {
         Self {
             args,
             recording: None,
+            assumed: None,
         }
     }
 
@@ -81,9 +84,7 @@ impl<'a> Source<'a> {
             spinner.finish_and_clear();
             if let Some(curves) = streamed {
                 // Its header names no unit.
-                show::warn_each([&Finding::of(Kind::UnitAssumed)
-                    .in_recording(&args.recording.display().to_string())
-                    .of_sensor(Sensor::Gyroscope)]);
+                self.assumed = Some(Finding::of(Kind::UnitAssumed).of_sensor(Sensor::Gyroscope));
                 return Ok(curves);
             }
         }

@@ -188,7 +188,7 @@ fn agreement(agreement: Option<&Agreement>) -> String {
     );
     match found.p_value < DIFFER {
         true => format!("Its size differs from unit to unit ({of}): every unit needs its own."),
-        false => format!("Its sizes agree ({of}): that of the type is below."),
+        false => format!("Its sizes agree ({of})."),
     }
 }
 

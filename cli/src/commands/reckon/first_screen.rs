@@ -1,6 +1,6 @@
 //! The first screen of dead reckoning: the error with each calibration.
 
-use super::show_runs::{heading, table};
+use super::show_runs::{heading, narrow};
 use super::solve::{Outcome, Run};
 use crate::commands::shared::first_screen::Screen;
 use crate::commands::shared::names::Names;
@@ -16,9 +16,7 @@ pub(super) fn screen(runs: &[Run], remarks: Vec<String>, written: String) -> Scr
     let names = Names::of_words(&whole);
     let tables = match runs {
         [one] => {
-            let (header, rows) = table(one);
-            let table = show::table_of(&header, rows);
-            format!("{}\n{table}", names.short(&heading(one)))
+            format!("{}\n{}", names.short(&heading(one)), narrow(one))
         }
         _ => of_several(runs, &short_names(&whole)),
     };

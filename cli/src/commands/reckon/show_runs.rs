@@ -109,6 +109,22 @@ pub(super) fn table(run: &Run) -> (Vec<&'static str>, Vec<Vec<String>>) {
     (header, rows.collect())
 }
 
+/// Columns of numbers beside each other on a terminal.
+const BESIDE: usize = 6;
+
+/// The table of one run, in parts that a terminal has room for.
+pub(super) fn narrow(run: &Run) -> String {
+    let (header, rows) = table(run);
+    let places: Vec<usize> = (1..header.len()).collect();
+    let parts = places.chunks(BESIDE).map(|part| {
+        let wanted = || std::iter::once(0).chain(part.iter().copied());
+        let names: Vec<&str> = wanted().map(|k| header[k]).collect();
+        let cells = |row: &Vec<String>| wanted().map(|k| row[k].clone()).collect::<Vec<_>>();
+        show::table_of(&names, rows.iter().map(cells)).to_string()
+    });
+    parts.collect::<Vec<_>>().join("\n\n")
+}
+
 /// Header of [`means`].
 const MEANS: [&str; 2] = ["all recordings", "mean |error|, m"];
 
@@ -141,9 +157,7 @@ pub(super) fn heading(run: &Run) -> String {
 pub(super) fn text(runs: &[Run]) -> String {
     let mut text = String::new();
     for run in runs {
-        let (header, rows) = table(run);
-        let table = show::table_of(&header, rows);
-        let _ = writeln!(text, "{}\n{table}\n", heading(run));
+        let _ = writeln!(text, "{}\n{}\n", heading(run), narrow(run));
     }
     let means = means(runs);
     if !means.is_empty() {

@@ -9,7 +9,7 @@ use solver::Scalar;
 /// | symbol | meaning | unit | shape |
 /// |---|---|---|---|
 /// | `e` | gyroscope error | rad/s | 3 |
-/// | `d` | delay of each axis; what all three share is not visible in turns | s | 3 |
+/// | `d` | delay of each axis after the earliest; what all three share is not visible in turns | s | 3 |
 /// | `ω̇` | angular acceleration | rad/s² | 3 |
 #[derive(Clone, Copy, Debug)]
 pub struct GyroDelay;
@@ -17,7 +17,7 @@ pub struct GyroDelay;
 impl Effect for GyroDelay {
     const NAME: &'static str = "gyro_delay";
     const SENSOR: Sensor = Sensor::Gyroscope;
-    const EQUATION: &'static str = "W_i(t) = w_i(t - d_i)";
+    const EQUATION: &'static str = "W_i(t) = w_i(t - d_i), least d_i = 0";
     const PARAMS: &'static [Param] = &params("s", ["x", "y", "z"]);
     const TYPICAL: f64 = 5e-4;
     const LINEAR: bool = true;

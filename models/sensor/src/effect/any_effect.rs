@@ -57,6 +57,10 @@ pub trait AnyEffect: Send + Sync {
     fn companion(&self) -> Option<&'static str> {
         None
     }
+    /// Returns true if no sensor has negative coefficients.
+    fn is_positive(&self) -> bool {
+        false
+    }
     /// The coefficient that is nothing by convention.
     fn reference(&self) -> Option<&'static str> {
         None

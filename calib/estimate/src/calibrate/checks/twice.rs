@@ -91,7 +91,9 @@ fn again_from(all: &[StaticInterval]) -> Option<(usize, usize)> {
         let later = runs.clone().skip(i + IN_A_ROW);
         later.map(move |(j, second)| ((i, first), (j, second)))
     });
-    let mut noisy = pairs.filter(|((_, first), _)| first.iter().all(is_noisy));
+    // One placement again and again is no session that was appended.
+    let is_one = |run: &[StaticInterval]| are_same(&run[1..], run, SAME_NOISE);
+    let mut noisy = pairs.filter(|((_, first), _)| first.iter().all(is_noisy) && !is_one(first));
     let found = noisy.find(|((_, a), (_, b))| are_same(a, b, SAME_NOISE_WITHIN));
     found.map(|((i, _), (j, _))| (i, j))
 }

@@ -1,5 +1,6 @@
 //! `--method joint`: recordings to a calibration by one weighted problem.
 
+mod delays;
 mod determined;
 mod doubts;
 mod latitude;

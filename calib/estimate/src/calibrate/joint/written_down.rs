@@ -5,6 +5,7 @@ use findings::Findings;
 use recording::{Error, Recording};
 use sensor::Sensor;
 
+use super::delays::count_from_the_earliest;
 use super::determined::{check_force, check_rate};
 use super::doubts::{disturbances, influences, placements_apart};
 use super::latitude::LatitudeDoubt;
@@ -131,7 +132,7 @@ pub fn written_down(
         let own = remainders.iter().find(|r| r.channel == channel);
         own.map(|r| r.reduced_chi2)
     };
-    let calibration = Calibration {
+    let mut calibration = Calibration {
         accelerometer: Some(Triad {
             reduced_chi2: chi2(Channel::Force),
             ..force_triad(fit, &force, moved_force.as_ref())
@@ -150,6 +151,7 @@ pub fn written_down(
         failed_gates,
         ..Calibration::by("joint", account.gravity, account.gravity_source)
     };
+    count_from_the_earliest(&mut calibration);
     Ok(match account.frame {
         Frame::Triangular => calibration,
         Frame::Symmetric => in_symmetric_frame(calibration),

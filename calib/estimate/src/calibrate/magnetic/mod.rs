@@ -10,6 +10,7 @@ mod missing;
 mod source;
 mod stepped;
 mod turns;
+mod units;
 mod write;
 
 use findings::{Finding, Kind};
@@ -18,6 +19,7 @@ use recording::averages::median;
 use recording::{Error, FieldUnit, Recording, figure};
 use sensor::{EffectRef, Quantity, Sensor};
 
+use self::units::Units;
 use super::checks::turned_field;
 use super::outcome::Outcome;
 use super::request::{Method, Request};
@@ -203,29 +205,6 @@ fn no_axis_is_constant(recording: &Recording) -> Result<(), Error> {
                 .detail("value", figure(first[axis])),
         )),
         None => Ok(()),
-    }
-}
-
-/// Units of the numbers of a magnetometer, as findings have them.
-#[derive(Clone, Copy, Debug)]
-struct Units {
-    /// Of its readings.
-    reading: &'static str,
-    /// Of the field, to which a given strength brings readings of any unit.
-    field: &'static str,
-}
-
-/// Millionths of a tesla, and a unit that nobody states.
-const MICROTESLA: &str = "µT";
-const OF_READINGS: &str = "units of its readings";
-
-impl Units {
-    fn of(unit: Option<FieldUnit>, strength_given: bool) -> Self {
-        let word = |is_known| if is_known { MICROTESLA } else { OF_READINGS };
-        Self {
-            reading: word(unit.is_some()),
-            field: word(unit.is_some() || strength_given),
-        }
     }
 }
 

@@ -4,7 +4,7 @@ use findings::{Finding, Kind};
 use nalgebra::{Vector2, Vector3};
 use sensor::Sensor;
 
-use super::Units;
+use super::units::Units;
 use crate::methods::magnetic::{Field, MagneticFit, MagneticRequest, fit_magnetometer};
 use crate::methods::small_sample::by_chance;
 

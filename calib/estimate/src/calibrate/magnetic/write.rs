@@ -6,7 +6,7 @@ use sensor::{Base, Model, Sensor};
 
 use super::inertial::Inertial;
 use super::missing::Missing;
-use super::{MICROTESLA, Units};
+use super::units::{MICROTESLA, Units};
 use crate::calibrate::assemble;
 use crate::calibration::{Calibration, MagneticField, RecordingBias, RecordingField, Triad};
 use crate::methods::Fitted;

@@ -48,6 +48,11 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
                memory of a logger does. The program leaves them out",
             ..remark(0.001)
         },
+        Kind::MagnetometerDead => Entry {
+            reason: "the magnetometer reads zero throughout",
+            text: "the magnetometer reads zero on all axes throughout. The program does not use it",
+            ..remark(0.01)
+        },
         Kind::FailedReads => Entry {
             reason: "reads of the {sensor} failed and were logged as zero",
             text: "{count:sample} of the {sensor} ({share}) are exactly zero on {axes}, among others that are not: the \

@@ -70,8 +70,8 @@ impl JointFit {
                 Sensor::Accelerometer => &by_scatter,
                 _ => &by_noise,
             };
-            let (statistic, dof) = beside.score(columns);
-            (dof > 0).then(|| Missing {
+            let (statistic, dof, is_negative) = beside.score(columns);
+            (dof > 0 && !(effect.is_positive() && is_negative)).then(|| Missing {
                 effect: effect.clone(),
                 statistic,
                 dof,
@@ -148,14 +148,17 @@ impl Beside {
         square - (self.residuals.len() - self.model.rank()) as f64
     }
 
-    /// `|P_E r|²` of columns (`m × k`) and its degrees of freedom.
-    fn score(&self, mut columns: Mat<f64>) -> (f64, usize) {
+    /// `|P_E r|²` of columns (`m × k`), its degrees of freedom, and whether the first coefficient would be negative: `Eᵀ r > 0`.
+    fn score(&self, mut columns: Mat<f64>) -> (f64, usize, bool) {
         self.whitening.white.apply(columns.as_mut());
         let columns = Columns::cut(&columns, self.whitening.groups());
         let left = self.model.without(&self.whitening.finish_columns(columns));
-        let basis = orthonormal(&left.to_dense());
-        let explained = basis.transpose() * ColRef::from_slice(&self.residuals);
-        (explained.squared_norm_l2(), basis.ncols())
+        let left = left.to_dense();
+        let residuals = ColRef::from_slice(&self.residuals);
+        let is_negative = left.col(0).transpose() * residuals > 0.0;
+        let basis = orthonormal(&left);
+        let explained = basis.transpose() * residuals;
+        (explained.squared_norm_l2(), basis.ncols(), is_negative)
     }
 }
 
