@@ -11,14 +11,12 @@
 mod base;
 mod calibrated;
 mod discovery;
-mod extension;
 mod family;
 mod fault;
 mod findings;
 mod flicker;
 mod gap;
-mod heading;
-mod judgement;
+mod names_and_remainder;
 mod noise;
 mod pictures;
 mod propose;
@@ -30,10 +28,9 @@ mod search;
 mod separation;
 mod state;
 mod units;
-mod visible;
 
 pub use discovery::{Discovery, discover};
-pub use extension::Extension;
+
 pub use family::{Claim, Family, Hypothesis, families};
 pub use fault::delay::{Delay, delay};
 pub use fault::integrity::{Integrity, Size, disturbed, integrity};
@@ -62,7 +59,7 @@ pub use search::{Name, Search, Tie, search};
 pub use separation::{
     Aim, Conditions, Design, Information, Rival, Rivalry, SETTLED, Separated, ShownBy, separate,
 };
-pub use state::State;
+pub use state::{Extension, State};
 pub use units::{
     Agreement, OwnEffect, SharedEffect, UNITS_SCHEMA, UnitAlone, UnitFindings, UnitSize,
     discover_units,

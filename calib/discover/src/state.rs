@@ -3,15 +3,16 @@
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
+use estimate::methods::earth::on_the_earth;
 use estimate::methods::joint::{
-    Basis, BiasNoise, Column, Columns, Component, ComponentKind, FaultRef, JointFit, Known,
-    NoiseLevel, Sensitivities, Site, Suspect, fit_joint, suspects, within,
+    Basis, BiasNoise, Column, Columns, Component, ComponentKind, FaultRef, JointFit, JointRequest,
+    Known, NoiseLevel, Sensitivities, Site, Suspect, fit_joint, suspects, within,
 };
 use faer::{Mat, MatMut};
 use recording::Error;
 use recording::watch::Stage;
+use sensor::{EffectRef, Role};
 
-use super::extension::Extension;
 use super::gap::channel::Channel;
 use super::noise::level::{Level, levels};
 use super::noise::projected::Projected;
@@ -21,6 +22,59 @@ use super::score::log_tail;
 
 /// Means of static intervals on either side that a step of a bias needs.
 const BESIDE_A_STEP: usize = 3;
+
+/// The parameter that shapes an effect (`tau`, `t0`), by its place, and its value, which the fit holds.
+pub type Held = Option<(usize, f64)>;
+
+/// Effects and disturbances of a model, on top of the base models.
+#[derive(Clone, Debug, Default)]
+pub struct Extension {
+    /// Effects, with what shapes them.
+    pub effects: Vec<(EffectRef, Held)>,
+    /// Disturbances with their place: parameters of their own.
+    pub disturbed: Vec<Known>,
+    /// True if time constants are fitted, starting from their held values; false if they stay fixed.
+    pub settles: bool,
+}
+
+impl Extension {
+    /// Takes an effect in, with the companions of the `catalogue` that come with it.
+    pub fn hold(&mut self, effect: EffectRef, shape: Held, catalogue: &[EffectRef]) {
+        let companions: Vec<EffectRef> = with_companions(&effect, catalogue).skip(1).collect();
+        self.effects.push((effect, shape));
+        for companion in companions {
+            if !self.has(companion.name()) {
+                self.effects.push((companion, None));
+            }
+        }
+    }
+
+    /// Returns true if it has the effect of this name.
+    pub fn has(&self, name: &str) -> bool {
+        self.effects.iter().any(|(effect, _)| effect.name() == name)
+    }
+
+    /// Takes the effect of this name out.
+    pub fn remove(&mut self, name: &str) {
+        self.effects.retain(|(effect, _)| effect.name() != name);
+    }
+
+    /// Returns true if both have the same terms, in any order.
+    pub fn is_same(&self, other: &Self) -> bool {
+        let holds = |(effect, held): &(EffectRef, Held)| {
+            let mut others = other.effects.iter();
+            others.any(|(e, h)| e.name() == effect.name() && h == held)
+        };
+        self.settles == other.settles
+            && self.effects.len() == other.effects.len()
+            && self.disturbed.len() == other.disturbed.len()
+            && self.effects.iter().all(holds)
+            && self
+                .disturbed
+                .iter()
+                .all(|known| other.disturbed.contains(known))
+    }
+}
 
 /// One model, fitted.
 #[derive(Clone, Debug)]
@@ -37,12 +91,12 @@ pub struct State {
     pub noise: BiasNoise,
     /// True if that noise was given.
     pub noise_given: bool,
+    /// Possible disturbances.
+    pub suspects: Arc<Vec<Suspect>>,
     /// The settings of the densities, once somebody asked.
     levels: OnceLock<Arc<Vec<Level>>>,
     /// Levels of the noise at which claims are tried, computed on first use.
     walks: OnceLock<Arc<Vec<Level>>>,
-    /// Possible disturbances, computed on first use.
-    suspects: OnceLock<Arc<Vec<Suspect>>>,
 }
 
 impl State {
@@ -52,12 +106,13 @@ impl State {
     /// As [`fit_joint`].
     pub fn fit(session: &Session<'_>, extension: Extension) -> Result<Self, Error> {
         session.request.watch.step(Stage::Searching)?;
-        let fit = fit_joint(&session.joint(&extension))?;
+        let fit = fit_joint(&joint_request(session, &extension))?;
         let sensitivities = fit.sensitivities();
         let projected = projected(&fit, (&fit.components, &fit.levels));
         let noise = BiasNoise::of(&fit.levels);
         Ok(Self {
             extension,
+            suspects: Arc::new(possible_disturbances(&fit)),
             fit: Arc::new(fit),
             sensitivities: Arc::new(sensitivities),
             projected: Arc::new(projected),
@@ -65,7 +120,6 @@ impl State {
             noise_given: session.request.noise.is_some(),
             levels: OnceLock::new(),
             walks: OnceLock::new(),
-            suspects: OnceLock::new(),
         })
     }
 
@@ -136,7 +190,7 @@ impl State {
 
     /// Returns true if the model has the effect of this name.
     pub fn has(&self, name: &str) -> bool {
-        self.extension.effects.iter().any(|(e, _)| e.name() == name)
+        self.extension.has(name)
     }
 
     /// Returns true if the model already has this disturbance.
@@ -169,25 +223,10 @@ impl State {
         })
     }
 
-    /// Returns the possible disturbances.
-    pub fn suspects(&self) -> &[Suspect] {
-        self.suspects.get_or_init(|| {
-            let rows = self.fit.plain_rows();
-            let x = &self.fit.parameters.values()[..rows.layout.disturbance(0)];
-            let rotations = rows.rotations(x);
-            let site = Site {
-                rows: &rows,
-                x,
-                rotations: &rotations,
-            };
-            Arc::new(suspects(&site))
-        })
-    }
-
     /// Lists the disturbances of the model in the order of the findings, with the places of their parameters.
     fn held(&self) -> impl Iterator<Item = (Known, Range<usize>)> + '_ {
         let mut next = self.fit.parameters.values().len() - self.fit.disturbance_columns.len();
-        let suspects = self.suspects().iter();
+        let suspects = self.suspects.iter();
         suspects.filter_map(move |s| {
             let known = self.known(s.fault, s.place)?;
             let own = next..next + s.columns.len();
@@ -267,9 +306,85 @@ impl State {
     }
 }
 
+/// Everything that may be wrong with an interval or a turn of a fit, with its columns.
+fn possible_disturbances(fit: &JointFit) -> Vec<Suspect> {
+    let rows = fit.plain_rows();
+    let x = &fit.parameters.values()[..rows.layout.disturbance(0)];
+    let rotations = rows.rotations(x);
+    let site = Site {
+        rows: &rows,
+        x,
+        rotations: &rotations,
+    };
+    suspects(&site)
+}
+
 /// Projects the residuals of a fit, under noise of these components and levels.
 fn projected(fit: &JointFit, noise: (&[Component], &[NoiseLevel])) -> Projected {
     let mut projected = Projected::new(&fit.white_residuals, &fit.white_jacobian, noise);
     projected.within = within(&fit.data, &projected.kinds());
     projected
+}
+
+/// The joint fit of the base models with an extension.
+pub fn joint_request<'a>(session: &'a Session<'_>, extension: &Extension) -> JointRequest<'a> {
+    let request = &session.request;
+    let (mut accelerometer, mut gyroscope) = (accelerometer::model(), gyroscope::model());
+    let (mut held, mut starts) = (Vec::new(), Vec::new());
+    if let Some(latitude) = request.latitude {
+        let (with_it, vertical) = on_the_earth(gyroscope, latitude);
+        gyroscope = with_it;
+        held.push(vertical);
+    }
+    for (effect, shape) in &extension.effects {
+        accelerometer = accelerometer.with(effect.clone());
+        gyroscope = gyroscope.with(effect.clone());
+        let mut hold = |parameter: &str, value: f64| {
+            held.push((format!("{}.{parameter}", effect.name()), value));
+        };
+        if let Some(reference) = effect.reference() {
+            hold(reference, 0.0);
+        }
+        if let Some((k, value)) = shape {
+            let parameter = &effect.params()[*k];
+            if extension.settles && parameter.role_by_name() == Role::TimeConstant {
+                starts.push((format!("{}.{}", effect.name(), parameter.name), *value));
+            } else {
+                hold(&parameter.name, *value);
+            }
+        }
+    }
+    let before = session.base.as_deref();
+    let cut = session.recordings.iter();
+    let cut = cut.map(|(recording, choice)| (recording.as_ref(), &choice.segmentation));
+    JointRequest {
+        accelerometer,
+        gyroscope,
+        bias_noise: request.noise,
+        flicker: request.flicker,
+        disturbances: false,
+        known: extension.disturbed.clone(),
+        held,
+        starts,
+        clock: request.clock,
+        clocks: session.clocks.clone(),
+        compared: before.is_some(),
+        before,
+        // Not where turns miss motion between the samples: that share is fitted too, and from the base models on the fit
+        // ends at another value (a third larger on rec_3 of the phone).
+        from_its_minimum: before.is_some_and(|fit| !fit.data.misses_something_between_samples()),
+        covariates: true,
+        watch: request.watch.clone(),
+        ..JointRequest::new(cut.collect(), request.gravity)
+    }
+}
+
+/// The effects that come with `effect`, itself first.
+pub fn with_companions<'a>(
+    effect: &EffectRef,
+    catalogue: &'a [EffectRef],
+) -> impl Iterator<Item = EffectRef> + use<'a> {
+    let companion = effect.companion();
+    let companion = companion.and_then(|with| catalogue.iter().find(|e| e.name() == with));
+    std::iter::once(effect.clone()).chain(companion.cloned())
 }

@@ -10,5 +10,4 @@ pub(super) mod shape;
 pub(super) mod shapes;
 mod two_levels;
 pub(super) mod unexplained;
-pub(super) mod weighed_again;
 pub(super) mod withdrawn;

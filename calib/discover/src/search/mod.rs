@@ -1,7 +1,5 @@
 //! Naming what is missing, one thing after the other, until the rest is noise.
 
-pub(crate) mod alike;
-mod either;
 pub mod few_turns;
 mod held;
 mod outlying_turns;
@@ -13,24 +11,22 @@ mod together;
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
-pub use either::Either;
 use estimate::methods::joint::{Data, Known};
 use faer::Mat;
 use findings::{Finding, Kind};
 use outlying_turns::outlying_turns;
 pub(crate) use ranking::{Ranking, VERTICAL};
 use recording::Error;
-use sensor::EffectRef;
+pub use review::Either;
+use sensor::{EffectRef, Sensor};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use self::held::Held;
-use crate::extension::Extension;
-use crate::extension::with_companions;
 use crate::family::{Claim, Family, Hypothesis};
 use crate::rank::Ranked;
 use crate::request::Session;
 use crate::separation::Rivalry;
-use crate::state::State;
+use crate::state::{Extension, State, with_companions};
 
 /// Names at most; a device that seems to lack more is not understood.
 const MOST_NAMES: usize = 6;
@@ -88,6 +84,12 @@ impl Name {
         }
     }
 
+    /// The sensor whose bias it says to step at an instant; `None` of anything else.
+    pub(crate) fn stepping(&self) -> Option<Sensor> {
+        let effect = self.claim.effect()?;
+        effect.instant().map(|_| effect.sensor())
+    }
+
     /// `E β`: the contribution of the estimate to the rows (`m × 1`), white-whitened.
     pub fn predicted(&self) -> Mat<f64> {
         let change = &self.ranked.score.change;
@@ -100,8 +102,6 @@ impl Name {
 pub struct Tie {
     /// The claim.
     pub claim: Claim,
-    /// Evidence that it lacks against the named one.
-    pub behind: f64,
     /// The share of what the named one explains that it explains too, `ρ²`.
     pub shared: f64,
     /// Separation of the two, where both are effects.
@@ -137,6 +137,7 @@ impl Search {
     pub fn without_names(base: State) -> Self {
         Self {
             last: base.clone(),
+            fitted: vec![base.clone()],
             base,
             names: Vec::new(),
             either: Vec::new(),
@@ -144,18 +145,41 @@ impl Search {
             first_ranking: Vec::new(),
             not_observable: Vec::new(),
             spent: None,
-            fitted: Vec::new(),
         }
     }
-}
 
-impl Search {
     /// The base models, without any name: the names that go.
     pub fn withdraw_all(&mut self) -> Vec<String> {
         self.last = self.base.clone();
         self.evidence = 0.0;
         let names = std::mem::take(&mut self.names).into_iter();
         names.map(|name| name.claim.name().into()).collect()
+    }
+
+    /// Withdraws the names that go, with what they brought into the model: whether there are any.
+    ///
+    /// # Errors
+    /// As the joint fit.
+    pub fn withdraw_where(
+        &mut self,
+        session: &Session<'_>,
+        goes: impl Fn(&Name) -> bool,
+    ) -> Result<bool, Error> {
+        let mut less = self.last.extension.clone();
+        for name in self.names.iter().filter(|name| goes(name)) {
+            match &name.claim {
+                Claim::Effect(effect) => less.remove(effect.name()),
+                Claim::Disturbed(fault) => less
+                    .disturbed
+                    .retain(|own| own.fault != *fault || Some(own.place) != name.hypothesis.place),
+                Claim::Shape(..) => {}
+            }
+        }
+        let has_fewer = !less.is_same(&self.last.extension);
+        if has_fewer {
+            self.withdraw_to(session, less)?;
+        }
+        Ok(has_fewer)
     }
 
     /// The model with less in it: the names that go.
@@ -168,7 +192,7 @@ impl Search {
         less: Extension,
     ) -> Result<Vec<String>, Error> {
         let stays = |name: &Name| match &name.claim {
-            Claim::Effect(effect) => less.effects.iter().any(|(e, _)| e.name() == effect.name()),
+            Claim::Effect(effect) => less.has(effect.name()),
             Claim::Disturbed(fault) => less
                 .disturbed
                 .iter()
@@ -187,7 +211,7 @@ impl Search {
     /// # Errors
     /// As the joint fit.
     pub fn fit(&mut self, session: &Session<'_>, extension: Extension) -> Result<State, Error> {
-        let all = self.fitted.iter().chain([&self.base, &self.last]);
+        let all = self.fitted.iter().chain([&self.last]);
         if let Some(known) = all.into_iter().find(|s| s.extension.is_same(&extension)) {
             return Ok(known.clone());
         }
@@ -202,23 +226,24 @@ impl Search {
 /// # Errors
 /// As the joint fit.
 pub fn search(session: &Session<'_>, base: State) -> Result<Search, Error> {
-    let candidates = session.request.candidates();
     let most = MOST_WORK / cost_of_fit(&base.fit.data).max(1.0);
     let finder = Finder {
         session,
-        catalogue: &candidates,
+        catalogue: &session.candidates,
         threshold: session.request.threshold(),
         most_fits: (most as usize).max(FEWEST_FITS),
         fits: Cell::new(0),
         linearised: Cell::new(0),
-        fitted: RefCell::new(Vec::new()),
+        fitted: RefCell::new(vec![base.clone()]),
         rankings: RefCell::new(Vec::new()),
+        base,
     };
-    finder.run(base)
+    finder.run()
 }
 
 struct Finder<'a> {
     session: &'a Session<'a>,
+    base: State,
     catalogue: &'a [EffectRef],
     threshold: f64,
     most_fits: usize,
@@ -238,14 +263,10 @@ impl Finder<'_> {
         self.fits.get() + more > self.most_fits || self.linearised.get() > MOST_LINEARISED
     }
 
-    fn run(self, base: State) -> Result<Search, Error> {
-        let mut held = outlying_turns(&base);
+    fn run(self) -> Result<Search, Error> {
+        let mut held = outlying_turns(&self.base);
         let gross = held.len();
-        let mut last = if held.is_empty() {
-            base.clone()
-        } else {
-            self.state(&held)?
-        };
+        let mut last = self.state(&held)?;
         let (mut first_ranking, mut not_observable) = (Vec::new(), Vec::new());
         let (mut spent, mut unfit) = (false, Vec::new());
         while held.len() < MOST_NAMES + gross {
@@ -279,15 +300,15 @@ impl Finder<'_> {
                 Err(_) => unfit.extend(held.drain(before..).map(|h| h.claim)),
             }
         }
-        let reviewed = self.review(&base, last, held)?;
+        let reviewed = self.review(last, held)?;
         let spent = (spent || reviewed.is_spent).then(|| {
             Finding::of(Kind::SearchCutShort)
                 .count("fits", self.fits.get())
-                .count("count", base.fit.data.rests.len())
+                .count("count", self.base.fit.data.rests.len())
         });
         Ok(Search {
             spent,
-            base,
+            base: self.base,
             last: reviewed.last,
             names: reviewed.names,
             either: reviewed.either,
@@ -298,6 +319,14 @@ impl Finder<'_> {
         })
     }
 
+    /// The model with all that is held but one.
+    fn without(&self, held: &[Held], k: usize) -> Result<State, Error> {
+        let mut others = held.to_vec();
+        others.remove(k);
+        self.state(&others)
+    }
+
+    /// The model with all that is held, fitted unless it was before.
     fn state(&self, held: &[Held]) -> Result<State, Error> {
         let extension = self.extension(held);
         let mut fitted = self.fitted.borrow_mut();

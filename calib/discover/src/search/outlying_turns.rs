@@ -24,7 +24,7 @@ const SHARE: f64 = 0.2;
 /// come before it. The worst is taken out first; at the end each has to be as far off with all others out.
 pub(super) fn outlying_turns(state: &State) -> Vec<Held> {
     let suspects: Vec<&Suspect> = state
-        .suspects()
+        .suspects
         .iter()
         .filter(|s| s.fault.scope == Scope::Turn)
         .collect();
