@@ -1,10 +1,13 @@
 //! The whole way from recordings to findings.
 //!
 //! ```text
-//! Session ──► base ──► judged: names, remainder ──► settle ──► proposed ──► calibrated ──► assembled
-//!               │         search and what it takes back          formula     what is determined   findings.json
-//!               └──► integrity: a recording that is spoilt is looked at no further
+//! Session ──► base ──► integrity ──► explained ──────────► calibrated ──────────► findings
+//!             models    the readings   search and steps:     what is determined    findings.json
+//!                       themselves     names, remainder,
+//!                                      formula
 //! ```
+//!
+//! A recording that is spoilt is looked at no further.
 
 use std::borrow::Borrow;
 
@@ -13,15 +16,13 @@ use recording::{Error, Recording};
 
 use super::base::base;
 use super::calibrated::{calibrated, completed};
-use super::fault::integrity::{SPOILT, disturbed, integrity};
-use super::fault::undersampled::undersampled;
+use super::explained::{Explained, explained};
+use super::fault::integrity::{Integrity, integrity};
+use super::fault::of_the_fit::{disturbed, undersampled};
 use super::findings::Findings;
 use super::findings::assembled::Found;
-use super::findings::late::LateStamps;
-use super::findings::latitude::instead_of_a_name;
 use super::findings::named;
 use super::findings::room::described;
-use super::names_and_remainder::{Judged, judged};
 use super::request::{Request, Session};
 use super::search::Search;
 use super::state::State;
@@ -46,56 +47,45 @@ pub fn discover<R: Borrow<Recording>>(
     request: &Request,
 ) -> Result<Discovery, Error> {
     let recordings: Vec<&Recording> = recordings.iter().map(R::borrow).collect();
-    let request = &request.granted(&recordings);
-    let mut discovery = request
-        .watch
-        .over(|| discover_in(&mut Session::new(&recordings, request)?))?;
-    let warnings = &mut discovery.findings.calibration.warnings;
-    warnings.extend(own_effects::left_out(&request.catalogue));
-    Ok(discovery)
+    request.watch.over(|| {
+        let mut session = Session::of(&recordings, request)?;
+        let mut discovery = discover_in(&mut session)?;
+        let left_out = own_effects::left_out(&session.request.catalogue);
+        discovery.findings.calibration.warnings.extend(left_out);
+        Ok(discovery)
+    })
 }
 
 /// Finds what the base models lack in a session, which knows its clocks, its latitude and whether its biases flicker afterwards.
 pub(super) fn discover_in(session: &mut Session<'_>) -> Result<Discovery, Error> {
     let mut doubts = Vec::new();
-    let (mut faults, is_spoilt, judged) = loop {
+    let (mut faults, explained) = loop {
         let base = base(session)?;
         let faults = integrity(session, &base);
-        let is_spoilt = faults.iter().any(|fault| SPOILT.contains(&&*fault.name));
-        let judged = match is_spoilt {
-            true => Judged::nothing_looked_for(base),
-            false => judged(session, base)?,
+        let explained = match faults.iter().any(Integrity::spoils) {
+            true => Explained::of(Search::of(base)),
+            false => explained(session, base)?,
         };
-        let given = session.request.latitude;
-        let doubt = given.and_then(|given| instead_of_a_name(&judged.search.names, given));
-        let Some((doubt, name)) = doubt else {
-            break (faults, is_spoilt, judged);
+        let Some((doubt, name)) = &explained.latitude else {
+            break (faults, explained);
         };
         // Once more, at the latitude that the recordings show.
-        doubts.push(doubt.finding().detail("instead", name));
+        doubts.push(doubt.finding().detail("instead", name.as_str()));
         session.request.latitude = Some(doubt.shown());
         session.base = None;
     };
-    let Judged {
-        mut search,
-        rest,
-        instead,
-        ..
-    } = judged;
-    let late = match is_spoilt {
-        true => LateStamps::default(),
-        false => LateStamps::of(session, &mut search)?,
-    };
-    let (formula, calibration) = calibrated(session, &mut search, rest.as_ref(), instead)?;
+    let mut search = explained.search;
+    let calibration = calibrated(session, &mut search, explained.held)?;
     let mut effects = named::findings(session, &search, &calibration);
-    let (rest, is_of_a_room) = described(&mut effects, &mut search, rest);
+    let (rest, is_of_a_room) = described(&mut effects, &mut search, explained.rest);
     let mut calibration = completed(session, &search.last, calibration, is_of_a_room)?;
+    let late = explained.late;
     effects.extend(late.finding(session, &search.last, &mut calibration));
     let lasting = disturbed(&search.last, &faults, &search.either);
     faults.extend(lasting);
     faults.extend(late.apart);
     faults.extend(undersampled(&search.last));
-    let (proposed, with_formula) = formula.unzip();
+    let (proposed, with_formula) = explained.proposed.unzip();
     let found = Found {
         effects,
         faults,
@@ -104,10 +94,8 @@ pub(super) fn discover_in(session: &mut Session<'_>) -> Result<Discovery, Error>
         calibration,
     };
     let mut findings = found.assembled(session, &search);
-    findings
-        .calibration
-        .warnings
-        .extend(doubts.into_iter().rev());
+    let warnings = &mut findings.calibration.warnings;
+    warnings.extend(doubts.into_iter().rev());
     Ok(Discovery {
         findings,
         search,

@@ -11,12 +11,12 @@
 mod base;
 mod calibrated;
 mod discovery;
+mod explained;
 mod family;
 mod fault;
 mod findings;
 mod flicker;
 mod gap;
-mod names_and_remainder;
 mod noise;
 mod pictures;
 mod propose;
@@ -27,13 +27,15 @@ mod score;
 mod search;
 mod separation;
 mod state;
+mod time_constants;
 mod units;
 
 pub use discovery::{Discovery, discover};
 
 pub use family::{Claim, Family, Hypothesis, families};
 pub use fault::delay::{Delay, delay};
-pub use fault::integrity::{Integrity, Size, disturbed, integrity};
+pub use fault::integrity::{Integrity, Size, integrity};
+pub use fault::of_the_fit::disturbed;
 pub use findings::beside::Beside;
 pub use findings::{
     Confirmation, EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Says, Validation, Verdict,
@@ -52,7 +54,7 @@ pub use rank::{Ranked, rank, shared};
 pub use remainder::by_interval::{Left, left_by_interval};
 pub use remainder::shape::Shape;
 pub use remainder::shapes::shapes;
-pub use remainder::unexplained::{Unexplained, unexplained};
+pub use remainder::unexplained::Unexplained;
 pub use request::{Request, Session};
 pub use score::{Score, log_tail, score};
 pub use search::{Name, Search, Tie, search};

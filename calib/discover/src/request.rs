@@ -127,6 +127,14 @@ pub struct Session<'a> {
 }
 
 impl<'a> Session<'a> {
+    /// The session of one run: effects that a user wrote have the steps that its fits need.
+    ///
+    /// # Errors
+    /// As [`cut`].
+    pub(crate) fn of(recordings: &'a [&'a Recording], request: &Request) -> Result<Self, Error> {
+        Self::new(recordings, &request.granted(recordings))
+    }
+
     /// Cuts the recordings.
     ///
     /// # Errors

@@ -1,12 +1,12 @@
 //! A model fitted to the recordings, and what it leaves unexplained.
 
-use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
-use estimate::methods::earth::on_the_earth;
+use ::findings::Kind;
+use estimate::methods::earth::{self, on_the_earth};
 use estimate::methods::joint::{
-    Basis, BiasNoise, Column, Columns, Component, ComponentKind, FaultRef, JointFit, JointRequest,
-    Known, NoiseLevel, Sensitivities, Site, Suspect, fit_joint, suspects, within,
+    BiasNoise, Column, Columns, Component, ComponentKind, FaultRef, JointFit, JointRequest, Known,
+    NoiseLevel, Sensitivities, Site, Suspect, fit_joint, suspects, within,
 };
 use faer::{Mat, MatMut};
 use recording::Error;
@@ -18,7 +18,6 @@ use super::noise::level::{Level, levels};
 use super::noise::projected::Projected;
 use super::noise::walk_prior::walk_levels;
 use super::request::Session;
-use super::score::log_tail;
 
 /// Means of static intervals on either side that a step of a bias needs.
 const BESIDE_A_STEP: usize = 3;
@@ -123,6 +122,31 @@ impl State {
         })
     }
 
+    /// Fits the model with what a search leaves out, `None` where that is nothing. Where nobody says the latitude the earth's rotation is
+    /// uncertainty: at rest its vertical part does what the diagonal of a g-sensitivity does, and the rotation is one of the things that are
+    /// looked for. Where the device turns at rest, rates and turns scatter by that.
+    ///
+    /// # Errors
+    /// As [`fit_joint`].
+    pub fn fitted_in_full(&self, session: &Session<'_>) -> Result<Option<JointFit>, Error> {
+        let request = joint_request(session, &self.extension);
+        let of_the_earth = request.gyroscope.effects();
+        let earth = session.request.latitude.is_none() && !earth::is_among(of_the_earth);
+        let turns = session.remarks.has(Kind::RestsTurn);
+        if !earth && !turns {
+            return Ok(None);
+        }
+        let fit = fit_joint(&JointRequest {
+            earth,
+            disturbances: turns,
+            compared: false,
+            before: Some(&*self.fit).filter(|_| !turns),
+            from_its_minimum: request.from_its_minimum && !turns,
+            ..request
+        })?;
+        Ok(Some(fit))
+    }
+
     /// The same model with its biases' noise taken as known.
     pub fn at_noise(&self, noise: BiasNoise) -> Self {
         Self {
@@ -221,50 +245,6 @@ impl State {
                 is_given,
             ))
         })
-    }
-
-    /// Lists the disturbances of the model in the order of the findings, with the places of their parameters.
-    fn held(&self) -> impl Iterator<Item = (Known, Range<usize>)> + '_ {
-        let mut next = self.fit.parameters.values().len() - self.fit.disturbance_columns.len();
-        let suspects = self.suspects.iter();
-        suspects.filter_map(move |s| {
-            let known = self.known(s.fault, s.place)?;
-            let own = next..next + s.columns.len();
-            next = own.end;
-            Some((known, own))
-        })
-    }
-
-    /// Returns `ln p` of `βᵀ C⁻¹ β` for each disturbance of the model, `β` its parameters and `C` their covariance.
-    pub fn disturbances(&self) -> Vec<(Known, f64)> {
-        let all = self.held();
-        all.map(|(known, own)| (known, self.log_p_of_nothing(own)))
-            .collect()
-    }
-
-    /// Length of what each disturbance of the model comes to, in the order of the findings: rad/s of a creep and of a rate,
-    /// m/s² of a force, rad of a turn and of a slip at once.
-    pub fn disturbed_sizes(&self) -> Vec<(Known, f64)> {
-        let values = self.fit.parameters.values();
-        let length = |own: Range<usize>| values[own].iter().map(|v| v * v).sum::<f64>().sqrt();
-        self.held()
-            .map(|(known, own)| (known, length(own)))
-            .collect()
-    }
-
-    /// `ln p` that some parameters are nothing.
-    fn log_p_of_nothing(&self, places: Range<usize>) -> f64 {
-        let is_own = |k: &usize| places.contains(&self.fit.free[*k]);
-        let columns: Vec<usize> = (0..self.fit.free.len()).filter(is_own).collect();
-        let jacobian = &self.fit.jacobian;
-        let others: Vec<usize> = (0..jacobian.ncols())
-            .filter(|k| !columns.contains(k))
-            .collect();
-        let taken = Basis::of(&jacobian.select(&others));
-        let own = taken.without(&jacobian.select(&columns)).to_dense();
-        let values = &self.fit.parameters.values()[places];
-        let explained = own * Mat::from_fn(values.len(), 1, |k, _| values[k]);
-        log_tail(explained.squared_norm_l2(), values.len() as f64)
     }
 
     /// Times (since the start of the recording, s) at which a bias may have jumped: between neighbouring chunks of rests,

@@ -38,8 +38,8 @@ pub fn instead_of_names(
     let base = &search.base;
     let needed = search.evidence + APART;
     let (products, screened) = promising(session, base, needed)?;
-    let described = of_base.unwrap_or_else(|| Described::of(base));
     let alpha = session.request.alpha_of_rest();
+    let described = of_base.unwrap_or_else(|| Described::of(base, -alpha.ln()));
     let whole = rest_beside(base, &described, alpha)
         .or_else(|| rest_of(&base.at_noise(screened.noise), alpha))?;
     let found = propose_of(session, base, &whole, (&products, &screened))?;

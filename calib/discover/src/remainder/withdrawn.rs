@@ -10,7 +10,6 @@ use sensor::{EffectRef, Role, Sensor};
 
 use super::biases::biases;
 use super::scatter::scatters;
-use super::unexplained::Unexplained;
 use crate::family::{Claim, Family, beside, families};
 use crate::gap::held_out::gap_of;
 use crate::gap::sequence::{Sequence, channel_of};
@@ -107,21 +106,17 @@ pub(crate) fn without_undetermined(
     })
 }
 
-/// Withdraws what is no longer evident beside the shape of what remains.
-pub(crate) fn weigh_beside_shape(
+/// Withdraws what is no longer evident beside `columns` (`m × k`, white-whitened), a shape or a formula, under the noise that it was found
+/// with: the names that go, `None` where all stays.
+pub(crate) fn withdrawn_beside(
     session: &Session<'_>,
     search: &mut Search,
-    found: &mut Unexplained,
-) -> Result<(), Error> {
-    let Some(shape) = &found.columns else {
-        return Ok(());
-    };
-    let Some(less) = weighed_again(search, session, &shape.columns, shape.noise) else {
-        return Ok(());
-    };
-    let withdrawn = search.withdraw_to(session, less)?;
-    found.instead_of.extend(withdrawn);
-    Ok(())
+    columns: &Mat<f64>,
+    noise: BiasNoise,
+) -> Result<Option<Vec<String>>, Error> {
+    let less = weighed_again(search, session, columns, noise);
+    less.map(|less| search.withdraw_to(session, less))
+        .transpose()
 }
 
 /// One term of the model, with the columns of the family that it was taken from.
@@ -136,7 +131,7 @@ struct Item {
 
 /// The extension of the final model without what is no longer evident beside `columns` (`m × k`, white-whitened), a shape
 /// or a formula: backward elimination at the base model under the noise that it was found with. `None` where all stays.
-pub(crate) fn weighed_again(
+fn weighed_again(
     search: &Search,
     session: &Session<'_>,
     columns: &Mat<f64>,

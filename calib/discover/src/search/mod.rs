@@ -134,7 +134,7 @@ pub struct Search {
 
 impl Search {
     /// The base models, with nothing looked for.
-    pub fn without_names(base: State) -> Self {
+    pub fn of(base: State) -> Self {
         Self {
             last: base.clone(),
             fitted: vec![base.clone()],

@@ -1,12 +1,69 @@
-//! Errors of turns whose rate jumps between samples.
+//! Faults of a recording that the final fit shows: disturbances, and turns whose rate jumps between samples.
 
 use ::findings::{Finding, Kind};
 
+use estimate::methods::joint::{Flagged, Reason, Scope};
+
 use super::integrity::{Integrity, Size};
+use crate::search::Either;
 use crate::state::State;
 
 /// Turns shown of a recording that is sampled too slowly for its shocks.
 const SHOWN: usize = 6;
+
+/// Builds the faults from the disturbances that a fit flagged. A turn counts as lost samples where `seen`, the faults in
+/// the readings themselves, has lost samples at that time; `either` has the alternatives to each disturbance.
+pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<Integrity> {
+    let sizes = state.disturbed_sizes();
+    let found = state.fit.flagged.iter().zip(sizes);
+    // A rate that is off in an interval is off up to the turns beside it, which see it as a creep.
+    let is_excursion = |of: &Flagged| {
+        let all = state.fit.flagged.iter();
+        let mut excursions = all.filter(|a| a.fault.kind == Kind::RateExcursion);
+        excursions.any(|a| (a.recording, a.interval) == (of.recording, of.interval))
+    };
+    found
+        // An interval within which a bias stepped is no fault of the recording.
+        .filter(|(flagged, _)| flagged.reason == Reason::Disturbed)
+        .filter(|(flagged, _)| flagged.fault.kind != Kind::Creep || !is_excursion(flagged))
+        .map(|(flagged, (known, size))| {
+            let or = either.iter().find(|either| either.known == known);
+            let recording = &state.fit.data.sources[flagged.recording].name;
+            let lost = seen.iter().any(|fault| {
+                fault.name == "lost_samples"
+                    && fault.recording == *recording
+                    && fault.t0 < flagged.span.to
+                    && fault.t1 > flagged.span.from
+            });
+            let fault = flagged.fault;
+            let (size, unit) = (fault.size(size, flagged.span), fault.unit);
+            let is_of_a_turn = fault.scope == Scope::Turn;
+            let (name, kind) = match is_of_a_turn && lost {
+                true => ("lost_samples", Kind::TurnWithoutSamples),
+                false => (fault.name, fault.kind),
+            };
+            let found = Finding::of(kind)
+                .in_recording(recording)
+                .between(flagged.span.from, flagged.span.to)
+                .number("size", size, unit)
+                .affects("corrected_reading", size, unit);
+            let found = match is_of_a_turn {
+                true => found.at_turn(flagged.interval),
+                false => found.at_interval(flagged.interval),
+            };
+            Integrity {
+                name: name.into(),
+                recording: recording.clone(),
+                interval: Some(flagged.interval + 1),
+                t0: flagged.span.from,
+                t1: flagged.span.to,
+                indistinguishable_from: or.map_or_else(Vec::new, |either| either.or.clone()),
+                finding: found,
+                size: Size::at_one_place(size, unit),
+            }
+        })
+        .collect()
+}
 
 /// Recordings whose rate jumps between samples, where that explains what the turns miss better than a scatter that
 /// is the same for all.
