@@ -243,7 +243,7 @@ fn formula_for_the_rest(session: &mut Session<'_>, found: &mut Explained) -> Res
 }
 
 impl Explained {
-    /// What a search has named, before anything else is looked at.
+    /// The names of a search alone.
     pub fn of(search: Search) -> Self {
         Self {
             search,

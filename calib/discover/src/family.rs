@@ -247,7 +247,7 @@ fn sized(mut columns: Mat<f64>, effect: &EffectRef, linear: &[usize]) -> Mat<f64
     columns
 }
 
-/// The same for an effect that begins at an instant, for all instants.
+/// The columns of the coefficients of an effect that begins at an instant, for all instants.
 fn steps(state: &State, effect: &EffectRef, linear: &[usize], values: &[Option<f64>]) -> Mat<f64> {
     let instants: Vec<f64> = values.iter().flatten().copied().collect();
     // The instant is no coefficient: it is put before everything.

@@ -55,7 +55,7 @@ impl Request {
         -self.alpha.ln()
     }
 
-    /// The same for one run over these recordings: effects that a user wrote have the steps that its fits need.
+    /// The request of one run over these recordings: effects that a user wrote have the steps that its fits need.
     pub(crate) fn granted<R: Borrow<Recording>>(&self, recordings: &[R]) -> Self {
         Self {
             catalogue: own_effects::granted(&self.catalogue, recordings.iter().map(R::borrow)),
@@ -111,7 +111,7 @@ fn is_looked_for(effect: &EffectRef) -> bool {
 pub struct Session<'a> {
     /// The recordings made ready, with their static intervals and turns.
     pub recordings: Vec<(Cow<'a, Recording>, Choice)>,
-    /// The same as they were read.
+    /// The recordings as they were read.
     pub originals: Vec<&'a Recording>,
     /// What is asked of them, with the flicker and the latitude that the search has found since.
     pub request: Request,

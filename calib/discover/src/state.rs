@@ -147,7 +147,7 @@ impl State {
         Ok(Some(fit))
     }
 
-    /// The same model with its biases' noise taken as known.
+    /// The model with its biases' noise taken as known.
     pub fn at_noise(&self, noise: BiasNoise) -> Self {
         Self {
             noise,
@@ -259,7 +259,7 @@ impl State {
         }
     }
 
-    /// The same within one recording.
+    /// The times within one recording at which a bias may have jumped.
     pub fn boundaries_in(&self, recording: usize) -> Vec<f64> {
         let rests = &self.fit.data.rests;
         let means = self.sensitivities.means.iter();

@@ -67,7 +67,7 @@ pub struct Size {
 }
 
 impl Size {
-    pub(super) fn at_one_place(value: f64, unit: &'static str) -> Option<Self> {
+    pub(crate) fn at_one_place(value: f64, unit: &'static str) -> Option<Self> {
         Some(Self {
             value,
             unit,
@@ -77,6 +77,24 @@ impl Size {
 }
 
 impl Integrity {
+    /// A fault of a recording for as long as its finding says, at no single interval or turn.
+    pub(crate) fn of(
+        name: impl Into<Cow<'static, str>>,
+        recording: &str,
+        finding: Finding,
+    ) -> Self {
+        Self {
+            name: name.into(),
+            recording: recording.to_owned(),
+            interval: None,
+            t0: finding.place.t0.unwrap_or(0.0),
+            t1: finding.place.t1.unwrap_or(0.0),
+            finding,
+            indistinguishable_from: Vec::new(),
+            size: None,
+        }
+    }
+
     /// Returns true if nothing more is named beside it: what the readings are off by is no error of the sensor.
     pub(crate) fn spoils(&self) -> bool {
         matches!(
@@ -108,7 +126,7 @@ pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
             session.request.gravity,
         ));
         let late = late_clock(recording);
-        all.extend(late.map(|found| of_a_whole("clock_offset", recording, found)));
+        all.extend(late.map(|found| Integrity::of("clock_offset", &recording.name, found)));
         let altered = altered_bias(recording, &choice.segmentation);
         for (sensor, stream, noise) in sensors {
             let Some(stream) = stream else { continue };
@@ -152,21 +170,7 @@ fn scale_changes(
     let found = changes
         .into_iter()
         .find(|found| found.kind == Kind::ScaleChange)?;
-    Some(of_a_whole("scale_change", recording, found))
-}
-
-/// A fault that is not at one static interval or turn.
-fn of_a_whole(name: &'static str, recording: &Recording, finding: Finding) -> Integrity {
-    Integrity {
-        name: name.into(),
-        recording: recording.name.clone(),
-        interval: None,
-        t0: finding.place.t0.unwrap_or(0.0),
-        t1: finding.place.t1.unwrap_or(0.0),
-        finding,
-        indistinguishable_from: Vec::new(),
-        size: None,
-    }
+    Some(Integrity::of("scale_change", &recording.name, found))
 }
 
 /// Returns true if the other sensor loses its samples at the same time.
@@ -208,17 +212,11 @@ impl Looked<'_> {
         span: Span,
         finding: Finding,
     ) -> Integrity {
+        let recording = &self.recording.name;
+        let finding = finding.in_recording(recording).between(span.from, span.to);
         Integrity {
-            name: name.into(),
-            recording: self.recording.name.clone(),
             interval,
-            t0: span.from,
-            t1: span.to,
-            finding: finding
-                .in_recording(&self.recording.name)
-                .between(span.from, span.to),
-            indistinguishable_from: Vec::new(),
-            size: None,
+            ..Integrity::of(name, recording, finding)
         }
     }
 

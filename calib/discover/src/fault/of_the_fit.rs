@@ -1,7 +1,6 @@
 //! Faults of a recording that the final fit shows: disturbances, and turns whose rate jumps between samples.
 
 use ::findings::{Finding, Kind};
-
 use estimate::methods::joint::{Flagged, Reason, Scope};
 
 use super::integrity::{Integrity, Size};
@@ -52,14 +51,10 @@ pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<In
                 false => found.at_interval(flagged.interval),
             };
             Integrity {
-                name: name.into(),
-                recording: recording.clone(),
                 interval: Some(flagged.interval + 1),
-                t0: flagged.span.from,
-                t1: flagged.span.to,
                 indistinguishable_from: or.map_or_else(Vec::new, |either| either.or.clone()),
-                finding: found,
                 size: Size::at_one_place(size, unit),
+                ..Integrity::of(name, recording, found)
             }
         })
         .collect()
@@ -85,27 +80,23 @@ pub fn undersampled(state: &State) -> Vec<Integrity> {
         let first = spans.clone().min_by(|a, b| a.from.total_cmp(&b.from))?;
         let last = spans.max_by(|a, b| a.to.total_cmp(&b.to))?;
         let [low, high] = found.share.between;
+        let recording = &state.fit.data.sources[found.recording].name;
+        let finding = Finding::of(Kind::UndersampledMotion)
+            .in_recording(recording)
+            .between(first.from, last.to)
+            .number("share", found.share.value, "share")
+            .number("low", low, "share")
+            .number("high", high, "share")
+            .number("angle", left.rms(), "rad")
+            .detail("turns", turns.join(", "))
+            .affects("turn", left.rms(), "rad");
         Some(Integrity {
-            name: "undersampled_motion".into(),
-            recording: state.fit.data.sources[found.recording].name.clone(),
-            interval: None,
-            t0: first.from,
-            t1: last.to,
-            indistinguishable_from: Vec::new(),
             size: Some(Size {
                 value: left.rms(),
                 unit: "rad",
                 gap: Some(left.over_the_readings(state)),
             }),
-            finding: Finding::of(Kind::UndersampledMotion)
-                .in_recording(&state.fit.data.sources[found.recording].name)
-                .between(first.from, last.to)
-                .number("share", found.share.value, "share")
-                .number("low", low, "share")
-                .number("high", high, "share")
-                .number("angle", left.rms(), "rad")
-                .detail("turns", turns.join(", "))
-                .affects("turn", left.rms(), "rad"),
+            ..Integrity::of("undersampled_motion", recording, finding)
         })
     });
     found.collect()

@@ -128,23 +128,17 @@ fn late_apart(state: &State, session: &Session<'_>) -> Vec<Integrity> {
             to: a.to.max(b.to),
         })?;
         let way = if own.delay < 0.0 { "early" } else { "late" };
+        let recording = &data.sources[*recording].name;
+        let finding = Finding::of(Kind::StampsApart)
+            .in_recording(recording)
+            .number("size", own.delay.abs(), "s")
+            .number("error", own.std, "s")
+            .detail("way", way);
         Some(Integrity {
-            name: effect.name().to_owned().into(),
-            recording: data.sources[*recording].name.clone(),
-            interval: None,
             t0: span.from,
             t1: span.to,
-            finding: Finding::of(Kind::StampsApart)
-                .in_recording(&data.sources[*recording].name)
-                .number("size", own.delay.abs(), "s")
-                .number("error", own.std, "s")
-                .detail("way", way),
-            indistinguishable_from: Vec::new(),
-            size: Some(Size {
-                value: own.delay.abs(),
-                unit: "s",
-                gap: None,
-            }),
+            size: Size::at_one_place(own.delay.abs(), "s"),
+            ..Integrity::of(effect.name().to_owned(), recording, finding)
         })
     };
     late.filter_map(fault).collect()

@@ -9,7 +9,7 @@ use super::beside::{Rival, rivals};
 use super::{EffectFinding, RankedClaim};
 use crate::family::Claim;
 use crate::gap::held_out::{gap_of, held_out, held_out_as_after};
-use crate::gap::sequence::{Misfit, Sequence, channel_of};
+use crate::gap::sequence::{Misfit, Sequence};
 use crate::propose::forms;
 use crate::rank::Ranked;
 use crate::request::Session;
@@ -64,7 +64,7 @@ fn finding(name: &Name, last: &Final<'_>) -> EffectFinding {
     let without = &name.without;
     let noise = last.noise;
     let sequence = Sequence::of(without, noise);
-    let channel = channel_of(&sequence.of_column(name.predicted().col_as_slice(0)));
+    let channel = sequence.channel_of(&name.predicted());
     let held = |misfits: &Option<[Misfit; 3]>| misfits.map_or(1.0, |m| gap_of(&m, channel));
     let parameters = parameters_of(name.claim.name(), last.calibration);
     let rivals = last.rivals.iter();

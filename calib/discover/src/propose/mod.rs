@@ -127,7 +127,7 @@ pub fn propose(session: &Session<'_>, last: &State, rest: &Unexplained) -> Optio
     propose_of(session, last, rest, (&products, &screened))
 }
 
-/// The same among some products. Where the likeliest formula does not close the gap, what is like it and less likely may.
+/// A formula of some products for the rest that `last` leaves. Where the likeliest formula does not close the gap, what is like it and less likely may.
 fn propose_of(
     session: &Session<'_>,
     last: &State,

@@ -10,7 +10,7 @@ use super::biases::biases;
 use super::described::{Described, Shaped, Trial, channel_at_rest};
 use super::scatter::scatters;
 use crate::gap::channel::Channel;
-use crate::gap::sequence::{Misfit, Sequence, channel_of};
+use crate::gap::sequence::{Misfit, Sequence};
 use crate::score::log_tail;
 use crate::state::State;
 
@@ -99,8 +99,7 @@ pub fn rest_beside(state: &State, described: &Described, alpha: f64) -> Option<U
     let excess = |k: usize| (misfits[k].chi2 - misfits[k].dof) / misfits[k].dof.max(1.0).sqrt();
     let most = (1..3).fold(0, |best, k| if excess(k) > excess(best) { k } else { best });
     // The channel that shows most of the shape, where there is one; else that with the most excess.
-    let shown = worst.predicted.as_ref();
-    let shown = shown.map(|p| channel_of(&sequence.of_column(p.col_as_slice(0))));
+    let shown = worst.predicted.as_ref().map(|p| sequence.channel_of(p));
     let channel = worst.channel.or(shown).unwrap_or(Channel::ALL[most]);
     Some(Unexplained {
         channel,

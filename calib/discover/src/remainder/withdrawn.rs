@@ -12,7 +12,7 @@ use super::biases::biases;
 use super::scatter::scatters;
 use crate::family::{Claim, Family, beside, families};
 use crate::gap::held_out::gap_of;
-use crate::gap::sequence::{Sequence, channel_of};
+use crate::gap::sequence::Sequence;
 use crate::rank::{APART, cost_of_choice};
 use crate::request::Session;
 use crate::score::{log_tail, score};
@@ -36,7 +36,7 @@ pub(crate) fn without_weak(session: &Session<'_>, found: &mut Search) -> Result<
             return false;
         }
         let without = Sequence::of(&name.without, noise);
-        let channel = channel_of(&without.of_column(name.predicted().col_as_slice(0)));
+        let channel = without.channel_of(&name.predicted());
         let gap = gap_of(&left, channel).max(1.0);
         let before = gap_of(&without.misfits(&name.without), channel);
         let explains_nearly_all = gap.powi(2) < NEARLY_ALL * before.powi(2);

@@ -246,7 +246,7 @@ impl Finder<'_> {
     }
 }
 
-/// What is held with the turn on the other side of the rest `k`, where a turn beside it is held as bad: a rest whose direction is
+/// The names held with the turn on the other side of the rest `k`, where a turn beside it is held as bad: a rest whose direction is
 /// open makes both the same, and rounding decides which of them is found.
 fn across(data: &Data, held: &[Held], k: usize) -> Option<Vec<Held>> {
     let place = held[k].hypothesis.place?;
