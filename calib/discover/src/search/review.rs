@@ -6,8 +6,9 @@ use recording::Error;
 use sensor::Sensor;
 
 use super::held::Held;
+use super::names::{Either, Name, Tie};
 use super::ranking::{Earth, as_the_earth};
-use super::{Finder, MOST_NAMES, Name, Tie};
+use super::{Finder, MOST_NAMES};
 use crate::family::{Claim, Family};
 use crate::rank::{APART, Ranked, shared};
 use crate::separation::Rivalry;
@@ -35,29 +36,6 @@ pub(super) struct Reviewed {
     pub last: State,
     /// True if the review stopped because its budget of fits was spent.
     pub is_spent: bool,
-}
-
-/// A disturbance with what else it may be.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Either {
-    /// Disturbance in the model.
-    pub known: Known,
-    /// Names of what explains the data about as well.
-    pub or: Vec<String>,
-}
-
-impl Either {
-    /// `None` where nothing has another name.
-    fn of(known: Known, ties: impl Iterator<Item = String>) -> Option<Self> {
-        let own = Claim::Disturbed(known.fault);
-        let mut or: Vec<String> = Vec::new();
-        for name in ties {
-            if name != own.name() && !or.contains(&name) {
-                or.push(name);
-            }
-        }
-        (!or.is_empty()).then_some(Self { known, or })
-    }
 }
 
 enum Verdict {
