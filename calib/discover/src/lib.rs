@@ -23,12 +23,14 @@ mod propose;
 mod rank;
 mod remainder;
 mod request;
+mod residuals_by_interval;
 mod score;
 mod search;
 mod separation;
 mod state;
 mod time_constants;
 mod units;
+mod validation;
 
 pub use discovery::{Discovery, discover};
 
@@ -44,18 +46,17 @@ pub use gap::channel::Channel;
 pub use gap::held_out::{gap_of, held_out};
 pub use gap::localise::{Disagreement, disagreements};
 pub use gap::sequence::{Misfit, Sequence, channel_of};
-pub use gap::validation::{Validated, validate};
 pub use noise::noise_file::{GivenNoise, noise_in};
 pub use noise::projected::{Projected, Whitened};
 pub use noise::seen::Seen;
 pub use pictures::{Covariate, Picture, Point, pictures};
 pub use propose::{Proposal, Proposed, propose};
 pub use rank::{Ranked, rank, shared};
-pub use remainder::by_interval::{Left, left_by_interval};
 pub use remainder::shape::Shape;
 pub use remainder::shapes::shapes;
 pub use remainder::unexplained::Unexplained;
 pub use request::{Request, Session};
+pub use residuals_by_interval::{Left, left_by_interval};
 pub use score::{Score, log_tail, score};
 pub use search::{Name, Search, Tie, search};
 pub use separation::{
@@ -66,3 +67,4 @@ pub use units::{
     Agreement, OwnEffect, SharedEffect, UNITS_SCHEMA, UnitAlone, UnitFindings, UnitSize,
     discover_units,
 };
+pub use validation::{Validated, validate};

@@ -28,7 +28,7 @@ pub struct Delay {
     /// Root mean square of what the turns say of a delay, each by itself, over its scatter about the common one: 1 of punctual
     /// stamps, the four coefficients counted.
     pub gap_before: f64,
-    /// That ratio of turns that the estimate did not see.
+    /// The ratio for turns that the estimate did not see.
     pub held_out_gap_before: f64,
     /// With the delay of the other turns.
     pub held_out_gap_after: f64,

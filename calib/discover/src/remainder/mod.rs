@@ -1,7 +1,6 @@
 //! Remainder: the disagreement that no effect of the catalogue explains.
 
 mod biases;
-pub(super) mod by_interval;
 pub(super) mod described;
 mod harmonics;
 mod jumps;

@@ -1,13 +1,13 @@
 //! Naming what is missing, one thing after the other, until the rest is noise.
 
 pub mod few_turns;
-mod held;
+mod named_claim;
 mod names;
 mod outlying_turns;
 mod pairs;
 mod ranking;
 mod review;
-mod together;
+mod two_together;
 
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
@@ -21,7 +21,7 @@ use recording::Error;
 use sensor::EffectRef;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-use self::held::Held;
+use self::named_claim::Held;
 use crate::family::{Claim, Family};
 use crate::rank::Ranked;
 use crate::request::Session;

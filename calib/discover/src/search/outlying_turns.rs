@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use recording::averages::median;
 
 use super::few_turns::KNOCKED;
-use super::held::Held;
+use super::named_claim::Held;
 use crate::family::{Claim, Hypothesis};
 use crate::state::State;
 

@@ -3,7 +3,7 @@
 use faer::Mat;
 
 use super::Finder;
-use super::held::Held;
+use super::named_claim::Held;
 use super::ranking::PAIRED;
 use crate::family::{Claim, beside};
 use crate::rank::{APART, Ranked};

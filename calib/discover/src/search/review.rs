@@ -5,7 +5,7 @@ use estimate::methods::joint::{Data, Known, Scope};
 use recording::Error;
 use sensor::Sensor;
 
-use super::held::Held;
+use super::named_claim::Held;
 use super::names::{Either, Name, Tie};
 use super::ranking::{Earth, as_the_earth};
 use super::{Finder, MOST_NAMES};
