@@ -6,10 +6,8 @@ use estimate::methods::joint::{Column, Columns, FAULTS, FaultRef, effect_columns
 use faer::Mat;
 use sensor::{EffectRef, Nature, Param, Role, Sensor};
 
-use super::extension::with_companions;
-use super::heading::by_heading;
 use super::remainder::shape::Shape;
-use super::state::State;
+use super::state::{State, with_companions};
 
 /// Time constants tried for an effect that settles, s. Between neighbours the shapes correlate by more than
 /// 0.98 over a session of minutes.
@@ -249,7 +247,7 @@ fn sized(mut columns: Mat<f64>, effect: &EffectRef, linear: &[usize]) -> Mat<f64
     columns
 }
 
-/// The same for an effect that begins at an instant, for all instants.
+/// The columns of the coefficients of an effect that begins at an instant, for all instants.
 fn steps(state: &State, effect: &EffectRef, linear: &[usize], values: &[Option<f64>]) -> Mat<f64> {
     let instants: Vec<f64> = values.iter().flatten().copied().collect();
     // The instant is no coefficient: it is put before everything.
@@ -270,7 +268,7 @@ fn steps(state: &State, effect: &EffectRef, linear: &[usize], values: &[Option<f
 fn disturbance_families(state: &State) -> Vec<Family> {
     let of = |&fault: &FaultRef| {
         let suspects: Vec<_> = state
-            .suspects()
+            .suspects
             .iter()
             .filter(|s| s.fault == fault && !state.is_flagged(fault, s.place))
             .collect();
@@ -298,6 +296,38 @@ fn disturbance_families(state: &State) -> Vec<Family> {
         }
     };
     FAULTS.iter().map(of).collect()
+}
+
+/// The first `count` columns (`m × k`) in the rows of every stretch through which the heading can be followed, as columns of
+/// their own: nobody knows it from one recording to the next, nor after a turn that is not used. First those of the first stretch and all others (`k`), then those of the other stretches, `count` each.
+pub fn by_heading(state: &State, columns: Mat<f64>, count: usize) -> Mat<f64> {
+    let rests = &state.fit.data.rests;
+    let heading = |row: usize| rests[state.fit.rest_of_row[row]].heading;
+    let headings = rests.last().map_or(1, |rest| rest.heading + 1);
+    let k = columns.ncols();
+    let count = count.min(k);
+    if headings < 2 || count == 0 {
+        return columns;
+    }
+    Mat::from_fn(columns.nrows(), k + count * (headings - 1), |i, j| {
+        let (of, column) = match j.checked_sub(k) {
+            Some(beyond) => (Some(1 + beyond / count), beyond % count),
+            None => ((j < count).then_some(0), j),
+        };
+        match of {
+            Some(of) if of != heading(i) => 0.0,
+            _ => columns[(i, column)],
+        }
+    })
+}
+
+/// The places of the first `count` of such columns (`k` before they were cut) in every stretch.
+pub fn places_by_heading(all: usize, k: usize, count: usize) -> Vec<Vec<usize>> {
+    let others = (k..all).collect::<Vec<usize>>();
+    let others = others.chunks(count.max(1)).map(<[usize]>::to_vec);
+    std::iter::once((0..count).collect())
+        .chain(others)
+        .collect()
 }
 
 /// Matrices of `m` rows side by side.

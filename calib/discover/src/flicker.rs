@@ -1,16 +1,11 @@
-//! A search under noise that flickers, where the biases do.
+//! Flicker (1/f) noise of the biases, and what it explains as well as a name does.
 
 use ::findings::Kind;
 use recording::Error;
 
-use super::extension::Extension;
-use super::family::Claim;
-use super::remainder::described::Described;
-use super::remainder::unexplained::{Unexplained, unexplained};
-use super::remainder::withdrawn::withdraw;
 use super::request::Session;
 use super::score::score;
-use super::search::{Name, Search, search};
+use super::search::{Name, Search};
 use super::state::State;
 
 /// Axes that flicker at least where the biases do, and by how much each makes the data likelier (log). In eleven clean
@@ -26,72 +21,19 @@ const MUCH_LIKELIER: f64 = 9.0;
 /// What the flicker of an axis gains (log) on average where there is none and its variance comes out above zero: ½ χ²₁.
 const BY_CHANCE: f64 = 0.5;
 
-/// Result of one search.
-pub struct Found {
-    /// The names.
-    pub search: Search,
-    /// Disagreement that remains beside the names.
-    pub rest: Option<Unexplained>,
-    /// Tests for shapes in the residuals of the base models, where they were run.
-    pub of_base: Option<Described>,
-}
-
-impl Found {
-    fn is_nothing(&self) -> bool {
-        self.rest.is_none() && self.search.names.is_empty()
-    }
-
-    /// By how much the data are likelier (log) with the shape of what remains, less one for each degree of freedom (Akaike 1974);
-    /// `None` beside names or where it has no shape.
-    fn gained_by_shape(&self) -> Option<f64> {
-        let rest = self
-            .rest
-            .as_ref()
-            .filter(|_| self.search.names.is_empty())?;
-        // A bias that wanders on one axis is what flicker makes of it.
-        let has_shape = rest.columns.is_some() && rest.wandering.is_none();
-        has_shape.then_some(0.5 * rest.statistic - rest.dof)
-    }
-}
-
-/// The names and what they leave, under noise that flickers where the biases do.
-///
-/// A search takes the noise of the biases for walks: flicker beside them would take some of what depends on the
-/// placement. Of biases that flicker a walk leaves what looks like a wandering, a fine pattern or a small effect. Sensors do
-/// that, and nothing is missing: what was found is then looked for again.
-pub fn names_and_rest(session: &mut Session<'_>, base: State) -> Result<Found, Error> {
-    let first = look(session, base)?;
-    if first.is_nothing() || !flickers(session, &first) {
-        return Ok(first);
-    }
-    session.request.flicker = true;
-    let base = State::fit(session, Extension::default())?;
-    look(session, base)
-}
-
-fn look(session: &Session<'_>, base: State) -> Result<Found, Error> {
-    let mut search = search(session, base)?;
-    let (rest, of_base) = unexplained(&mut search, session.request.alpha_of_rest());
-    Ok(Found {
-        search,
-        rest,
-        of_base,
-    })
-}
-
 /// Returns true if flicker (1/f) noise of the biases explains the data much better than the final model of a search does.
 ///
 /// At least [`FLICKERING`] axes have to show it, as one axis alone has another cause, and it has to explain more than the
-/// shape of the remainder does. It cannot be decided where turns miss motion between the samples.
-fn flickers(session: &Session<'_>, first: &Found) -> bool {
-    let model = &first.search.last;
+/// shape of the remainder does, where that has one: `by_shape` is what it gains (log), less one for each degree of freedom. It cannot be
+/// decided where turns miss motion between the samples.
+pub fn flickers(session: &Session<'_>, model: &State, by_shape: Option<f64>) -> bool {
     if !may_flicker(session, model) {
         return false;
     }
     let flicker = ByFlicker::of(model);
     let evident = flicker.by_axis.iter().filter(|gain| **gain > LIKELIER);
-    let shape = first.gained_by_shape();
-    evident.count() >= FLICKERING && shape.is_none_or(|shape| shape < flicker.whole + MUCH_LIKELIER)
+    evident.count() >= FLICKERING
+        && by_shape.is_none_or(|shape| shape < flicker.whole + MUCH_LIKELIER)
 }
 
 /// Withdraws the effects and faults that a bias which flickers explains as well: whether there were any.
@@ -99,28 +41,14 @@ fn flickers(session: &Session<'_>, first: &Found) -> bool {
 /// The evidence for a name is asked for once more where both hypotheses may have flicker of its sensor's bias. Its likelihood ratio is
 /// then the larger of `s − 2 g` and `s′`: `s` that under walks alone, `g` the gain in log-likelihood by flicker without the name beyond
 /// what chance gives, `s′` the score of the name under flicker.
-pub(crate) fn without_flickering(
-    session: &Session<'_>,
-    search: &mut Search,
-) -> Result<bool, Error> {
+pub fn without_flickering(session: &Session<'_>, search: &mut Search) -> Result<bool, Error> {
     if !may_flicker(session, &search.last) {
         return Ok(false);
     }
-    let mut less = search.last.extension.clone();
-    for name in &search.names {
-        let needed = name.claim.needed(session.request.threshold());
-        if beside_flicker(name).is_none_or(|evidence| evidence > needed) {
-            continue;
-        }
-        match &name.claim {
-            Claim::Effect(effect) => less.effects.retain(|(own, _)| own.name() != effect.name()),
-            Claim::Disturbed(fault) => less
-                .disturbed
-                .retain(|own| own.fault != *fault || Some(own.place) != name.hypothesis.place),
-            Claim::Shape(..) => {}
-        }
-    }
-    withdraw(session, search, less)
+    let threshold = session.request.threshold();
+    search.withdraw_where(session, |name| {
+        !beside_flicker(name).is_none_or(|evidence| evidence > name.claim.needed(threshold))
+    })
 }
 
 /// The evidence for a name where its sensor's bias may flicker with it and without it; `None` where that cannot be worked out.
@@ -190,31 +118,7 @@ mod tests {
     use crate::rank::Ranked;
     use crate::request::Request;
     use crate::search::Ranking;
-
-    #[test]
-    fn biases_that_flicker_on_all_axes_lack_nothing() {
-        // To a walk the first two leave a remainder.
-        for seed in [41, 47, 54] {
-            let mut spec = Spec::hand_held(seed);
-            spec.accelerometer.instability = 1e-3;
-            spec.gyroscope.instability = 7.3e-5;
-            let recordings = [spec.run().unwrap().recording];
-            let request = Request::new(spec.gravity);
-            let mut session = Session::new(&recordings, &request).unwrap();
-            let base = State::fit(&session, Extension::default()).unwrap();
-            let mut walking = search(&session, base.clone()).unwrap();
-            let (rest, _) = unexplained(&mut walking, request.alpha_of_rest());
-            let lacks = rest.is_some() || !walking.names.is_empty();
-            assert!(lacks || seed == 54, "{seed}");
-            let found = names_and_rest(&mut session, base).unwrap();
-            assert!(
-                found.rest.is_none() && found.search.names.is_empty(),
-                "{seed}"
-            );
-            let flicker = found.search.last.noise.flicker[0];
-            assert!(!lacks || flicker.iter().all(|b| *b > 1e-4), "{seed}");
-        }
-    }
+    use crate::state::Extension;
 
     /// The evidence for the first of a ranking at the base model, alone and beside flicker.
     fn evidence(spec: &Spec, claims: &str) -> [f64; 2] {

@@ -181,7 +181,7 @@ impl Ranked {
         self.evidence_at(self.statistic)
     }
 
-    /// The same, were the likelihood ratio this one.
+    /// The evidence by a likelihood ratio, if it were `statistic`.
     pub fn evidence_at(&self, statistic: f64) -> f64 {
         self.evidence + self.log_p - log_tail(statistic, self.dof)
     }

@@ -6,17 +6,12 @@ use std::sync::Arc;
 use effects::{catalogue_of, follows_turns, stands_in_the_room};
 use estimate::calibrate::{Prepared, corrected_before, of_the_detector, own_effects};
 use estimate::gravity::GravitySource;
-use estimate::methods::earth::on_the_earth;
-use estimate::methods::joint::{
-    BiasNoise, ClockMode, IN_A_SEARCH, JointFit, JointRequest, SourceClock,
-};
+use estimate::methods::joint::{BiasNoise, ClockMode, IN_A_SEARCH, JointFit, SourceClock};
 use estimate::methods::{Choice, cut, cut_several};
 use recording::intervals::Detector;
 use recording::watch::{Stage, Watch};
 use recording::{Error, Recording};
 use sensor::{EffectRef, Nature, Role, Sensor};
-
-use super::extension::Extension;
 
 /// Settings of a search for missing effects.
 #[derive(Clone, Debug)]
@@ -60,7 +55,7 @@ impl Request {
         -self.alpha.ln()
     }
 
-    /// The same for one run over these recordings: effects that a user wrote have the steps that its fits need.
+    /// The request of one run over these recordings: effects that a user wrote have the steps that its fits need.
     pub(crate) fn granted<R: Borrow<Recording>>(&self, recordings: &[R]) -> Self {
         Self {
             catalogue: own_effects::granted(&self.catalogue, recordings.iter().map(R::borrow)),
@@ -116,10 +111,12 @@ fn is_looked_for(effect: &EffectRef) -> bool {
 pub struct Session<'a> {
     /// The recordings made ready, with their static intervals and turns.
     pub recordings: Vec<(Cow<'a, Recording>, Choice)>,
-    /// The same as they were read.
+    /// The recordings as they were read.
     pub originals: Vec<&'a Recording>,
     /// What is asked of them, with the flicker and the latitude that the search has found since.
     pub request: Request,
+    /// The effects that may be missing.
+    pub candidates: Vec<EffectRef>,
     /// The clocks, once the base models have shown them: models that are compared have noise of the same kind.
     pub clocks: Option<Vec<SourceClock>>,
     /// A fit that others begin at: that of the base models, once it is there.
@@ -130,6 +127,14 @@ pub struct Session<'a> {
 }
 
 impl<'a> Session<'a> {
+    /// The session of one run: effects that a user wrote have the steps that its fits need.
+    ///
+    /// # Errors
+    /// As [`cut`].
+    pub(crate) fn of(recordings: &'a [&'a Recording], request: &Request) -> Result<Self, Error> {
+        Self::new(recordings, &request.granted(recordings))
+    }
+
     /// Cuts the recordings.
     ///
     /// # Errors
@@ -165,6 +170,7 @@ impl<'a> Session<'a> {
                 .flat_map(|(own, choice)| in_parts(own, &choice))
                 .collect(),
             request: request.clone(),
+            candidates: request.candidates(),
             clocks: None,
             base: None,
         })
@@ -173,68 +179,6 @@ impl<'a> Session<'a> {
     /// The recordings made ready.
     pub fn ready(&self) -> Vec<&Recording> {
         self.recordings.iter().map(|(r, _)| r.as_ref()).collect()
-    }
-
-    /// Returns true if other fits start at the minimum of the base models.
-    ///
-    /// They do not where turns miss motion between the samples: that share is fitted too, and from the base models on the
-    /// fit ends at another value (a third larger on rec_3 of the phone).
-    fn begins_at_the_base(&self) -> bool {
-        let base = self.base.as_deref();
-        base.is_some_and(|fit| !fit.data.misses_something_between_samples())
-    }
-
-    /// The joint fit of the base models with an extension.
-    pub fn joint<'b>(&'b self, extension: &Extension) -> JointRequest<'b> {
-        let (mut accelerometer, mut gyroscope) = (accelerometer::model(), gyroscope::model());
-        let (mut held, mut starts) = (Vec::new(), Vec::new());
-        if let Some(latitude) = self.request.latitude {
-            let (with_it, vertical) = on_the_earth(gyroscope, latitude);
-            gyroscope = with_it;
-            held.push(vertical);
-        }
-        for (effect, shape) in &extension.effects {
-            accelerometer = accelerometer.with(effect.clone());
-            gyroscope = gyroscope.with(effect.clone());
-            let mut hold = |parameter: &str, value: f64| {
-                held.push((format!("{}.{parameter}", effect.name()), value));
-            };
-            if let Some(reference) = effect.reference() {
-                hold(reference, 0.0);
-            }
-            if let Some((k, value)) = shape {
-                let parameter = &effect.params()[*k];
-                if extension.settles && parameter.role_by_name() == Role::TimeConstant {
-                    starts.push((format!("{}.{}", effect.name(), parameter.name), *value));
-                } else {
-                    hold(&parameter.name, *value);
-                }
-            }
-        }
-        JointRequest {
-            accelerometer,
-            gyroscope,
-            bias_noise: self.request.noise,
-            flicker: self.request.flicker,
-            disturbances: false,
-            known: extension.disturbed.clone(),
-            held,
-            starts,
-            clock: self.request.clock,
-            clocks: self.clocks.clone(),
-            compared: self.base.is_some(),
-            before: self.base.as_deref(),
-            from_its_minimum: self.begins_at_the_base(),
-            covariates: true,
-            watch: self.request.watch.clone(),
-            ..JointRequest::new(
-                self.recordings
-                    .iter()
-                    .map(|(r, c)| (r.as_ref(), &c.segmentation))
-                    .collect(),
-                self.request.gravity,
-            )
-        }
     }
 }
 

@@ -37,7 +37,7 @@ pub fn score(w: MatRef<'_, f64>, z: &Mat<f64>) -> Score {
     of_normal(&a, &b)
 }
 
-/// The same from the normal equations.
+/// The score by the normal equations.
 pub fn of_normal(a: &DMatrix<f64>, b: &DVector<f64>) -> Score {
     let k = b.len();
     let mut result = Score {

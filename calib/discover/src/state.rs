@@ -1,26 +1,79 @@
 //! A model fitted to the recordings, and what it leaves unexplained.
 
-use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
+use ::findings::Kind;
+use estimate::methods::earth::{self, on_the_earth};
 use estimate::methods::joint::{
-    Basis, BiasNoise, Column, Columns, Component, ComponentKind, FaultRef, JointFit, Known,
+    BiasNoise, Column, Columns, Component, ComponentKind, FaultRef, JointFit, JointRequest, Known,
     NoiseLevel, Sensitivities, Site, Suspect, fit_joint, suspects, within,
 };
 use faer::{Mat, MatMut};
 use recording::Error;
 use recording::watch::Stage;
+use sensor::{EffectRef, Role};
 
-use super::extension::Extension;
 use super::gap::channel::Channel;
 use super::noise::level::{Level, levels};
 use super::noise::projected::Projected;
 use super::noise::walk_prior::walk_levels;
 use super::request::Session;
-use super::score::log_tail;
 
 /// Means of static intervals on either side that a step of a bias needs.
 const BESIDE_A_STEP: usize = 3;
+
+/// The parameter that shapes an effect (`tau`, `t0`), by its place, and its value, which the fit holds.
+pub type Held = Option<(usize, f64)>;
+
+/// Effects and disturbances of a model, on top of the base models.
+#[derive(Clone, Debug, Default)]
+pub struct Extension {
+    /// Effects, with what shapes them.
+    pub effects: Vec<(EffectRef, Held)>,
+    /// Disturbances with their place: parameters of their own.
+    pub disturbed: Vec<Known>,
+    /// True if time constants are fitted, starting from their held values; false if they stay fixed.
+    pub settles: bool,
+}
+
+impl Extension {
+    /// Takes an effect in, with the companions of the `catalogue` that come with it.
+    pub fn hold(&mut self, effect: EffectRef, shape: Held, catalogue: &[EffectRef]) {
+        let companions: Vec<EffectRef> = with_companions(&effect, catalogue).skip(1).collect();
+        self.effects.push((effect, shape));
+        for companion in companions {
+            if !self.has(companion.name()) {
+                self.effects.push((companion, None));
+            }
+        }
+    }
+
+    /// Returns true if it has the effect of this name.
+    pub fn has(&self, name: &str) -> bool {
+        self.effects.iter().any(|(effect, _)| effect.name() == name)
+    }
+
+    /// Takes the effect of this name out.
+    pub fn remove(&mut self, name: &str) {
+        self.effects.retain(|(effect, _)| effect.name() != name);
+    }
+
+    /// Returns true if both have the same terms, in any order.
+    pub fn is_same(&self, other: &Self) -> bool {
+        let holds = |(effect, held): &(EffectRef, Held)| {
+            let mut others = other.effects.iter();
+            others.any(|(e, h)| e.name() == effect.name() && h == held)
+        };
+        self.settles == other.settles
+            && self.effects.len() == other.effects.len()
+            && self.disturbed.len() == other.disturbed.len()
+            && self.effects.iter().all(holds)
+            && self
+                .disturbed
+                .iter()
+                .all(|known| other.disturbed.contains(known))
+    }
+}
 
 /// One model, fitted.
 #[derive(Clone, Debug)]
@@ -37,12 +90,12 @@ pub struct State {
     pub noise: BiasNoise,
     /// True if that noise was given.
     pub noise_given: bool,
+    /// Possible disturbances.
+    pub suspects: Arc<Vec<Suspect>>,
     /// The settings of the densities, once somebody asked.
     levels: OnceLock<Arc<Vec<Level>>>,
     /// Levels of the noise at which claims are tried, computed on first use.
     walks: OnceLock<Arc<Vec<Level>>>,
-    /// Possible disturbances, computed on first use.
-    suspects: OnceLock<Arc<Vec<Suspect>>>,
 }
 
 impl State {
@@ -52,12 +105,13 @@ impl State {
     /// As [`fit_joint`].
     pub fn fit(session: &Session<'_>, extension: Extension) -> Result<Self, Error> {
         session.request.watch.step(Stage::Searching)?;
-        let fit = fit_joint(&session.joint(&extension))?;
+        let fit = fit_joint(&joint_request(session, &extension))?;
         let sensitivities = fit.sensitivities();
         let projected = projected(&fit, (&fit.components, &fit.levels));
         let noise = BiasNoise::of(&fit.levels);
         Ok(Self {
             extension,
+            suspects: Arc::new(possible_disturbances(&fit)),
             fit: Arc::new(fit),
             sensitivities: Arc::new(sensitivities),
             projected: Arc::new(projected),
@@ -65,11 +119,35 @@ impl State {
             noise_given: session.request.noise.is_some(),
             levels: OnceLock::new(),
             walks: OnceLock::new(),
-            suspects: OnceLock::new(),
         })
     }
 
-    /// The same model with its biases' noise taken as known.
+    /// Fits the model with what a search leaves out, `None` where that is nothing. Where nobody says the latitude the earth's rotation is
+    /// uncertainty: at rest its vertical part does what the diagonal of a g-sensitivity does, and the rotation is one of the things that are
+    /// looked for. Where the device turns at rest, rates and turns scatter by that.
+    ///
+    /// # Errors
+    /// As [`fit_joint`].
+    pub fn fitted_in_full(&self, session: &Session<'_>) -> Result<Option<JointFit>, Error> {
+        let request = joint_request(session, &self.extension);
+        let of_the_earth = request.gyroscope.effects();
+        let earth = session.request.latitude.is_none() && !earth::is_among(of_the_earth);
+        let turns = session.remarks.has(Kind::RestsTurn);
+        if !earth && !turns {
+            return Ok(None);
+        }
+        let fit = fit_joint(&JointRequest {
+            earth,
+            disturbances: turns,
+            compared: false,
+            before: Some(&*self.fit).filter(|_| !turns),
+            from_its_minimum: request.from_its_minimum && !turns,
+            ..request
+        })?;
+        Ok(Some(fit))
+    }
+
+    /// The model with its biases' noise taken as known.
     pub fn at_noise(&self, noise: BiasNoise) -> Self {
         Self {
             noise,
@@ -136,7 +214,7 @@ impl State {
 
     /// Returns true if the model has the effect of this name.
     pub fn has(&self, name: &str) -> bool {
-        self.extension.effects.iter().any(|(e, _)| e.name() == name)
+        self.extension.has(name)
     }
 
     /// Returns true if the model already has this disturbance.
@@ -169,65 +247,6 @@ impl State {
         })
     }
 
-    /// Returns the possible disturbances.
-    pub fn suspects(&self) -> &[Suspect] {
-        self.suspects.get_or_init(|| {
-            let rows = self.fit.plain_rows();
-            let x = &self.fit.parameters.values()[..rows.layout.disturbance(0)];
-            let rotations = rows.rotations(x);
-            let site = Site {
-                rows: &rows,
-                x,
-                rotations: &rotations,
-            };
-            Arc::new(suspects(&site))
-        })
-    }
-
-    /// Lists the disturbances of the model in the order of the findings, with the places of their parameters.
-    fn held(&self) -> impl Iterator<Item = (Known, Range<usize>)> + '_ {
-        let mut next = self.fit.parameters.values().len() - self.fit.disturbance_columns.len();
-        let suspects = self.suspects().iter();
-        suspects.filter_map(move |s| {
-            let known = self.known(s.fault, s.place)?;
-            let own = next..next + s.columns.len();
-            next = own.end;
-            Some((known, own))
-        })
-    }
-
-    /// Returns `ln p` of `βᵀ C⁻¹ β` for each disturbance of the model, `β` its parameters and `C` their covariance.
-    pub fn disturbances(&self) -> Vec<(Known, f64)> {
-        let all = self.held();
-        all.map(|(known, own)| (known, self.log_p_of_nothing(own)))
-            .collect()
-    }
-
-    /// Length of what each disturbance of the model comes to, in the order of the findings: rad/s of a creep and of a rate,
-    /// m/s² of a force, rad of a turn and of a slip at once.
-    pub fn disturbed_sizes(&self) -> Vec<(Known, f64)> {
-        let values = self.fit.parameters.values();
-        let length = |own: Range<usize>| values[own].iter().map(|v| v * v).sum::<f64>().sqrt();
-        self.held()
-            .map(|(known, own)| (known, length(own)))
-            .collect()
-    }
-
-    /// `ln p` that some parameters are nothing.
-    fn log_p_of_nothing(&self, places: Range<usize>) -> f64 {
-        let is_own = |k: &usize| places.contains(&self.fit.free[*k]);
-        let columns: Vec<usize> = (0..self.fit.free.len()).filter(is_own).collect();
-        let jacobian = &self.fit.jacobian;
-        let others: Vec<usize> = (0..jacobian.ncols())
-            .filter(|k| !columns.contains(k))
-            .collect();
-        let taken = Basis::of(&jacobian.select(&others));
-        let own = taken.without(&jacobian.select(&columns)).to_dense();
-        let values = &self.fit.parameters.values()[places];
-        let explained = own * Mat::from_fn(values.len(), 1, |k, _| values[k]);
-        log_tail(explained.squared_norm_l2(), values.len() as f64)
-    }
-
     /// Times (since the start of the recording, s) at which a bias may have jumped: between neighbouring chunks of rests,
     /// where three of them on either side show that it moved and stayed. Between two rests there have to be two on either
     /// side: what happens after the only orientation so far may as well be an error of that orientation.
@@ -240,7 +259,7 @@ impl State {
         }
     }
 
-    /// The same within one recording.
+    /// The times within one recording at which a bias may have jumped.
     pub fn boundaries_in(&self, recording: usize) -> Vec<f64> {
         let rests = &self.fit.data.rests;
         let means = self.sensitivities.means.iter();
@@ -267,9 +286,85 @@ impl State {
     }
 }
 
+/// Everything that may be wrong with an interval or a turn of a fit, with its columns.
+fn possible_disturbances(fit: &JointFit) -> Vec<Suspect> {
+    let rows = fit.plain_rows();
+    let x = &fit.parameters.values()[..rows.layout.disturbance(0)];
+    let rotations = rows.rotations(x);
+    let site = Site {
+        rows: &rows,
+        x,
+        rotations: &rotations,
+    };
+    suspects(&site)
+}
+
 /// Projects the residuals of a fit, under noise of these components and levels.
 fn projected(fit: &JointFit, noise: (&[Component], &[NoiseLevel])) -> Projected {
     let mut projected = Projected::new(&fit.white_residuals, &fit.white_jacobian, noise);
     projected.within = within(&fit.data, &projected.kinds());
     projected
+}
+
+/// The joint fit of the base models with an extension.
+pub fn joint_request<'a>(session: &'a Session<'_>, extension: &Extension) -> JointRequest<'a> {
+    let request = &session.request;
+    let (mut accelerometer, mut gyroscope) = (accelerometer::model(), gyroscope::model());
+    let (mut held, mut starts) = (Vec::new(), Vec::new());
+    if let Some(latitude) = request.latitude {
+        let (with_it, vertical) = on_the_earth(gyroscope, latitude);
+        gyroscope = with_it;
+        held.push(vertical);
+    }
+    for (effect, shape) in &extension.effects {
+        accelerometer = accelerometer.with(effect.clone());
+        gyroscope = gyroscope.with(effect.clone());
+        let mut hold = |parameter: &str, value: f64| {
+            held.push((format!("{}.{parameter}", effect.name()), value));
+        };
+        if let Some(reference) = effect.reference() {
+            hold(reference, 0.0);
+        }
+        if let Some((k, value)) = shape {
+            let parameter = &effect.params()[*k];
+            if extension.settles && parameter.role_by_name() == Role::TimeConstant {
+                starts.push((format!("{}.{}", effect.name(), parameter.name), *value));
+            } else {
+                hold(&parameter.name, *value);
+            }
+        }
+    }
+    let before = session.base.as_deref();
+    let cut = session.recordings.iter();
+    let cut = cut.map(|(recording, choice)| (recording.as_ref(), &choice.segmentation));
+    JointRequest {
+        accelerometer,
+        gyroscope,
+        bias_noise: request.noise,
+        flicker: request.flicker,
+        disturbances: false,
+        known: extension.disturbed.clone(),
+        held,
+        starts,
+        clock: request.clock,
+        clocks: session.clocks.clone(),
+        compared: before.is_some(),
+        before,
+        // Not where turns miss motion between the samples: that share is fitted too, and from the base models on the fit
+        // ends at another value (a third larger on rec_3 of the phone).
+        from_its_minimum: before.is_some_and(|fit| !fit.data.misses_something_between_samples()),
+        covariates: true,
+        watch: request.watch.clone(),
+        ..JointRequest::new(cut.collect(), request.gravity)
+    }
+}
+
+/// The effects that come with `effect`, itself first.
+pub fn with_companions<'a>(
+    effect: &EffectRef,
+    catalogue: &'a [EffectRef],
+) -> impl Iterator<Item = EffectRef> + use<'a> {
+    let companion = effect.companion();
+    let companion = companion.and_then(|with| catalogue.iter().find(|e| e.name() == with));
+    std::iter::once(effect.clone()).chain(companion.cloned())
 }

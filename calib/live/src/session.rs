@@ -331,7 +331,7 @@ impl Session {
         self.speak(at);
         if self.motion == Motion::Still && !self.counted && at - self.since >= self.aim.hold - 1e-9
         {
-            self.count(at, &rate);
+            self.count_placement(at, &rate);
         }
         true
     }
@@ -413,7 +413,7 @@ impl Session {
     }
 
     /// Counts the placement that has lain for long enough.
-    fn count(&mut self, at: f64, rate: &[Vector3<f64>]) {
+    fn count_placement(&mut self, at: f64, rate: &[Vector3<f64>]) {
         self.counted = true;
         self.detector.learn(rate);
         let span = Span {

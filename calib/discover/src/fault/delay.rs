@@ -28,7 +28,7 @@ pub struct Delay {
     /// Root mean square of what the turns say of a delay, each by itself, over its scatter about the common one: 1 of punctual
     /// stamps, the four coefficients counted.
     pub gap_before: f64,
-    /// The same of turns that the estimate did not see.
+    /// The ratio for turns that the estimate did not see.
     pub held_out_gap_before: f64,
     /// With the delay of the other turns.
     pub held_out_gap_after: f64,
@@ -55,7 +55,7 @@ pub fn delay(state: &State) -> Option<Delay> {
     of_turns(state, |_| true)
 }
 
-/// The same of every recording by its own turns, where there are several.
+/// The delay of every recording by its own turns, where there are several.
 pub fn delays(state: &State) -> Vec<(usize, Delay)> {
     let count = state.fit.data.sources.len();
     let recordings = if count > 1 { 0..count } else { 0..0 };

@@ -1,10 +1,10 @@
-//! Faults of the recording itself, found without a model.
+//! Faults of a recording that its readings show, without a model.
 
 use std::borrow::Cow;
 
 use ::findings::{Finding, Kind};
 use estimate::calibrate::{changes_part_way, late_clock};
-use estimate::methods::joint::{Flagged, Reason, Scope, SensorNoise};
+use estimate::methods::joint::SensorNoise;
 use recording::intervals::{Rails, Segmentation, Span};
 use recording::readings::{Symptom, altered_bias};
 use recording::{Recording, Stamps, Stream, even_clock};
@@ -12,7 +12,6 @@ use sensor::Sensor;
 use serde::Serialize;
 
 use crate::request::Session;
-use crate::search::Either;
 use crate::state::State;
 
 /// Samples at the end of the range that count as saturation.
@@ -68,7 +67,7 @@ pub struct Size {
 }
 
 impl Size {
-    fn at_one_place(value: f64, unit: &'static str) -> Option<Self> {
+    pub(crate) fn at_one_place(value: f64, unit: &'static str) -> Option<Self> {
         Some(Self {
             value,
             unit,
@@ -77,14 +76,37 @@ impl Size {
     }
 }
 
-/// The faults beside which nothing more is named: what the readings are off by is no error of the sensor.
-pub const SPOILT: [&str; 5] = [
-    "quantisation",
-    "dead_zone",
-    "rezeroing",
-    "scale_change",
-    "clock_offset",
-];
+impl Integrity {
+    /// A fault of a recording for as long as its finding says, at no single interval or turn.
+    pub(crate) fn of(
+        name: impl Into<Cow<'static, str>>,
+        recording: &str,
+        finding: Finding,
+    ) -> Self {
+        Self {
+            name: name.into(),
+            recording: recording.to_owned(),
+            interval: None,
+            t0: finding.place.t0.unwrap_or(0.0),
+            t1: finding.place.t1.unwrap_or(0.0),
+            finding,
+            indistinguishable_from: Vec::new(),
+            size: None,
+        }
+    }
+
+    /// Returns true if nothing more is named beside it: what the readings are off by is no error of the sensor.
+    pub(crate) fn spoils(&self) -> bool {
+        matches!(
+            self.finding.kind,
+            Kind::Quantised
+                | Kind::DeadZone
+                | Kind::Rezeroed
+                | Kind::ScaleChange
+                | Kind::ClockOffset
+        )
+    }
+}
 
 /// Saturation, coarse steps, altered biases and lost samples of all recordings.
 pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
@@ -104,7 +126,7 @@ pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
             session.request.gravity,
         ));
         let late = late_clock(recording);
-        all.extend(late.map(|found| of_a_whole("clock_offset", recording, found)));
+        all.extend(late.map(|found| Integrity::of("clock_offset", &recording.name, found)));
         let altered = altered_bias(recording, &choice.segmentation);
         for (sensor, stream, noise) in sensors {
             let Some(stream) = stream else { continue };
@@ -148,21 +170,7 @@ fn scale_changes(
     let found = changes
         .into_iter()
         .find(|found| found.kind == Kind::ScaleChange)?;
-    Some(of_a_whole("scale_change", recording, found))
-}
-
-/// A fault that is not at one static interval or turn.
-fn of_a_whole(name: &'static str, recording: &Recording, finding: Finding) -> Integrity {
-    Integrity {
-        name: name.into(),
-        recording: recording.name.clone(),
-        interval: None,
-        t0: finding.place.t0.unwrap_or(0.0),
-        t1: finding.place.t1.unwrap_or(0.0),
-        finding,
-        indistinguishable_from: Vec::new(),
-        size: None,
-    }
+    Some(Integrity::of("scale_change", &recording.name, found))
 }
 
 /// Returns true if the other sensor loses its samples at the same time.
@@ -188,60 +196,6 @@ fn samples_missing(which: &str, length: f64) -> Finding {
         .number("length", length, "s")
 }
 
-/// Builds the faults from the disturbances that a fit flagged. A turn counts as lost samples where `seen`, the faults in
-/// the readings themselves, has lost samples at that time; `either` has the alternatives to each disturbance.
-pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<Integrity> {
-    let sizes = state.disturbed_sizes();
-    let found = state.fit.flagged.iter().zip(sizes);
-    // A rate that is off in an interval is off up to the turns beside it, which see it as a creep.
-    let is_excursion = |of: &Flagged| {
-        let all = state.fit.flagged.iter();
-        let mut excursions = all.filter(|a| a.fault.kind == Kind::RateExcursion);
-        excursions.any(|a| (a.recording, a.interval) == (of.recording, of.interval))
-    };
-    found
-        // An interval within which a bias stepped is no fault of the recording.
-        .filter(|(flagged, _)| flagged.reason == Reason::Disturbed)
-        .filter(|(flagged, _)| flagged.fault.kind != Kind::Creep || !is_excursion(flagged))
-        .map(|(flagged, (known, size))| {
-            let or = either.iter().find(|either| either.known == known);
-            let recording = &state.fit.data.sources[flagged.recording].name;
-            let lost = seen.iter().any(|fault| {
-                fault.name == "lost_samples"
-                    && fault.recording == *recording
-                    && fault.t0 < flagged.span.to
-                    && fault.t1 > flagged.span.from
-            });
-            let fault = flagged.fault;
-            let (size, unit) = (fault.size(size, flagged.span), fault.unit);
-            let is_of_a_turn = fault.scope == Scope::Turn;
-            let (name, kind) = match is_of_a_turn && lost {
-                true => ("lost_samples", Kind::TurnWithoutSamples),
-                false => (fault.name, fault.kind),
-            };
-            let found = Finding::of(kind)
-                .in_recording(recording)
-                .between(flagged.span.from, flagged.span.to)
-                .number("size", size, unit)
-                .affects("corrected_reading", size, unit);
-            let found = match is_of_a_turn {
-                true => found.at_turn(flagged.interval),
-                false => found.at_interval(flagged.interval),
-            };
-            Integrity {
-                name: name.into(),
-                recording: recording.clone(),
-                interval: Some(flagged.interval + 1),
-                t0: flagged.span.from,
-                t1: flagged.span.to,
-                indistinguishable_from: or.map_or_else(Vec::new, |either| either.or.clone()),
-                finding: found,
-                size: Size::at_one_place(size, unit),
-            }
-        })
-        .collect()
-}
-
 /// One sensor of one recording.
 struct Looked<'a> {
     recording: &'a Recording,
@@ -258,17 +212,11 @@ impl Looked<'_> {
         span: Span,
         finding: Finding,
     ) -> Integrity {
+        let recording = &self.recording.name;
+        let finding = finding.in_recording(recording).between(span.from, span.to);
         Integrity {
-            name: name.into(),
-            recording: self.recording.name.clone(),
             interval,
-            t0: span.from,
-            t1: span.to,
-            finding: finding
-                .in_recording(&self.recording.name)
-                .between(span.from, span.to),
-            indistinguishable_from: Vec::new(),
-            size: None,
+            ..Integrity::of(name, recording, finding)
         }
     }
 

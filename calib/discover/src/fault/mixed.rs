@@ -115,7 +115,7 @@ fn mixed(state: &State) -> Option<Known> {
     let whitened = state.projected.at(state.noise)?;
     let log_p = |known: &Known| {
         let is_own = |s: &&Suspect| s.fault == known.fault && s.place == known.place;
-        let suspect = state.suspects().iter().find(is_own)?;
+        let suspect = state.suspects.iter().find(is_own)?;
         let columns = state.explained_by(suspect);
         let found = score(whitened.columns(&columns).as_ref(), &whitened.z);
         (found.dof > 0).then(|| log_tail(found.statistic, found.dof as f64))

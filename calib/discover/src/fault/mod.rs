@@ -1,6 +1,7 @@
 //! Faults of the recording itself.
 
 pub(super) mod delay;
+mod disturbances;
 pub(super) mod integrity;
 pub(super) mod mixed;
-pub(super) mod undersampled;
+pub(super) mod of_the_fit;

@@ -14,7 +14,6 @@ use crate::remainder::unexplained::Unexplained;
 use crate::request::Session;
 use crate::search::Search;
 use crate::state::State;
-use crate::visible::never_visible;
 
 /// The parts of findings.
 pub struct Found {
@@ -84,6 +83,18 @@ impl Found {
             calibration,
         }
     }
+}
+
+/// Kinds of errors that no hand-held recording shows: a free parameter takes each up.
+fn never_visible() -> ::findings::Findings {
+    let kinds = [
+        Kind::GravityNeverSeen,
+        Kind::ClockNeverSeen,
+        Kind::DistanceNeverSeen,
+        Kind::DelayNeverSeen,
+        Kind::EarthNeverSeen,
+    ];
+    kinds.map(Finding::of).to_vec().into()
 }
 
 /// White noise densities at low frequency of the first recording, the mean of the axes.

@@ -1,7 +1,8 @@
-//! Late stamps, which the moving accelerometer shows, as a finding.
+//! Late stamps, which the moving accelerometer shows, as findings.
 
 use ::findings::{Finding, Kind};
 use estimate::calibration::Calibration;
+use recording::Error;
 use recording::intervals::Span;
 use sensor::{EffectRef, Model, Nature, Sensor};
 
@@ -11,35 +12,110 @@ use crate::family::is_late;
 use crate::fault::delay::{Delay, delay, delays};
 use crate::fault::integrity::{Integrity, Size};
 use crate::gap::channel::Channel;
-use crate::request::Request;
+use crate::request::Session;
 use crate::score::log_tail;
+use crate::search::Search;
 use crate::state::State;
 
 /// Stamps are late beyond what delays of the gyroscope do if by more standard errors than this.
 const MUCH_LATER: f64 = 3.0;
 
+/// The chance that stamps which are late by the same in all recordings are said to be late by different times.
+const LATE_APART: f64 = 1e-3;
+
+/// Stamps that are late.
+#[derive(Default)]
+pub struct LateStamps {
+    /// By the same in all recordings.
+    together: Option<(EffectRef, Delay)>,
+    /// In each recording by its own, as their clocks were started apart: no error of the sensor.
+    pub apart: Vec<Integrity>,
+}
+
+impl LateStamps {
+    /// Those of the final model, which holds what is late by the same afterwards.
+    ///
+    /// # Errors
+    /// As the joint fit.
+    pub fn of(session: &Session<'_>, search: &mut Search) -> Result<Self, Error> {
+        let apart = late_apart(&search.last, session);
+        if !apart.is_empty() {
+            let together = None;
+            return Ok(Self { together, apart });
+        }
+        let together = late(&search.last, session);
+        if let Some((effect, late)) = &together {
+            let mut extension = search.last.extension.clone();
+            let own = (effect.clone(), Some((0, late.delay)));
+            extension.effects.push(own);
+            search.last = search.fit(session, extension)?;
+        }
+        Ok(Self { together, apart })
+    }
+
+    /// The finding of what is late by the same, with its standard error in the calibration too; the delay that `last` leaves is its gap
+    /// after.
+    pub fn finding(
+        &self,
+        session: &Session<'_>,
+        last: &State,
+        calibration: &mut Calibration,
+    ) -> Option<EffectFinding> {
+        let (effect, found) = self.together.as_ref()?;
+        let name = effect.name();
+        for effect in calibration.effects.iter_mut().filter(|e| e.name == name) {
+            for p in &mut effect.parameters {
+                p.std = Some(found.std);
+            }
+        }
+        Some(EffectFinding {
+            name: name.into(),
+            statistic: found.statistic,
+            dof: 1.0,
+            p_value: found.log_p.exp(),
+            adjusted_p_value: (-late_evidence(found, session.candidates.len()))
+                .exp()
+                .min(1.0),
+            forms: Vec::new(),
+            indistinguishable_from: Vec::new(),
+            shared: Vec::new(),
+            rivals: Vec::new(),
+            may_be_beside: Vec::new(),
+            told_apart_by: None,
+            parameters: parameters_of(name, calibration),
+            channel: Channel::MovingForce,
+            gap_before: found.gap_before,
+            gap_by_chance: None,
+            rms_before: None,
+            rms_after: None,
+            gap_after: delay(last).map_or(found.gap_before, |again| again.gap_before),
+            held_out_gap_before: found.held_out_gap_before,
+            held_out_gap_after: found.held_out_gap_after,
+        })
+    }
+}
+
 /// The effect of late stamps, where the moving accelerometer shows it.
-pub fn late(state: &State, request: &Request) -> Option<(EffectRef, Delay)> {
-    let candidates = request.candidates();
+fn late(state: &State, session: &Session<'_>) -> Option<(EffectRef, Delay)> {
+    let candidates = &session.candidates;
     let effect = candidates.iter().find(|e| is_late(e))?;
     let found = delay(state)?;
     // What delays the gyroscope's axes delays them against the accelerometer too.
     if found.delay.abs() <= 2.0 * gyroscope_delay(state) + MUCH_LATER * found.std {
         return None;
     }
-    (late_evidence(&found, candidates.len()) > request.threshold())
+    (late_evidence(&found, candidates.len()) > session.request.threshold())
         .then_some((effect.clone(), found))
 }
 
-/// Recordings whose stamps are late each in their own way, as their clocks were started apart: no error of the sensor. `alpha` is
-/// the chance that they are said to differ where they do not.
-pub fn late_apart(state: &State, request: &Request, alpha: f64) -> Vec<Integrity> {
-    let (all, candidates) = (delays(state), request.candidates());
+/// Recordings whose stamps are late each in their own way.
+fn late_apart(state: &State, session: &Session<'_>) -> Vec<Integrity> {
+    let (all, candidates) = (delays(state), &session.candidates);
     let effect = candidates.iter().find(|e| is_late(e));
-    let Some(effect) = effect.filter(|_| differ(&all, alpha)) else {
+    let Some(effect) = effect.filter(|_| differ(&all, LATE_APART)) else {
         return Vec::new();
     };
-    let needed = request.threshold() + (all.len() as f64).ln();
+    let needed = session.request.threshold() + (all.len() as f64).ln();
     let late = all
         .iter()
         .filter(|(_, own)| late_evidence(own, candidates.len()) > needed);
@@ -52,23 +128,17 @@ pub fn late_apart(state: &State, request: &Request, alpha: f64) -> Vec<Integrity
             to: a.to.max(b.to),
         })?;
         let way = if own.delay < 0.0 { "early" } else { "late" };
+        let recording = &data.sources[*recording].name;
+        let finding = Finding::of(Kind::StampsApart)
+            .in_recording(recording)
+            .number("size", own.delay.abs(), "s")
+            .number("error", own.std, "s")
+            .detail("way", way);
         Some(Integrity {
-            name: effect.name().to_owned().into(),
-            recording: data.sources[*recording].name.clone(),
-            interval: None,
             t0: span.from,
             t1: span.to,
-            finding: Finding::of(Kind::StampsApart)
-                .in_recording(&data.sources[*recording].name)
-                .number("size", own.delay.abs(), "s")
-                .number("error", own.std, "s")
-                .detail("way", way),
-            indistinguishable_from: Vec::new(),
-            size: Some(Size {
-                value: own.delay.abs(),
-                unit: "s",
-                gap: None,
-            }),
+            size: Size::at_one_place(own.delay.abs(), "s"),
+            ..Integrity::of(effect.name().to_owned(), recording, finding)
         })
     };
     late.filter_map(fault).collect()
@@ -104,44 +174,4 @@ fn gyroscope_delay(state: &State) -> f64 {
 
 fn late_evidence(found: &Delay, candidates: usize) -> f64 {
     -found.log_p - (2.0 * candidates as f64).ln()
-}
-
-/// The finding of them; `again` is the delay that remains with the effect in the model: its gap is that after.
-pub fn late_finding(
-    effect: &EffectRef,
-    found: &Delay,
-    again: Option<Delay>,
-    request: &Request,
-    calibration: &mut Calibration,
-) -> EffectFinding {
-    let name = effect.name();
-    for effect in calibration.effects.iter_mut().filter(|e| e.name == name) {
-        for p in &mut effect.parameters {
-            p.std = Some(found.std);
-        }
-    }
-    EffectFinding {
-        name: name.into(),
-        statistic: found.statistic,
-        dof: 1.0,
-        p_value: found.log_p.exp(),
-        adjusted_p_value: (-late_evidence(found, request.candidates().len()))
-            .exp()
-            .min(1.0),
-        forms: Vec::new(),
-        indistinguishable_from: Vec::new(),
-        shared: Vec::new(),
-        rivals: Vec::new(),
-        may_be_beside: Vec::new(),
-        told_apart_by: None,
-        parameters: parameters_of(name, calibration),
-        channel: Channel::MovingForce,
-        gap_before: found.gap_before,
-        gap_by_chance: None,
-        rms_before: None,
-        rms_after: None,
-        gap_after: again.map_or(found.gap_before, |again| again.gap_before),
-        held_out_gap_before: found.held_out_gap_before,
-        held_out_gap_after: found.held_out_gap_after,
-    }
 }

@@ -12,12 +12,12 @@ use crate::search::{Name, VERTICAL};
 const BY_CHANCE: f64 = 1e-3;
 
 /// The doubt about `latitude` that explains one of the names as well, and that name.
-pub fn instead_of_a_name(names: &[Name], latitude: f64) -> Option<(LatitudeDoubt, &str)> {
-    let doubt = |name| Some((instead_of(name, latitude)?, name.claim.name()));
+pub fn instead_of_a_name(names: &[Name], latitude: f64) -> Option<(LatitudeDoubt, String)> {
+    let doubt = |name: &Name| Some((instead_of(name, latitude)?, name.claim.name().to_owned()));
     names.iter().find_map(doubt)
 }
 
-/// The same of one name, up to what chance adds to its more parameters.
+/// The doubt that explains one name, up to what chance adds to its more parameters.
 fn instead_of(name: &Name, latitude: f64) -> Option<LatitudeDoubt> {
     if name.claim.effect()?.sensor() != Sensor::Gyroscope {
         return None;

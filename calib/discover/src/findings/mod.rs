@@ -5,7 +5,6 @@ pub(super) mod beside;
 pub(super) mod late;
 pub(super) mod latitude;
 pub(super) mod named;
-pub(super) mod proposed;
 pub(super) mod room;
 pub(super) mod typed;
 

@@ -8,7 +8,7 @@ use super::EffectFinding;
 use crate::remainder::unexplained::Unexplained;
 use crate::search::Search;
 
-/// The finding of it.
+/// The finding of a rotation that the earth or a field of the room may make.
 fn of_a_room() -> Finding {
     Finding::of(Kind::RoomOrEarth).of_sensor(Sensor::Gyroscope)
 }

@@ -22,7 +22,7 @@ pub fn held_out(state: &State, noise: BiasNoise) -> Option<[Misfit; 3]> {
     held_out_at_share(state, noise, 1.0)
 }
 
-/// The same of `before` at the noise that the fit of `after` found: its biases' and the scatter of its turns. What `after` explains and
+/// The held-out misfits of `before` at the noise that the fit of `after` found: its biases' and the scatter of its turns. What `after` explains and
 /// `before` lacks is scatter to the fit of `before`.
 pub fn held_out_as_after(before: &State, after: &State) -> Option<[Misfit; 3]> {
     let [own, other] = [before, after].map(|state| state.scatter_of_turns().powi(2));
@@ -30,7 +30,7 @@ pub fn held_out_as_after(before: &State, after: &State) -> Option<[Misfit; 3]> {
     held_out_at_share(before, after.noise, share)
 }
 
-/// The same with a share of the variance by which turns scatter.
+/// The held-out misfits with a share of the variance by which turns scatter.
 fn held_out_at_share(state: &State, noise: BiasNoise, share: f64) -> Option<[Misfit; 3]> {
     let whitened = state.projected.at_share(noise, share)?;
     let mut sums = [Misfit::default(); 3];

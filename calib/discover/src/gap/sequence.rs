@@ -1,6 +1,7 @@
 //! The disagreement by channel: where in the data it is, channel after channel.
 
 use estimate::methods::joint::{Basis, BiasNoise, Columns, Whitening};
+use faer::Mat;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::channel::Channel;
@@ -78,6 +79,11 @@ impl Sequence {
     pub fn misfits(&self, state: &State) -> [Misfit; 3] {
         let r = &state.fit.white_residuals;
         self.of_column(r)
+    }
+
+    /// The channel that shows most of a white-whitened column (`m × 1`).
+    pub fn channel_of(&self, column: &Mat<f64>) -> Channel {
+        channel_of(&self.of_column(column.col_as_slice(0)))
     }
 
     /// What the parameters leave of a white-whitened column (`m`), whitened.

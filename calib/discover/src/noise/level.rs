@@ -43,24 +43,13 @@ impl Level {
         of: Option<Sensor>,
         log_prior: f64,
     ) -> Option<Self> {
-        let whitened = projected.at_share(noise, scatter)?;
-        Some(Self::of(whitened, (noise, scatter), of, log_prior))
-    }
-
-    /// The level at which the disagreement is `whitened`.
-    pub fn of(
-        whitened: Whitened,
-        (noise, scatter): (BiasNoise, f64),
-        of: Option<Sensor>,
-        log_prior: f64,
-    ) -> Self {
-        Self {
+        Some(Self {
             noise,
             scatter,
-            whitened,
+            whitened: projected.at_share(noise, scatter)?,
             of,
             log_prior,
-        }
+        })
     }
 
     /// Returns true if noise of this sensor's bias is judged at this setting.

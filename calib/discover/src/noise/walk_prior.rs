@@ -91,15 +91,12 @@ pub fn walk_levels(
     noise: BiasNoise,
     is_given: bool,
 ) -> Vec<Level> {
-    let level = |noise: BiasNoise, scatter: f64, of: Option<Sensor>, log_prior: f64| {
-        Level::at(projected, (noise, scatter), of, log_prior)
-    };
+    let log_prior = if is_given { 0.0 } else { f64::NEG_INFINITY };
+    let likeliest = Level::at(projected, (noise, 1.0), None, log_prior);
+    let mut levels: Vec<Level> = likeliest.into_iter().collect();
     if is_given {
-        return level(noise, 1.0, None, 0.0).into_iter().collect();
+        return levels;
     }
-    let mut levels: Vec<Level> = level(noise, 1.0, None, f64::NEG_INFINITY)
-        .into_iter()
-        .collect();
     for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
         let Some(unit) = unit(data, sensor) else {
             continue;
@@ -117,18 +114,20 @@ pub fn walk_levels(
             let likeliest = noise.walk[usize::from(sensor == Sensor::Gyroscope)] / unit;
             levels.extend(prior(likeliest).into_iter().map(|(walk, log_prior)| {
                 let (noise, whitened) = along.at(walk * unit);
-                let log_prior = log_prior - (flickers.len() as f64).ln();
-                Level::of(whitened, (noise, 1.0), Some(sensor), log_prior)
+                Level {
+                    noise,
+                    scatter: 1.0,
+                    whitened,
+                    of: Some(sensor),
+                    log_prior: log_prior - (flickers.len() as f64).ln(),
+                }
             }));
         }
     }
     if projected.scatters {
         let each = -(SCATTERS.len() as f64).ln();
-        levels.extend(
-            SCATTERS
-                .iter()
-                .filter_map(|share| level(noise, *share, None, each)),
-        );
+        let at = |share: &f64| Level::at(projected, (noise, *share), None, each);
+        levels.extend(SCATTERS.iter().filter_map(at));
     }
     levels
 }

@@ -61,12 +61,12 @@ impl Product {
 
     /// An orthonormal basis (`q × rank`) of the whitened columns.
     pub fn basis(&self, whitened: &Whitened) -> Mat<f64> {
-        orthonormal(whitened.columns(&self.columns).as_ref())
+        seen_directions(whitened.columns(&self.columns).as_ref())
     }
 }
 
 /// An orthonormal basis (`q × rank`) of the directions of whitened columns that are seen.
-pub fn orthonormal(w: MatRef<'_, f64>) -> Mat<f64> {
+pub fn seen_directions(w: MatRef<'_, f64>) -> Mat<f64> {
     let gram = w.transpose() * w;
     let gram = DMatrix::from_fn(w.ncols(), w.ncols(), |i, j| gram[(i, j)]);
     let eigen = gram.symmetric_eigen();

@@ -1,4 +1,4 @@
-//! A formula that explains the whole better than the names do.
+//! A formula that explains the whole better than the names do, or what the noise of the biases was taken for.
 
 use estimate::methods::joint::orthonormal;
 use faer::Mat;
@@ -38,12 +38,26 @@ pub fn instead_of_names(
     let base = &search.base;
     let needed = search.evidence + APART;
     let (products, screened) = promising(session, base, needed)?;
-    let described = of_base.unwrap_or_else(|| Described::of(base));
     let alpha = session.request.alpha_of_rest();
+    let described = of_base.unwrap_or_else(|| Described::of(base, -alpha.ln()));
     let whole = rest_beside(base, &described, alpha)
         .or_else(|| rest_of(&base.at_noise(screened.noise), alpha))?;
     let found = propose_of(session, base, &whole, (&products, &screened))?;
     (found.ranked.by_ratio() > needed).then_some((found, whole))
+}
+
+/// Looks for a formula where `last` leaves nothing that is more than its noise, with what is left where the biases have the noise
+/// that suits the formula. Its evidence is that over all that the noise may be, as that of an effect.
+pub fn hidden_formula(session: &Session<'_>, last: &State) -> Option<(Proposed, Unexplained)> {
+    if last.noise_given {
+        return None;
+    }
+    let (products, screened) = promising(session, last, session.request.threshold())?;
+    let alpha = session.request.alpha_of_rest();
+    let mut rest = rest_of(&last.at_noise(screened.noise), alpha)?;
+    let found = propose_of(session, last, &rest, (&products, &screened))?;
+    rest.p_value = found.p_value();
+    Some((found, rest))
 }
 
 /// The products that are no effect's of the catalogue, screened; `None` where no formula of them has more evidence than `needed`.
@@ -52,8 +66,8 @@ pub(super) fn promising(
     state: &State,
     needed: f64,
 ) -> Option<(Vec<Product>, Screened)> {
-    let catalogue = session.request.candidates();
-    let products = outside(state, &catalogue, dictionary(state), OWN);
+    let catalogue = &session.candidates;
+    let products = outside(state, catalogue, dictionary(state), OWN);
     let screened = screen(state, &products)?;
     let most = most_evidence(&screened, &products, state.levels());
     (most > needed).then_some((products, screened))

@@ -10,7 +10,6 @@ mod chosen;
 mod dictionary;
 mod forms;
 mod group_lasso;
-mod hidden;
 mod instead;
 mod most;
 mod screen;
@@ -22,8 +21,7 @@ use chosen::{Chosen, Stable};
 use dictionary::{Product, dictionary, log_formulas};
 use estimate::calibration::EffectParameter;
 pub use forms::forms;
-pub use hidden::hidden_formula;
-pub use instead::instead_of_names;
+pub use instead::{hidden_formula, instead_of_names};
 use screen::{Screened, screen};
 use sensor::{EffectRef, Formula, Sensor};
 use serde::Serialize;
@@ -129,7 +127,7 @@ pub fn propose(session: &Session<'_>, last: &State, rest: &Unexplained) -> Optio
     propose_of(session, last, rest, (&products, &screened))
 }
 
-/// The same among some products. Where the likeliest formula does not close the gap, what is like it and less likely may.
+/// A formula of some products for the rest that `last` leaves. Where the likeliest formula does not close the gap, what is like it and less likely may.
 fn propose_of(
     session: &Session<'_>,
     last: &State,

@@ -4,7 +4,7 @@ use estimate::methods::joint::BiasNoise;
 use faer::Mat;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-use super::dictionary::{Product, orthonormal};
+use super::dictionary::{Product, seen_directions};
 use crate::noise::level::Level;
 use crate::noise::projected::Whitened;
 use crate::score::log_tail;
@@ -87,7 +87,7 @@ pub fn screen(state: &State, products: &[Product]) -> Option<Screened> {
     simplest.sort_by_key(|k| products[*k].degree());
     for k in simplest {
         let columns = screened.whitened.columns(&products[k].columns);
-        let basis = orthonormal(columns.as_ref());
+        let basis = seen_directions(columns.as_ref());
         let is_twin = |i: usize| {
             let other: &Mat<f64> = &screened.bases[i];
             let rank = other.ncols().max(basis.ncols()) as f64;

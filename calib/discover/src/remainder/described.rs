@@ -3,7 +3,7 @@
 use estimate::methods::joint::BiasNoise;
 use faer::Mat;
 use findings::{Finding, Kind};
-use sensor::Sensor;
+use sensor::{Quantity, Sensor};
 
 use super::biases::biases;
 use super::jumps::{Jumps, jumps};
@@ -13,6 +13,7 @@ use super::shapes::shapes;
 use crate::family::{Claim, Family};
 use crate::gap::channel::Channel;
 use crate::rank::{APART, Ranked, rank};
+use crate::search::Name;
 use crate::search::few_turns::Turns;
 use crate::state::State;
 
@@ -45,53 +46,57 @@ pub(super) struct Trial {
     pub predicted: Option<Mat<f64>>,
 }
 
-/// The tests that say what the rest looks like.
-#[derive(Clone, Debug)]
+/// The tests that say what the rest looks like, each by itself.
 pub struct Described {
-    /// Families with the evidence for each.
-    shapes: [(Vec<Family>, Vec<Ranked>); 2],
-    scatters: Vec<Scatter>,
-    jumps: Vec<Jumps>,
+    pub(super) trials: Vec<Trial>,
+}
+
+impl Trial {
+    /// A test of a statistic that has no shape.
+    pub(super) fn plain(log_p: f64, (statistic, dof): (f64, f64), finding: Finding) -> Self {
+        Self {
+            log_p,
+            statistic,
+            dof,
+            finding,
+            of: None,
+            channel: None,
+            period: None,
+            recording: None,
+            columns: None,
+            wandering: None,
+            predicted: None,
+        }
+    }
 }
 
 impl Described {
-    /// Runs the tests on the residuals of a model.
-    pub fn of(state: &State) -> Self {
+    /// Runs the tests on the residuals of a model; of shapes with a larger `−ln p` than `needed`, without the turns that speak for
+    /// them most.
+    pub fn of(state: &State, needed: f64) -> Self {
         let levels = state.levels();
         let is_slow = |f: &Family| matches!(f.claim, Claim::Shape(Shape::SlowTime, _));
         let (slow, others): (Vec<Family>, Vec<Family>) =
             shapes(state).into_iter().partition(is_slow);
         // Slow changes are judged at the likeliest walk alone: with many coefficients they could stand for any walk.
         let likeliest = &levels[..levels.len().min(1)];
-        let judged = [(slow, likeliest), (others, levels)];
-        let sensors = biases(state, levels);
-        Self {
-            shapes: judged.map(|(families, levels)| {
-                let ranked = rank(&state.projected, &families, levels);
-                (families, ranked)
-            }),
-            scatters: scatters(&sensors),
-            jumps: jumps(&sensors),
-        }
-    }
-
-    /// Every test by itself; of shapes with a larger `−ln p` than `needed`, without the turns that speak for them most.
-    pub(super) fn trials(&self, state: &State, needed: f64) -> Vec<Trial> {
+        let mut trials = Vec::new();
         let turns = Turns::knocked(state);
-        let of_shape = |family: &Family, ranked: &Ranked| {
-            let mut ranked = ranked.clone();
-            if let Some(turns) = turns.as_ref().filter(|_| -ranked.log_p > needed) {
-                ranked.log_p += ranked.evidence - turns.evidence_without(state, family, &ranked);
+        for (families, levels) in [(slow, likeliest), (others, levels)] {
+            for mut ranked in rank(&state.projected, &families, levels) {
+                let family = &families[ranked.family];
+                if let Some(turns) = turns.as_ref().filter(|_| -ranked.log_p > needed) {
+                    ranked.log_p +=
+                        ranked.evidence - turns.evidence_without(state, family, &ranked);
+                }
+                trials.push(of_shape(state, family, &ranked));
             }
-            of_shape(state, family, &ranked)
-        };
-        let shapes = self.shapes.iter().flat_map(|(families, ranked)| {
-            let each = ranked.iter();
-            each.map(|r| of_shape(&families[r.family], r))
-        });
-        let of_jumps = |jumps: &Jumps| {
+        }
+        let sensors = biases(state, levels);
+        let scatters = scatters(&sensors);
+        trials.extend(jumps(&sensors).iter().map(|jumps| {
             let is_same = |s: &&Scatter| (s.sensor, s.axis) == (jumps.sensor, jumps.axis);
-            match self.scatters.iter().find(is_same) {
+            match scatters.iter().find(is_same) {
                 // What may as well wander otherwise or go with the placement is not said to jump.
                 Some(wanders) if jumps.log_p > wanders.log_p - APART || wanders.is_forgotten() => {
                     Trial {
@@ -103,46 +108,52 @@ impl Described {
                 }
                 _ => of_jumps(state, jumps),
             }
-        };
-        let jumps = self.jumps.iter().map(of_jumps);
-        let wanders = self.scatters.iter().map(of_scatter);
-        shapes.chain(jumps).chain(wanders).collect()
+        }));
+        trials.extend(scatters.iter().map(of_scatter));
+        Self { trials }
     }
+
+    /// Returns true if one shape has more evidence than `needed`, and no named effect already describes it.
+    pub fn has_better(&self, needed: f64, names: &[Name]) -> bool {
+        let search = (self.trials.len() as f64).ln();
+        let is_named = |t: &Trial| t.of.is_some_and(|of| is_covered(of, names));
+        let mut trials = self.trials.iter();
+        trials.any(|t| !is_named(t) && -t.log_p - search > needed)
+    }
+}
+
+/// Returns true if a named effect already describes the shape.
+fn is_covered((shape, sensor): (Shape, Sensor), names: &[Name]) -> bool {
+    let quantity = match shape {
+        Shape::Heading => Quantity::Attitude,
+        Shape::LastTurn => Quantity::LastTurn,
+        _ => return false,
+    };
+    names.iter().any(|name| match &name.claim {
+        Claim::Effect(effect) => effect.sensor() == sensor && effect.needs().contains(&quantity),
+        _ => false,
+    })
 }
 
 fn of_scatter(scatter: &Scatter) -> Trial {
     Trial {
-        log_p: scatter.log_p,
-        statistic: scatter.statistic,
-        dof: 1.0,
-        finding: scatter.finding(),
-        of: None,
         channel: Some(channel_at_rest(scatter.sensor)),
-        period: None,
-        recording: None,
-        columns: None,
         wandering: Some((scatter.sensor, scatter.axis)),
-        predicted: None,
+        ..Trial::plain(scatter.log_p, (scatter.statistic, 1.0), scatter.finding())
     }
 }
 
 fn of_jumps(state: &State, jumps: &Jumps) -> Trial {
     let columns = jumps.columns(state);
     Trial {
-        log_p: jumps.log_p,
-        statistic: jumps.statistic,
-        dof: jumps.dof(),
-        finding: jumps.finding(),
-        of: None,
         channel: Some(channel_at_rest(jumps.sensor)),
-        period: None,
-        recording: None,
         predicted: Some(&columns * faer::Scale(jumps.change)),
         columns: Some(Shaped {
             columns,
             noise: jumps.noise,
         }),
         wandering: Some((jumps.sensor, jumps.axis)),
+        ..Trial::plain(jumps.log_p, (jumps.statistic, jumps.dof()), jumps.finding())
     }
 }
 
@@ -170,21 +181,17 @@ fn of_shape(state: &State, family: &Family, ranked: &Ranked) -> Trial {
     };
     let columns = family.columns_of(ranked.hypothesis);
     let change = Mat::from_fn(columns.ncols(), 1, |i, _| ranked.score.change[i]);
+    let log_p = ranked.log_p + family.log_places;
     Trial {
-        log_p: ranked.log_p + family.log_places,
-        statistic: ranked.statistic,
-        dof: ranked.dof,
-        finding,
         of: shape.map(|shape| (shape, sensor)),
-        channel: None,
         period,
         recording: recording.map(String::from),
+        predicted: Some(&columns * change),
         columns: Some(Shaped {
-            columns: family.columns_of(ranked.hypothesis),
+            columns,
             noise: ranked.noise,
         }),
-        wandering: None,
-        predicted: Some(&columns * change),
+        ..Trial::plain(log_p, (ranked.statistic, ranked.dof), finding)
     }
 }
 

@@ -113,7 +113,7 @@ struct Stretches {
     count: usize,
     /// The stretch of every chunk.
     of_chunk: Vec<usize>,
-    /// The same for the chunks of every part.
+    /// The stretch of the chunks of every part.
     of_part: Vec<Vec<usize>>,
 }
 

@@ -1,7 +1,6 @@
 //! Remainder: the disagreement that no effect of the catalogue explains.
 
 mod biases;
-pub(super) mod by_interval;
 pub(super) mod described;
 mod harmonics;
 mod jumps;
@@ -10,5 +9,4 @@ pub(super) mod shape;
 pub(super) mod shapes;
 mod two_levels;
 pub(super) mod unexplained;
-pub(super) mod weighed_again;
 pub(super) mod withdrawn;

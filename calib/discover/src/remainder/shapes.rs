@@ -10,8 +10,7 @@ use sensor::Sensor;
 
 use super::harmonics::fine_orientation;
 use super::shape::{Errors, Shape, Way};
-use crate::family::{Claim, Family, Hypothesis, beside};
-use crate::heading::by_heading;
+use crate::family::{Claim, Family, Hypothesis, beside, by_heading};
 use crate::state::State;
 
 /// Cosines of time tried.

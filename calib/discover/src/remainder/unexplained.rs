@@ -3,19 +3,15 @@
 use estimate::methods::joint::{BiasNoise, Chunk, Mean, SensorNoise, orthonormal};
 use findings::{Finding, Kind};
 use nalgebra::Vector3;
-use sensor::{Quantity, Sensor};
+use sensor::Sensor;
 use serde::Serialize;
 
 use super::biases::biases;
 use super::described::{Described, Shaped, Trial, channel_at_rest};
 use super::scatter::scatters;
-use super::shape::Shape;
-use crate::family::Claim;
 use crate::gap::channel::Channel;
-use crate::gap::sequence::{Misfit, Sequence, channel_of};
-use crate::rank::APART;
+use crate::gap::sequence::{Misfit, Sequence};
 use crate::score::log_tail;
-use crate::search::{Name, Search};
 use crate::state::State;
 
 /// A period explains more than this share of what is more than the noise.
@@ -63,73 +59,28 @@ impl Unexplained {
     }
 }
 
-/// Looks for a significant rest (family-wise chance `alpha`), and whether one shape explains the whole better than
-/// the names do: these are withdrawn then. What shapes say of the base models comes with it where that was asked.
-pub fn unexplained(search: &mut Search, alpha: f64) -> (Option<Unexplained>, Option<Described>) {
-    let named_effect = search
-        .names
-        .iter()
-        .any(|n| matches!(n.claim, Claim::Effect(_)));
-    // A bias that goes by something else is far off in some rests.
-    let in_rests = &search.last.extension.disturbed;
-    let of_rests = !in_rests.is_empty()
-        && in_rests
-            .iter()
-            .all(|known| known.fault.is_over_with_interval);
-    if named_effect || of_rests {
-        let described = Described::of(&search.base);
-        let shaped = described.trials(&search.base, search.evidence + APART);
-        let is_named = |t: &Trial| t.of.is_some_and(|of| is_covered(of, &search.names));
-        let better = |t: &Trial| {
-            let evidence = -t.log_p - (shaped.len() as f64).ln();
-            !is_named(t) && evidence > search.evidence + APART
-        };
-        if shaped.iter().any(better) {
-            let whole = rest_beside(&search.base, &described, alpha).map(|mut whole| {
-                whole.instead_of = search.withdraw_all();
-                whole
-            });
-            return (whole, Some(described));
-        }
-        return (rest_of(&search.last, alpha), Some(described));
-    }
-    (rest_of(&search.last, alpha), None)
-}
-
-/// Returns true if a named effect already describes the shape.
-fn is_covered((shape, sensor): (Shape, Sensor), names: &[Name]) -> bool {
-    let quantity = match shape {
-        Shape::Heading => Quantity::Attitude,
-        Shape::LastTurn => Quantity::LastTurn,
-        _ => return false,
-    };
-    names.iter().any(|name| match &name.claim {
-        Claim::Effect(effect) => effect.sensor() == sensor && effect.needs().contains(&quantity),
-        _ => false,
-    })
-}
-
 /// The disagreement that a model leaves, where it is significant (family-wise chance `alpha`).
 pub fn rest_of(state: &State, alpha: f64) -> Option<Unexplained> {
-    rest_beside(state, &Described::of(state), alpha)
+    rest_beside(state, &Described::of(state, -alpha.ln()), alpha)
 }
 
-/// The same, with what shapes say of it.
+/// The disagreement that a model leaves, with what shapes say of it.
 pub fn rest_beside(state: &State, described: &Described, alpha: f64) -> Option<Unexplained> {
-    let misfits = Sequence::of(state, state.noise).misfits(state);
-    let mut trials = described.trials(state, -alpha.ln());
-    trials.extend(shapeless(state, &misfits)?);
+    let sequence = Sequence::of(state, state.noise);
+    let misfits = sequence.misfits(state);
+    let shapeless = shapeless(state, &misfits)?;
+    let trials: Vec<&Trial> = described.trials.iter().chain(&shapeless).collect();
     let count = trials.len() as f64;
-    let worst = trials.iter().min_by(|a, b| a.log_p.total_cmp(&b.log_p))?;
+    let trials = trials.iter().copied();
+    let worst = trials.clone().min_by(|a, b| a.log_p.total_cmp(&b.log_p))?;
     let is_significant = |trial: &Trial| trial.log_p + count.ln() <= alpha.ln();
     if !is_significant(worst) {
         return None;
     }
     // Whatever goes with the placement looks like a wandering that is forgotten from one to the next: a shape that leaves no
     // wandering says more.
-    let shapes = trials
-        .iter()
-        .filter(|trial| trial.columns.is_some() && is_significant(trial));
+    let shapes = trials.clone();
+    let shapes = shapes.filter(|trial| trial.columns.is_some() && is_significant(trial));
     let likeliest = shapes.min_by(|a, b| a.log_p.total_cmp(&b.log_p));
     let shape = likeliest.filter(|shape| {
         worst.wandering.is_some()
@@ -137,7 +88,7 @@ pub fn rest_beside(state: &State, described: &Described, alpha: f64) -> Option<U
     });
     let worst = shape.unwrap_or(worst);
     // The best of many periods explains a part of any bias that goes from placement to placement: a period is what leaves little.
-    let others = trials.iter().filter(|trial| trial.period.is_none());
+    let others = trials.filter(|trial| trial.period.is_none());
     let other = others.min_by(|a, b| a.log_p.total_cmp(&b.log_p));
     let is_rather = |other: &&Trial| worst.period.is_some() && is_significant(other);
     let worst = match other.filter(is_rather) {
@@ -148,10 +99,7 @@ pub fn rest_beside(state: &State, described: &Described, alpha: f64) -> Option<U
     let excess = |k: usize| (misfits[k].chi2 - misfits[k].dof) / misfits[k].dof.max(1.0).sqrt();
     let most = (1..3).fold(0, |best, k| if excess(k) > excess(best) { k } else { best });
     // The channel that shows most of the shape, where there is one; else that with the most excess.
-    let shown = worst.predicted.as_ref().map(|predicted| {
-        let sequence = Sequence::of(state, state.noise);
-        channel_of(&sequence.of_column(predicted.col_as_slice(0)))
-    });
+    let shown = worst.predicted.as_ref().map(|p| sequence.channel_of(p));
     let channel = worst.channel.or(shown).unwrap_or(Channel::ALL[most]);
     Some(Unexplained {
         channel,
@@ -205,17 +153,12 @@ fn wanders_beside(state: &State, shape: &Shaped, alpha: f64) -> bool {
 fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
     let whitened = state.projected.at(state.noise)?;
     let more = |channel: Option<Channel>, chi2: f64, dof: f64| Trial {
-        log_p: log_tail(chi2, dof),
-        statistic: chi2,
-        dof,
-        finding: Finding::of(Kind::MoreScatter),
-        of: None,
         channel,
-        period: None,
-        recording: None,
-        columns: None,
-        wandering: None,
-        predicted: None,
+        ..Trial::plain(
+            log_tail(chi2, dof),
+            (chi2, dof),
+            Finding::of(Kind::MoreScatter),
+        )
     };
     // Where the rate jumps between samples, that is why turns scatter, by more than one share for all can say.
     let is_knocked = state.fit.data.misses_something_between_samples();
@@ -230,18 +173,10 @@ fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
     }
     for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
         let (chi2, dof) = slopes(state, sensor, state.noise);
+        let drifts = Finding::of(Kind::DriftAtRest).of_sensor(sensor);
         trials.push(Trial {
-            log_p: log_tail(chi2, dof),
-            statistic: chi2,
-            dof,
-            finding: Finding::of(Kind::DriftAtRest).of_sensor(sensor),
-            of: None,
             channel: Some(channel_at_rest(sensor)),
-            period: None,
-            recording: None,
-            columns: None,
-            wandering: None,
-            predicted: None,
+            ..Trial::plain(log_tail(chi2, dof), (chi2, dof), drifts)
         });
     }
     Some(trials)

@@ -1,22 +1,23 @@
 //! Names that what remains explains, or outweighs, are withdrawn.
 
+use std::sync::Arc;
+
+use estimate::methods::joint::{BiasNoise, Known};
+use faer::Mat;
 use nalgebra::{DMatrix, DVector};
 use recording::Error;
 use sensor::{EffectRef, Role, Sensor};
 
 use super::biases::biases;
 use super::scatter::scatters;
-use super::unexplained::Unexplained;
-use super::weighed_again::weighed_again;
-use crate::extension::Extension;
-use crate::family::Claim;
+use crate::family::{Claim, Family, beside, families};
 use crate::gap::held_out::gap_of;
-use crate::gap::sequence::{Sequence, channel_of};
-use crate::rank::APART;
+use crate::gap::sequence::Sequence;
+use crate::rank::{APART, cost_of_choice};
 use crate::request::Session;
-use crate::score::log_tail;
+use crate::score::{log_tail, score};
 use crate::search::Search;
-use crate::state::State;
+use crate::state::{Extension, State};
 
 /// Coefficients that chance makes so large in more cases than this say nothing.
 const BY_CHANCE: f64 = 0.05;
@@ -30,30 +31,20 @@ pub(crate) fn without_weak(session: &Session<'_>, found: &mut Search) -> Result<
     let threshold = session.request.threshold();
     let noise = found.last.noise;
     let left = Sequence::of(&found.last, noise).misfits(&found.last);
-    let mut extension = found.last.extension.clone();
-    let before = found.names.len();
-    found.names.retain(|name| {
-        let Claim::Effect(effect) = &name.claim else {
-            return true;
-        };
+    found.withdraw_where(session, |name| {
+        if name.claim.effect().is_none() {
+            return false;
+        }
         let without = Sequence::of(&name.without, noise);
-        let channel = channel_of(&without.of_column(name.predicted().col_as_slice(0)));
+        let channel = without.channel_of(&name.predicted());
         let gap = gap_of(&left, channel).max(1.0);
         let before = gap_of(&without.misfits(&name.without), channel);
         let explains_nearly_all = gap.powi(2) < NEARLY_ALL * before.powi(2);
         let ranked = &name.ranked;
         let evident =
             explains_nearly_all || ranked.evidence_at(ranked.statistic / (gap * gap)) > threshold;
-        if !evident {
-            extension.effects.retain(|(e, _)| e.name() != effect.name());
-        }
-        evident
-    });
-    if found.names.len() == before {
-        return Ok(false);
-    }
-    found.last = found.fit(session, extension)?;
-    Ok(true)
+        !evident
+    })
 }
 
 /// Withdraws the steps that a bias which wanders explains as well: whether there were any.
@@ -64,32 +55,10 @@ pub(crate) fn without_doubtful_steps(
     session: &Session<'_>,
     search: &mut Search,
 ) -> Result<bool, Error> {
-    let mut less = search.last.extension.clone();
-    for name in &search.names {
-        let Claim::Effect(effect) = &name.claim else {
-            continue;
-        };
-        if effect.instant().is_some()
-            && wandering(&name.without, effect.sensor()) > name.ranked.by_ratio() - APART
-        {
-            less.effects.retain(|(own, _)| own.name() != effect.name());
-        }
-    }
-    withdraw(session, search, less)
-}
-
-/// Goes on with fewer effects and faults, where `less` has fewer; whether it has.
-pub(crate) fn withdraw(
-    session: &Session<'_>,
-    search: &mut Search,
-    less: Extension,
-) -> Result<bool, Error> {
-    let of = |own: &Extension| own.effects.len() + own.disturbed.len();
-    let has_fewer = of(&less) < of(&search.last.extension);
-    if has_fewer {
-        search.withdraw_to(session, less)?;
-    }
-    Ok(has_fewer)
+    search.withdraw_where(session, |name| {
+        let wanders = |sensor| wandering(&name.without, sensor) > name.ranked.by_ratio() - APART;
+        name.stepping().is_some_and(wanders)
+    })
 }
 
 /// The evidence that the bias of an axis of a sensor wanders.
@@ -101,18 +70,6 @@ fn wandering(state: &State, sensor: Sensor) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Withdraws the steps of a sensor whose bias wanders beside them: whether there were any.
-pub(crate) fn without_steps_of(
-    session: &Session<'_>,
-    search: &mut Search,
-    sensor: Sensor,
-) -> Result<bool, Error> {
-    let wanders = |effect: &EffectRef| effect.sensor() == sensor && effect.instant().is_some();
-    let mut less = search.last.extension.clone();
-    less.effects.retain(|(effect, _)| !wanders(effect));
-    withdraw(session, search, less)
-}
-
 /// Withdraws the effects that the last fit cannot tell from none: whether there were any.
 ///
 /// A name is evident beside those that the search had then. Where one of them has been withdrawn since, or a larger walk leaves its
@@ -122,7 +79,8 @@ pub(crate) fn without_undetermined(
     search: &mut Search,
 ) -> Result<bool, Error> {
     let known = search.last.fit.shared_uncertainty();
-    let values = &search.last.fit.parameters;
+    let fit = Arc::clone(&search.last.fit);
+    let values = &fit.parameters;
     let by_chance_alone = |effect: &EffectRef| {
         let of = |p: &sensor::Param| format!("{}.{}", effect.name(), p.name);
         let coefficients = effect.params().iter();
@@ -143,32 +101,124 @@ pub(crate) fn without_undetermined(
             log_tail(beta.dot(&factor.solve(&beta)), n as f64) > BY_CHANCE.ln()
         })
     };
-    let mut less = search.last.extension.clone();
-    let is_named = |own: &EffectRef| {
-        let names = search.names.iter();
-        let mut named = names.filter_map(|name| name.claim.effect());
-        named.any(|effect| effect.name() == own.name())
-    };
-    less.effects
-        .retain(|(effect, _)| !(is_named(effect) && by_chance_alone(effect)));
-    withdraw(session, search, less)
+    search.withdraw_where(session, |name| {
+        name.claim.effect().is_some_and(by_chance_alone)
+    })
 }
 
-/// Withdraws what is no longer evident beside the shape of what remains.
-pub(crate) fn weigh_beside_shape(
+/// Withdraws what is no longer evident beside `columns` (`m × k`, white-whitened), a shape or a formula, under the noise that it was found
+/// with: the names that go, `None` where all stays.
+pub(crate) fn withdrawn_beside(
     session: &Session<'_>,
     search: &mut Search,
-    found: &mut Unexplained,
-) -> Result<(), Error> {
-    let Some(shape) = &found.columns else {
-        return Ok(());
+    columns: &Mat<f64>,
+    noise: BiasNoise,
+) -> Result<Option<Vec<String>>, Error> {
+    let less = weighed_again(search, session, columns, noise);
+    less.map(|less| search.withdraw_to(session, less))
+        .transpose()
+}
+
+/// One term of the model, with the columns of the family that it was taken from.
+struct Item {
+    claim: Claim,
+    known: Option<Known>,
+    columns: Mat<f64>,
+    /// Price of its search, and degrees of freedom of a shape.
+    cost: f64,
+    shape_dof: f64,
+}
+
+/// The extension of the final model without what is no longer evident beside `columns` (`m × k`, white-whitened), a shape
+/// or a formula: backward elimination at the base model under the noise that it was found with. `None` where all stays.
+fn weighed_again(
+    search: &Search,
+    session: &Session<'_>,
+    columns: &Mat<f64>,
+    noise: BiasNoise,
+) -> Option<Extension> {
+    let (base, last) = (&search.base, &search.last);
+    let families = families(base, &session.candidates);
+    let mut items = items(last, &families);
+    let before = items.len();
+    let whitened = base.projected.at(noise)?;
+    let white = |columns: &Mat<f64>| whitened.columns(&base.projected.columns(columns.as_ref()));
+    let shape = white(columns);
+    for item in &mut items {
+        item.columns = white(&item.columns);
+    }
+    let explained = |kept: &[&Item]| {
+        let own = kept.iter().map(|item| item.columns.clone());
+        let all: Vec<Mat<f64>> = std::iter::once(shape.clone()).chain(own).collect();
+        let score = score(beside(&all, whitened.z.nrows()).as_ref(), &whitened.z);
+        (score.statistic, score.dof as f64)
     };
-    let Some(less) = weighed_again(search, &session.request, &shape.columns, shape.noise) else {
-        return Ok(());
-    };
-    let withdrawn = search.withdraw_to(session, less)?;
-    found.instead_of.extend(withdrawn);
-    Ok(())
+    while !items.is_empty() {
+        let all: Vec<&Item> = items.iter().collect();
+        let (whole, dof) = explained(&all);
+        let evidence = |k: usize| {
+            let mut others = all.clone();
+            let own = others.remove(k);
+            let (without, fewer) = explained(&others);
+            -log_tail(whole - without, (dof - fewer).max(1.0) + own.shape_dof) - own.cost
+        };
+        let weights = (0..items.len()).map(|k| (evidence(k), k));
+        let (least, place) = weights.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        if least > session.request.threshold() {
+            break;
+        }
+        items.remove(place);
+    }
+    (items.len() < before).then(|| without(&last.extension, &items))
+}
+
+fn items(last: &State, families: &[Family]) -> Vec<Item> {
+    let choice = cost_of_choice(families);
+    let mut items = Vec::new();
+    for family in families {
+        let cost = family.log_places + choice;
+        for (k, hypothesis) in family.hypotheses.iter().enumerate() {
+            let known = match &family.claim {
+                Claim::Effect(effect) => {
+                    let own = |(e, shape): &(sensor::EffectRef, _)| {
+                        e.name() == effect.name() && *shape == hypothesis.shape
+                    };
+                    if !last.extension.effects.iter().any(own) {
+                        continue;
+                    }
+                    None
+                }
+                Claim::Disturbed(fault) => {
+                    let known = hypothesis.place.and_then(|place| last.known(fault, place));
+                    if known.is_none() {
+                        continue;
+                    }
+                    known
+                }
+                Claim::Shape(..) => continue,
+            };
+            items.push(Item {
+                claim: family.claim.clone(),
+                known,
+                columns: family.columns_of(k),
+                cost,
+                shape_dof: family.shape_dof,
+            });
+        }
+    }
+    items
+}
+
+/// The extension with the `kept` alone; companions and what no family holds stay with them.
+fn without(extension: &Extension, kept: &[Item]) -> Extension {
+    let mut less = extension.clone();
+    less.disturbed
+        .retain(|known| kept.iter().any(|item| item.known == Some(*known)));
+    less.effects.retain(|(effect, _)| {
+        kept.iter()
+            .any(|item| matches!(&item.claim, Claim::Effect(own) if own.name() == effect.name()))
+    });
+    less
 }
 
 #[cfg(test)]

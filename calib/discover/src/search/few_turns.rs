@@ -25,7 +25,7 @@ impl Turns {
     pub fn knocked(state: &State) -> Option<Self> {
         let is_knocked = state.fit.data.misses_something_between_samples();
         is_knocked.then(|| {
-            let suspects = state.suspects().iter();
+            let suspects = state.suspects.iter();
             let turns = suspects.filter(|s| s.fault.scope == Scope::Turn);
             Self(turns.map(|turn| state.explained_by(turn)).collect())
         })

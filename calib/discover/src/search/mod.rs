@@ -1,36 +1,31 @@
 //! Naming what is missing, one thing after the other, until the rest is noise.
 
-pub(crate) mod alike;
-mod either;
 pub mod few_turns;
-mod held;
+mod named_claim;
+mod names;
 mod outlying_turns;
 mod pairs;
 mod ranking;
 mod review;
-mod together;
+mod two_together;
 
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
-pub use either::Either;
 use estimate::methods::joint::{Data, Known};
-use faer::Mat;
 use findings::{Finding, Kind};
+pub use names::{Either, Name, Search, Tie};
 use outlying_turns::outlying_turns;
 pub(crate) use ranking::{Ranking, VERTICAL};
 use recording::Error;
 use sensor::EffectRef;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-use self::held::Held;
-use crate::extension::Extension;
-use crate::extension::with_companions;
-use crate::family::{Claim, Family, Hypothesis};
+use self::named_claim::Held;
+use crate::family::{Claim, Family};
 use crate::rank::Ranked;
 use crate::request::Session;
-use crate::separation::Rivalry;
-use crate::state::State;
+use crate::state::{Extension, State, with_companions};
 
 /// Names at most; a device that seems to lack more is not understood.
 const MOST_NAMES: usize = 6;
@@ -57,168 +52,81 @@ fn cost_of_fit(data: &Data) -> f64 {
     (0..data.sources.len()).map(of).sum()
 }
 
-/// Something named.
-#[derive(Clone, Debug)]
-pub struct Name {
-    /// The claim.
-    pub claim: Claim,
-    /// In which way.
-    pub hypothesis: Hypothesis,
-    /// The evidence for it, everything else that is named being in the model.
-    pub ranked: Ranked,
-    /// Other claims that these recordings cannot tell from it.
-    pub ties: Vec<Tie>,
-    /// The model with everything else that is named.
-    pub without: State,
-    /// Its columns (`m × k`), white-whitened.
-    pub columns: Mat<f64>,
-}
-
-impl Name {
-    /// The best of a family's hypotheses, beside the model `without` it.
-    pub(crate) fn of(families: &[Family], ranked: &Ranked, without: State, ties: Vec<Tie>) -> Self {
-        let family = &families[ranked.family];
-        Self {
-            claim: family.claim.clone(),
-            hypothesis: family.hypotheses[ranked.hypothesis].clone(),
-            columns: family.columns_of(ranked.hypothesis),
-            ranked: ranked.clone(),
-            ties,
-            without,
-        }
-    }
-
-    /// `E β`: the contribution of the estimate to the rows (`m × 1`), white-whitened.
-    pub fn predicted(&self) -> Mat<f64> {
-        let change = &self.ranked.score.change;
-        &self.columns * Mat::from_fn(self.columns.ncols(), 1, |i, _| change[i])
-    }
-}
-
-/// A claim that explains the data about as well as the named one.
-#[derive(Clone, Debug)]
-pub struct Tie {
-    /// The claim.
-    pub claim: Claim,
-    /// Evidence that it lacks against the named one.
-    pub behind: f64,
-    /// The share of what the named one explains that it explains too, `ρ²`.
-    pub shared: f64,
-    /// Separation of the two, where both are effects.
-    pub rivalry: Option<Rivalry>,
-}
-
-/// All names and the models on the way.
-#[derive(Clone, Debug)]
-pub struct Search {
-    /// The base models.
-    pub base: State,
-    /// The model with everything named.
-    pub last: State,
-    /// Claims that were named, most evident first, without the disturbances that are significant by their own parameters.
-    pub names: Vec<Name>,
-    /// Disturbances that these recordings cannot tell from something else.
-    pub either: Vec<Either>,
-    /// The evidence for all that was named, by likelihood ratios: together, as one was found after the other, or each beside the
-    /// others, whichever says more.
-    pub evidence: f64,
-    /// The ranking against the base models, best first.
-    pub first_ranking: Vec<(Claim, Ranked)>,
-    /// Effects that the recordings would not show, had the device them.
-    pub not_observable: Vec<String>,
-    /// Finding that the search stopped early, as it would have taken too long.
-    pub spent: Option<Finding>,
-    /// Models that were fitted on the way.
-    fitted: Vec<State>,
-}
-
-impl Search {
-    /// The base models, with nothing looked for.
-    pub fn without_names(base: State) -> Self {
-        Self {
-            last: base.clone(),
-            base,
-            names: Vec::new(),
-            either: Vec::new(),
-            evidence: 0.0,
-            first_ranking: Vec::new(),
-            not_observable: Vec::new(),
-            spent: None,
-            fitted: Vec::new(),
-        }
-    }
-}
-
-impl Search {
-    /// The base models, without any name: the names that go.
-    pub fn withdraw_all(&mut self) -> Vec<String> {
-        self.last = self.base.clone();
-        self.evidence = 0.0;
-        let names = std::mem::take(&mut self.names).into_iter();
-        names.map(|name| name.claim.name().into()).collect()
-    }
-
-    /// The model with less in it: the names that go.
-    ///
-    /// # Errors
-    /// As the joint fit.
-    pub fn withdraw_to(
-        &mut self,
-        session: &Session<'_>,
-        less: Extension,
-    ) -> Result<Vec<String>, Error> {
-        let stays = |name: &Name| match &name.claim {
-            Claim::Effect(effect) => less.effects.iter().any(|(e, _)| e.name() == effect.name()),
-            Claim::Disturbed(fault) => less
-                .disturbed
-                .iter()
-                .any(|known| known.fault == *fault && Some(known.place) == name.hypothesis.place),
-            Claim::Shape(..) => true,
-        };
-        let gone = self.names.iter().filter(|name| !stays(name));
-        let gone = gone.map(|name| name.claim.name().into()).collect();
-        self.names.retain(stays);
-        self.last = self.fit(session, less)?;
-        Ok(gone)
-    }
-
-    /// The model with an extension, fitted unless it was before.
-    ///
-    /// # Errors
-    /// As the joint fit.
-    pub fn fit(&mut self, session: &Session<'_>, extension: Extension) -> Result<State, Error> {
-        let all = self.fitted.iter().chain([&self.base, &self.last]);
-        if let Some(known) = all.into_iter().find(|s| s.extension.is_same(&extension)) {
-            return Ok(known.clone());
-        }
-        let state = State::fit(session, extension)?;
-        self.fitted.push(state.clone());
-        Ok(state)
-    }
-}
-
 /// Names what is missing.
 ///
 /// # Errors
 /// As the joint fit.
 pub fn search(session: &Session<'_>, base: State) -> Result<Search, Error> {
-    let candidates = session.request.candidates();
     let most = MOST_WORK / cost_of_fit(&base.fit.data).max(1.0);
     let finder = Finder {
         session,
-        catalogue: &candidates,
+        catalogue: &session.candidates,
         threshold: session.request.threshold(),
         most_fits: (most as usize).max(FEWEST_FITS),
         fits: Cell::new(0),
         linearised: Cell::new(0),
-        fitted: RefCell::new(Vec::new()),
+        fitted: RefCell::new(vec![base.clone()]),
         rankings: RefCell::new(Vec::new()),
+        base: base.clone(),
     };
-    finder.run(base)
+    let mut held = outlying_turns(&base);
+    let gross = held.len();
+    let mut last = finder.state(&held)?;
+    let (mut first_ranking, mut not_observable) = (Vec::new(), Vec::new());
+    let (mut spent, mut unfit) = (false, Vec::new());
+    while held.len() < MOST_NAMES + gross {
+        let ranking = finder.ranked(&last);
+        let (families, ranked) = (&ranking.families, &ranking.ranked);
+        let next = finder.next(families, ranked, &unfit);
+        if held.len() == gross {
+            first_ranking = ranking.first();
+            not_observable = ranking.not_observable();
+        }
+        let next = match next {
+            Some(next) => vec![next],
+            None => finder
+                .two_together(&last, &ranking, &unfit)
+                .map_or_else(Vec::new, |two| two.to_vec()),
+        };
+        if next.is_empty() {
+            break;
+        }
+        // The next name, and the review of all.
+        if finder.is_spent(held.len() + next.len() + 1) {
+            spent = true;
+            break;
+        }
+        let before = held.len();
+        held.extend(next);
+        match finder.state(&held) {
+            Ok(state) => last = state,
+            Err(Error::Cancelled) => return Err(Error::Cancelled),
+            // A claim that the data do not hold together with is none.
+            Err(_) => unfit.extend(held.drain(before..).map(|h| h.claim)),
+        }
+    }
+    let reviewed = finder.review(last, held)?;
+    let spent = (spent || reviewed.is_spent).then(|| {
+        Finding::of(Kind::SearchCutShort)
+            .count("fits", finder.fits.get())
+            .count("count", base.fit.data.rests.len())
+    });
+    Ok(Search {
+        spent,
+        base,
+        last: reviewed.last,
+        names: reviewed.names,
+        either: reviewed.either,
+        evidence: reviewed.evidence,
+        first_ranking,
+        not_observable,
+        fitted: finder.fitted.into_inner(),
+    })
 }
 
 struct Finder<'a> {
     session: &'a Session<'a>,
+    base: State,
     catalogue: &'a [EffectRef],
     threshold: f64,
     most_fits: usize,
@@ -238,66 +146,14 @@ impl Finder<'_> {
         self.fits.get() + more > self.most_fits || self.linearised.get() > MOST_LINEARISED
     }
 
-    fn run(self, base: State) -> Result<Search, Error> {
-        let mut held = outlying_turns(&base);
-        let gross = held.len();
-        let mut last = if held.is_empty() {
-            base.clone()
-        } else {
-            self.state(&held)?
-        };
-        let (mut first_ranking, mut not_observable) = (Vec::new(), Vec::new());
-        let (mut spent, mut unfit) = (false, Vec::new());
-        while held.len() < MOST_NAMES + gross {
-            let ranking = self.ranked(&last);
-            let (families, ranked) = (&ranking.families, &ranking.ranked);
-            let next = self.next(families, ranked, &unfit);
-            if held.len() == gross {
-                first_ranking = ranking.first();
-                not_observable = ranking.not_observable();
-            }
-            let next = match next {
-                Some(next) => vec![next],
-                None => self
-                    .two_together(&last, &ranking, &unfit)
-                    .map_or_else(Vec::new, |two| two.to_vec()),
-            };
-            if next.is_empty() {
-                break;
-            }
-            // The next name, and the review of all.
-            if self.is_spent(held.len() + next.len() + 1) {
-                spent = true;
-                break;
-            }
-            let before = held.len();
-            held.extend(next);
-            match self.state(&held) {
-                Ok(state) => last = state,
-                Err(Error::Cancelled) => return Err(Error::Cancelled),
-                // A claim that the data do not hold together with is none.
-                Err(_) => unfit.extend(held.drain(before..).map(|h| h.claim)),
-            }
-        }
-        let reviewed = self.review(&base, last, held)?;
-        let spent = (spent || reviewed.is_spent).then(|| {
-            Finding::of(Kind::SearchCutShort)
-                .count("fits", self.fits.get())
-                .count("count", base.fit.data.rests.len())
-        });
-        Ok(Search {
-            spent,
-            base,
-            last: reviewed.last,
-            names: reviewed.names,
-            either: reviewed.either,
-            evidence: reviewed.evidence,
-            first_ranking,
-            not_observable,
-            fitted: self.fitted.into_inner(),
-        })
+    /// The model with all that is held but one.
+    fn without(&self, held: &[Held], k: usize) -> Result<State, Error> {
+        let mut others = held.to_vec();
+        others.remove(k);
+        self.state(&others)
     }
 
+    /// The model with all that is held, fitted unless it was before.
     fn state(&self, held: &[Held]) -> Result<State, Error> {
         let extension = self.extension(held);
         let mut fitted = self.fitted.borrow_mut();

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use recording::averages::median;
 
 use super::few_turns::KNOCKED;
-use super::held::Held;
+use super::named_claim::Held;
 use crate::family::{Claim, Hypothesis};
 use crate::state::State;
 
@@ -24,7 +24,7 @@ const SHARE: f64 = 0.2;
 /// come before it. The worst is taken out first; at the end each has to be as far off with all others out.
 pub(super) fn outlying_turns(state: &State) -> Vec<Held> {
     let suspects: Vec<&Suspect> = state
-        .suspects()
+        .suspects
         .iter()
         .filter(|s| s.fault.scope == Scope::Turn)
         .collect();

@@ -3,17 +3,17 @@
 use faer::Mat;
 
 use super::Finder;
-use super::held::Held;
+use super::named_claim::Held;
 use super::ranking::PAIRED;
 use crate::family::{Claim, beside};
 use crate::rank::{APART, Ranked};
 use crate::score::{log_tail, score};
-use crate::state::State;
 
 impl Finder<'_> {
     /// Two effects found one after the other may stand for two others: all pairs of the best families at the
     /// base model, the best of them instead where it is 20 to 1 better. Whether it was.
-    pub(super) fn try_pairs(&self, base: &State, held: &mut Vec<Held>) -> bool {
+    pub(super) fn try_pairs(&self, held: &mut Vec<Held>) -> bool {
+        let base = &self.base;
         let ranking = self.ranked(base);
         let (families, ranked) = (&ranking.families, &ranking.ranked);
         let noise = base.noise;

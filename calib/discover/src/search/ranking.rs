@@ -4,8 +4,7 @@ use nalgebra::DVector;
 use sensor::{EffectRef, Nature};
 
 use super::few_turns::Turns;
-use crate::family::{Claim, Family, families, is_late, references};
-use crate::heading::places_by_heading;
+use crate::family::{Claim, Family, families, is_late, places_by_heading, references};
 use crate::rank::{Ranked, rank};
 use crate::state::State;
 

@@ -1,19 +1,18 @@
 //! A second look at every name, everything else that was named being in the model.
 
 use effects::room_field;
-use estimate::methods::joint::Known;
+use estimate::methods::joint::{Data, Known, Scope};
 use recording::Error;
 use sensor::Sensor;
 
-use super::either::Either;
-use super::held::Held;
+use super::named_claim::Held;
+use super::names::{Either, Name, Tie};
 use super::ranking::{Earth, as_the_earth};
-use super::{Finder, MOST_NAMES, Name, Tie};
-use crate::extension::with_companions;
+use super::{Finder, MOST_NAMES};
 use crate::family::{Claim, Family};
 use crate::rank::{APART, Ranked, shared};
 use crate::separation::Rivalry;
-use crate::state::State;
+use crate::state::{State, with_companions};
 
 /// A claim that explains no more than this share of what the named one does is another matter, and no tie.
 const OF_THE_SAME: f64 = 0.2;
@@ -24,7 +23,6 @@ fn as_a_room(family: &Family, named: &Ranked) -> Option<Tie> {
     let field = room_field(Sensor::Gyroscope).filter(|_| is_either)?;
     Some(Tie {
         claim: Claim::Effect(field),
-        behind: 0.0,
         shared: 1.0,
         rivalry: None,
     })
@@ -49,14 +47,9 @@ enum Verdict {
 impl Finder<'_> {
     /// Each name against all others once more, everything else named being in the model: names that are no
     /// longer evident go, and a name makes way for one that is more evident.
-    pub(super) fn review(
-        &self,
-        base: &State,
-        last: State,
-        mut held: Vec<Held>,
-    ) -> Result<Reviewed, Error> {
-        let (mut last, mut is_spent) = (last, false);
-        if held.len() == 2 && self.try_pairs(base, &mut held) {
+    pub(super) fn review(&self, mut last: State, mut held: Vec<Held>) -> Result<Reviewed, Error> {
+        let mut is_spent = false;
+        if held.len() == 2 && self.try_pairs(&mut held) {
             last = self.state(&held)?;
         }
         for _ in 0..2 * MOST_NAMES {
@@ -68,7 +61,7 @@ impl Finder<'_> {
                     continue;
                 }
                 let own = held[k].clone();
-                let without = self.without(base, &held, k)?;
+                let without = self.without(&held, k)?;
                 let ranking = self.ranked(&without);
                 let (families, ranked) = (&ranking.families, &ranking.ranked);
                 match self.judge(&own, families, ranked) {
@@ -95,7 +88,7 @@ impl Finder<'_> {
                 let beside: f64 = certain.iter().map(|(_, evidence)| evidence).sum();
                 let beside = names.iter().map(|n| n.ranked.by_ratio()).sum::<f64>() + beside;
                 return Ok(Reviewed {
-                    either: self.either(base, &held, &names, &certain)?,
+                    either: self.either(&held, &names, &certain)?,
                     names,
                     evidence: found.max(beside),
                     last,
@@ -107,17 +100,13 @@ impl Finder<'_> {
                 is_spent = true;
                 break;
             }
-            last = if held.is_empty() {
-                base.clone()
-            } else {
-                self.state(&held)?
-            };
+            last = self.state(&held)?;
         }
         Ok(Reviewed {
             names: Vec::new(),
             either: Vec::new(),
             evidence: 0.0,
-            last: base.clone(),
+            last: self.base.clone(),
             is_spent,
         })
     }
@@ -155,7 +144,7 @@ impl Finder<'_> {
     }
 
     /// The claims whose evidence is within 20 to 1 of the named one's, and that explain some of the same.
-    pub(super) fn ties(
+    fn ties(
         &self,
         state: &State,
         families: &[Family],
@@ -167,7 +156,6 @@ impl Finder<'_> {
             .filter(|r| r.family != named.family && r.evidence > named.evidence - APART)
             .map(|r| Tie {
                 claim: families[r.family].claim.clone(),
-                behind: named.evidence - r.evidence,
                 shared: shared(&state.projected, families, named, r).unwrap_or(0.0),
                 rivalry: Rivalry::of(state, families, (named, r), self.catalogue),
             })
@@ -185,4 +173,84 @@ impl Finder<'_> {
             _ => false,
         }
     }
+
+    /// Lists the alternatives to the disturbances in the model: from the ties of a named one, and by one more fit without
+    /// it for a `certain` one of a static interval.
+    ///
+    /// A creep about the vertical has the same effect on the readings of a static interval as a rate excursion, and a push
+    /// across gravity the same as a turn that lost samples.
+    fn either(
+        &self,
+        held: &[Held],
+        names: &[Name],
+        certain: &[(Known, f64)],
+    ) -> Result<Vec<Either>, Error> {
+        let mut all = Vec::new();
+        for name in names {
+            if let (Claim::Disturbed(kind), Some(place)) = (&name.claim, name.hypothesis.place) {
+                all.extend(Either::of(
+                    Known::disturbed(kind, place),
+                    names_of(&name.ties),
+                ));
+            }
+        }
+        for (known, _) in certain {
+            let k = held.iter().position(|h| h.is(known));
+            let of_a_rest = known.fault.is_over_with_interval;
+            let (Some(k), true, false) = (k, of_a_rest, self.is_spent(1)) else {
+                continue;
+            };
+            let mut ties = self.other_faults(held, k)?;
+            let exchanged = across(&self.base.fit.data, held, k)
+                .filter(|_| ties.is_empty() && !self.is_spent(1));
+            if let Some(exchanged) = exchanged {
+                ties = self.other_faults(&exchanged, k)?;
+            }
+            all.extend(Either::of(*known, names_of(&ties)));
+        }
+        Ok(all)
+    }
+
+    /// The disturbances that do to the data what the one at place `k` of those held does, beside the others.
+    fn other_faults(&self, held: &[Held], k: usize) -> Result<Vec<Tie>, Error> {
+        let without = self.without(held, k)?;
+        let ranking = self.ranked(&without);
+        let (families, ranked) = (&ranking.families, &ranking.ranked);
+        let own = held[k].found(families, ranked);
+        let ties = own.map(|own| self.ties(&without, families, ranked, own));
+        let mut ties = ties.unwrap_or_default();
+        ties.retain(|tie| matches!(tie.claim, Claim::Disturbed(_)));
+        Ok(ties)
+    }
+}
+
+/// The names held with the turn on the other side of the rest `k`, where a turn beside it is held as bad: a rest whose direction is
+/// open makes both the same, and rounding decides which of them is found.
+fn across(data: &Data, held: &[Held], k: usize) -> Option<Vec<Held>> {
+    let place = held[k].hypothesis.place?;
+    let rest = match held[k].claim {
+        Claim::Disturbed(fault) => fault.scope.static_interval(data, place)?,
+        _ => place,
+    };
+    let other_side = |h: &Held| {
+        if !matches!(h.claim, Claim::Disturbed(fault) if fault.scope == Scope::Turn) {
+            return None;
+        }
+        let from = data.turns.get(h.hypothesis.place?)?.from;
+        let from = match rest.checked_sub(from)? {
+            0 => rest.checked_sub(1)?,
+            1 => rest,
+            _ => return None,
+        };
+        data.turns.iter().position(|turn| turn.from == from)
+    };
+    let turns = held.iter().map(other_side);
+    let (j, turn) = turns.enumerate().find_map(|(j, turn)| Some((j, turn?)))?;
+    let mut exchanged = held.to_vec();
+    exchanged[j].hypothesis.place = Some(turn);
+    Some(exchanged)
+}
+
+fn names_of(ties: &[Tie]) -> impl Iterator<Item = String> {
+    ties.iter().map(|tie| tie.claim.name().to_owned())
 }

@@ -9,9 +9,8 @@ use simulate::{Grade, Motion, Planned, PlannedStep, Sampling, SensorSpec, Spec, 
 
 use super::information::Information;
 use super::rivalry::Rivalry;
-use crate::extension::Extension;
 use crate::request::{Request, Session};
-use crate::state::State;
+use crate::state::{Extension, State};
 
 /// Half of what temperature rises and falls by, K.
 const SWING: f64 = 8.0;

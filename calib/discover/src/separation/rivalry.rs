@@ -7,10 +7,9 @@ use sensor::{EffectRef, Quantity, Role};
 use serde::{Deserialize, Serialize};
 
 use super::information::Information;
-use crate::extension::with_companions;
 use crate::family::{Family, beside, coefficients};
 use crate::rank::Ranked;
-use crate::state::State;
+use crate::state::{State, with_companions};
 
 /// An effect as it would be if it alone were what is missing.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -9,12 +9,11 @@ use sensor::EffectRef;
 use super::findings::UnitAlone;
 use crate::calibrated::calibration;
 use crate::discovery::discover_in;
-use crate::extension::Extension;
 use crate::findings::Findings;
 use crate::findings::named::parameters_of;
 use crate::gap::sequence::{Misfit, Sequence};
 use crate::request::{Request, Session};
-use crate::state::State;
+use crate::state::{Extension, State};
 
 /// A unit with its model.
 #[derive(Clone, Debug)]
@@ -97,8 +96,7 @@ impl<'a> Unit<'a> {
         let mut unit = self.clone();
         if self.state.has(effect.name()) {
             let mut extension = self.state.extension.clone();
-            let is_other = |(own, _): &(EffectRef, _)| own.name() != effect.name();
-            extension.effects.retain(is_other);
+            extension.remove(effect.name());
             unit.state = State::fit(&self.session, extension)?;
         }
         Ok(unit)

@@ -1,21 +1,21 @@
 //! Time constants of named effects, fitted where the recordings show them.
 
-use ::findings::{Finding, Kind};
 use std::ops::Range;
 
+use ::findings::{Finding, Kind};
 use estimate::calibration::Calibration;
 use sensor::{Param, Role};
 use solver::Parameters;
 
-use crate::family::tried;
-use crate::request::Session;
-use crate::state::State;
+use super::family::tried;
+use super::request::Session;
+use super::state::State;
 
 /// A time constant so many times beyond those tried is none that the recording shows.
 const BEYOND_TRIED: f64 = 3.0;
 
 /// A time constant that these recordings do not show.
-pub(crate) struct HeldShape {
+pub struct HeldShape {
     effect: String,
     parameter: Param,
     value: f64,
@@ -33,7 +33,7 @@ impl HeldShape {
 /// that. The effects of which they do not, with the parameter and its value.
 ///
 /// Whatever else shapes an effect stays: the delay of late stamps is measured where no fit of static intervals sees it.
-pub(crate) fn settle(session: &Session<'_>, last: &mut State) -> Vec<HeldShape> {
+pub fn settle(session: &Session<'_>, last: &mut State) -> Vec<HeldShape> {
     let effects = last.extension.effects.iter();
     let shaped = effects.filter_map(|(effect, shape)| {
         let (k, value) = (*shape)?;
@@ -64,7 +64,7 @@ pub(crate) fn settle(session: &Session<'_>, last: &mut State) -> Vec<HeldShape> 
 }
 
 /// Amplitudes beside a time constant that was supposed and not fitted have no standard error that holds.
-pub(crate) fn say_held(calibration: &mut Calibration, held: &[HeldShape]) {
+pub fn say_held(calibration: &mut Calibration, held: &[HeldShape]) {
     for HeldShape {
         effect,
         parameter: Param { name, unit, .. },

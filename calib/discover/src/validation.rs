@@ -14,13 +14,12 @@ use recording::{Error, Recording};
 use sensor::{EffectRef, Model};
 
 use crate::discovery::Discovery;
-use crate::extension::Extension;
 use crate::findings::{Confirmation, Says, Validation};
 use crate::gap::channel::Channel;
 use crate::gap::sequence::{Misfit, Sequence, whitening_at};
 use crate::request::{Request, Session};
 use crate::search::{Name, Search};
-use crate::state::State;
+use crate::state::{Extension, State, joint_request};
 
 /// Gauss–Newton steps of directions and biases: the problem is all but linear in them, and the first is
 /// taken at the recording's own fit.
@@ -182,10 +181,13 @@ impl Missed {
         // An instant belongs to the recording that it was found in: nothing is judged by it here.
         let lasting = |(effect, _): &&(EffectRef, _)| effect.instant().is_none();
         let effects = model.extension.effects.iter().filter(lasting);
-        let fit = fit_joint(&session.joint(&Extension {
-            effects: effects.cloned().collect(),
-            ..Extension::default()
-        }))?;
+        let fit = fit_joint(&joint_request(
+            session,
+            &Extension {
+                effects: effects.cloned().collect(),
+                ..Extension::default()
+            },
+        ))?;
         let held = HeldCalibration::of(&under(model, noise), &fit);
         let rows = fit.plain_rows();
         let mut x = fit.parameters.values()[..rows.layout.count()].to_vec();

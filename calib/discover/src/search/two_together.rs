@@ -7,7 +7,7 @@ use faer::Mat;
 use nalgebra::{DMatrix, DVector};
 
 use super::Finder;
-use super::held::Held;
+use super::named_claim::Held;
 use super::ranking::{PAIRED, Ranking};
 use crate::family::{Claim, Family, beside};
 use crate::noise::level::Level;

@@ -1,22 +1,18 @@
 //! The calibration of a final model, with what its recordings determine.
 
-mod settle;
-
 use ::findings::{Finding, Kind};
 use estimate::calibrate::{
     Account, Frame, beside_the_others, count_motion, gyroscope_of_one_device, written_down,
 };
 use estimate::calibration::Calibration;
-use estimate::methods::earth;
-use estimate::methods::joint::{JointFit, JointRequest, fit_joint};
+use estimate::methods::joint::JointFit;
 use recording::{Error, Recording};
 use sensor::EffectRef;
-pub(crate) use settle::{HeldShape, settle};
 
-use self::settle::say_held;
 use super::request::Session;
 use super::search::Search;
 use super::state::State;
+use super::time_constants::{HeldShape, say_held, settle};
 
 /// The calibration of the final model, `held` what its recordings do not show of the shapes of named effects; with what is to be said of the
 /// recordings.
@@ -29,7 +25,7 @@ pub(super) fn calibrated(
     held: Vec<HeldShape>,
 ) -> Result<Calibration, Error> {
     let (calibration, held) = determined(session, search, held)?;
-    let mut calibration = match fitted_again(session, &search.last)? {
+    let mut calibration = match search.last.fitted_in_full(session)? {
         Some(fit) => written(&fit, session.request.latitude.is_some(), session)?,
         None => calibration,
     };
@@ -45,11 +41,20 @@ pub(super) fn calibrated(
     Ok(calibration)
 }
 
-/// The same with the magnetometer, in which nothing is looked for: the file takes the place of a calibration.
-pub(super) fn with_magnetometer(
+/// The calibration with the magnetometer, in which nothing is looked for. Where `last` has a rotation that is the earth's or a field's of
+/// the room, corrected rates keep it.
+pub(super) fn completed(
     session: &Session<'_>,
-    calibration: Calibration,
+    last: &State,
+    mut calibration: Calibration,
+    is_of_a_room: bool,
 ) -> Result<Calibration, Error> {
+    if is_of_a_room {
+        calibration = Calibration {
+            warnings: calibration.warnings,
+            ..written(&last.fit, true, session)?
+        };
+    }
     let choices: Vec<_> = session.recordings.iter().map(|(_, c)| c).collect();
     beside_the_others(
         calibration,
@@ -61,38 +66,7 @@ pub(super) fn with_magnetometer(
 
 /// The calibration of a model.
 pub(super) fn calibration(session: &Session<'_>, last: &State) -> Result<Calibration, Error> {
-    calibration_that(session.request.latitude.is_some(), session, last)
-}
-
-/// The same, which may keep the earth's rotation in corrected rates though no latitude is given.
-pub(super) fn calibration_that(
-    keeps_the_earth: bool,
-    session: &Session<'_>,
-    last: &State,
-) -> Result<Calibration, Error> {
-    written(&last.fit, keeps_the_earth, session)
-}
-
-/// The final model with what the search leaves out, `None` where that is nothing. Where nobody says the latitude the earth's rotation is
-/// uncertainty: at rest its vertical part does what the diagonal of a g-sensitivity does, and the rotation is one of the things that are
-/// looked for. Where the device turns at rest, rates and turns scatter by that.
-fn fitted_again(session: &Session<'_>, last: &State) -> Result<Option<JointFit>, Error> {
-    let request = session.joint(&last.extension);
-    let of_the_earth = request.gyroscope.effects();
-    let earth = session.request.latitude.is_none() && !earth::is_among(of_the_earth);
-    let turns = session.remarks.has(Kind::RestsTurn);
-    if !earth && !turns {
-        return Ok(None);
-    }
-    let fit = fit_joint(&JointRequest {
-        earth,
-        disturbances: turns,
-        compared: false,
-        before: Some(&*last.fit).filter(|_| !turns),
-        from_its_minimum: request.from_its_minimum && !turns,
-        ..request
-    })?;
-    Ok(Some(fit))
+    written(&last.fit, session.request.latitude.is_some(), session)
 }
 
 /// The calibration of a fit.
@@ -139,7 +113,7 @@ fn determined(
         let less = |effect: &EffectRef| {
             let mut less = extension.clone();
             less.settles = false;
-            less.effects.retain(|(own, _)| own.name() != effect.name());
+            less.remove(effect.name());
             less
         };
         let effects = search.names.iter().filter_map(|name| name.claim.effect());
