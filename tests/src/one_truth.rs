@@ -99,6 +99,8 @@ fn size_of(effect: &EffectRef) -> f64 {
         // A table vibrates until the device leaves it, an interval ends a little before: over that time a gyroscope's error
         // goes uncorrected, and should stay below the noise of a turn.
         (true, Sensor::Gyroscope) => 6.0,
+        // It shows where the axis of a turn turns, which is little of a turn.
+        (false, Sensor::Gyroscope) if effect.is_positive() => 20.0,
         (_, Sensor::Magnetometer) | (false, _) => 3.0,
     }
 }

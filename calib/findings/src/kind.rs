@@ -945,6 +945,8 @@ kinds! {
     RecordNotFinite = "record_not_finite",
     /// A sensor lacks columns.
     ColumnMissing = "column_missing",
+    /// The columns of a magnetometer in a file of its own are not known.
+    FieldColumnsUnknown = "field_columns_unknown",
     /// No columns are a sensor's.
     NoSensorColumns = "no_sensor_columns",
     /// Two columns have one role.

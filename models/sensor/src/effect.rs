@@ -64,7 +64,7 @@ pub trait Effect: Send + Sync + 'static {
     /// True if the error is `F p`: linear in the parameters, with an `F` that does not depend on this sensor's own
     /// signal. Fits of such an effect are faster; `false` is always right.
     const LINEAR: bool = false;
-    /// Quantities that the effect depends on, except its own signal. An effect is refused if one of them is not known,
+    /// Quantities that the effect depends on. An effect is refused if one of them is not known,
     /// and the message names it. `None`: they are determined by trial ([`observed_needs`]).
     const NEEDS: Option<&'static [Quantity]> = None;
     /// True if no sensor has negative coefficients: what speaks for them speaks for something else.

@@ -20,6 +20,9 @@ const SAME: f64 = 1e-3;
 const NOTICED: f64 = 2e-4;
 const SAID: f64 = 1e-5;
 
+/// Standard errors within which scale factors are the same, and twice as many beyond which they differ.
+const CHANCE: f64 = 3.0;
+
 /// A gyroscope that differs by more is another: temperatures of a room and clocks of one maker do not make so much.
 const ANOTHER_GYROSCOPE: f64 = 3e-3;
 
@@ -84,6 +87,10 @@ pub(super) fn same_accelerometer(
                     .detail("one", format!("{:.5}", difference.values[0]))
                     .detail("two", format!("{:.5}", difference.values[1]))
                     .detail("distance", format!("{:.0}", difference.distance));
+                let found = match gravity_apart(a, b) {
+                    Some(share) => found.number("gravity", share, "share"),
+                    None => found,
+                };
                 between.add_to(found)
             };
             let is_another = difference.size > SAME && difference.p_value < LEVEL;
@@ -169,6 +176,23 @@ impl Temperatures {
 
 fn spare(fit: &AccelerometerFit) -> f64 {
     fit.first.residuals.len() as f64 - fit.first.uncertainty.rank as f64
+}
+
+/// The share by which gravity would be another in the second fit, where all scale factors differ by the same and by more than chance.
+fn gravity_apart(a: &AccelerometerFit, b: &AccelerometerFit) -> Option<f64> {
+    let of = |axis: &str| {
+        let name = format!("accel.s_{axis}");
+        let value = |fit: &AccelerometerFit| fit.fitted.parameters.get(&name);
+        let error = |fit: &AccelerometerFit| fit.fitted.standard_error(&name);
+        let (x, y) = (value(a)?, value(b)?);
+        Some((y / x - 1.0, (error(a)? / x).hypot(error(b)? / y)))
+    };
+    let all: Vec<(f64, f64)> = ["x", "y", "z"].iter().filter_map(|axis| of(axis)).collect();
+    let mean = all.iter().map(|(change, _)| change).sum::<f64>() / 3.0;
+    let is_common = |(change, std): &(f64, f64)| {
+        (change - mean).abs() < CHANCE * std && mean.abs() > 2.0 * CHANCE * std
+    };
+    (all.len() == 3 && all.iter().all(is_common)).then_some(-mean)
 }
 
 /// A parameter in which two fits differ.

@@ -54,8 +54,8 @@ pub(super) fn add_magnetometer(
         return;
     };
     let Some(part) = magnetometer::part(&Look::at(&files.head(entry)), unit) else {
-        let what = format!("the columns of {} are not understood", shown(&entry.name));
-        return parts::without_field(tables, &what);
+        let unknown = Finding::of(Kind::FieldColumnsUnknown).detail("file", shown(&entry.name));
+        return parts::without_field(tables, &Error::input(unknown));
     };
     let origin = tables.first().and_then(|table| table.clock.origin);
     let read = files.text(entry, options);

@@ -50,12 +50,17 @@ pub fn listed(motions: &[Span]) -> String {
     format!("t = {}{more}", shown.join(", "))
 }
 
+/// The unit of a gyroscope whose header names none, and whose readings do not tell it.
+fn assumed() -> Finding {
+    Finding::of(Kind::UnitAssumed).of_sensor(Sensor::Gyroscope)
+}
+
 /// The recording as a stream where the file allows it, else in memory.
 #[derive(Debug)]
 pub struct Source<'a> {
     args: &'a Args,
     recording: Option<Recording>,
-    /// The unit that is assumed for a stream.
+    /// The unit of the gyroscope, where it is assumed.
     pub assumed: Option<Finding>,
 }
 
@@ -84,13 +89,12 @@ impl<'a> Source<'a> {
             spinner.finish_and_clear();
             if let Some(curves) = streamed {
                 // Its header names no unit.
-                self.assumed = Some(Finding::of(Kind::UnitAssumed).of_sensor(Sensor::Gyroscope));
+                self.assumed = Some(assumed());
                 return Ok(curves);
             }
         }
-        let mut recording = read(&args.recording, &args.read)?;
-        let assumed = recording.unit_assumed();
-        recording.warnings.extend(assumed);
+        let recording = read(&args.recording, &args.read)?;
+        self.assumed = recording.unit_assumed().map(|_| assumed());
         show::warn_each(&recording.warnings);
         let curves = RecordingCurves::of(&recording, within);
         self.recording = Some(recording);

@@ -24,7 +24,8 @@ impl Effect for GyroLowPass {
     const PARAMS: &'static [Param] = &params("s^2", ["v"]);
     const TYPICAL: f64 = 2e-5;
     const POSITIVE: bool = true;
-    const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::AngularAcceleration]);
+    const NEEDS: Option<&'static [Quantity]> =
+        Some(&[Quantity::AngularRate, Quantity::AngularAcceleration]);
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let (w, alpha) = (truth.angular_rate, truth.angular_acceleration);

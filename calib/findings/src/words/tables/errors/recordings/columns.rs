@@ -7,8 +7,12 @@ use crate::words::entry::{Entry, error, error_by, error_with};
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
         Kind::ColumnMissing => error("the table has no column for {missing}", "export it too"),
+        Kind::FieldColumnsUnknown => error(
+            "the program cannot tell which columns of {file} are those of the magnetometer",
+            "call them t, mx, my and mz",
+        ),
         Kind::NoSensorColumns => error_with(
-            "the program is sure of no columns of an accelerometer or a gyroscope among {columns}",
+            "the program cannot tell which columns are those of an accelerometer or a gyroscope, among {columns}",
             "name the columns t,ax,ay,az,gx,gy,gz (and temp for a temperature)",
             vec![Remedy::such_as(
                 OptionName::Columns,

@@ -35,7 +35,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
         ),
         Kind::RosEcho => error(
             "this is what `rostopic echo` and `ros2 topic echo` print",
-            "record it as a bag or as a table, which `rostopic echo -p` and `ros2 topic echo --csv` print",
+            "record it as a bag, or let the same command print a table (csv)",
         ),
         Kind::ArdupilotText => error(
             "this is an ArduPilot log that was made a text",

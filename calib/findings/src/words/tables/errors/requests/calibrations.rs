@@ -73,8 +73,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             ],
         ),
         Kind::DevicesDiffer => error_with(
-            "{parameter} is {one} in {first} and {two} in {second}, {distance} standard errors apart. The recordings are of different devices, or of one device at different temperatures[ ({celsius})]",
-            "calibrate each recording alone if the devices differ; if it is one device, record again at one temperature",
+            "{parameter} is {one} in {first} and {two} in {second}, {distance} standard errors apart. The recordings are of different devices, or of one device at different temperatures[ ({celsius})][. All scale factors differ by {gravity}, as where gravity is another: at another place]",
+            "calibrate each recording alone if the devices or the places differ; if it is one device, record again at one temperature",
             vec![Remedy::set(OptionName::ForceDevice)],
         ),
         Kind::GyroscopeOfOther => error_with(
