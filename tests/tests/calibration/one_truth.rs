@@ -46,10 +46,11 @@ fn unknowable(name: &str, method: Method) -> Option<&'static str> {
 }
 
 /// Effects that are in the rate at rest and hardly anywhere else: forces and turns do not show them.
-const AT_REST: [&str; 4] = [
+const AT_REST: [&str; 5] = [
     "gyro_drift",
     "gyro_g2_sensitivity",
     "gyro_relaxation",
+    "gyro_shaken",
     "gyro_vibration_rectification",
 ];
 
