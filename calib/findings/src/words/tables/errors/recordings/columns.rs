@@ -12,7 +12,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "call them t, mx, my and mz",
         ),
         Kind::NoSensorColumns => error_with(
-            "the program cannot tell which columns are those of an accelerometer or a gyroscope, among {columns}",
+            "the program recognises no columns of an accelerometer or a gyroscope among {columns}",
             "name the columns t,ax,ay,az,gx,gy,gz (and temp for a temperature)",
             vec![Remedy::such_as(
                 OptionName::Columns,
