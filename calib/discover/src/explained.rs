@@ -148,14 +148,16 @@ fn again_where_biases_flicker(
 /// takes no name's place.
 fn formula_for_the_whole(session: &mut Session<'_>, found: &mut Explained) -> Result<bool, Error> {
     let instead = instead_of_names(session, &found.search, found.of_base.take());
-    if let Some((formula, mut whole)) = instead
-        && calibration(session, &formula.state).is_ok()
-    {
+    if let Some((formula, mut whole)) = instead.filter(|own| is_determined(session, own)) {
         whole.instead_of = found.search.withdraw_all();
         found.rest = Some(whole);
         found.formula = Some(formula);
     }
     Ok(false)
+}
+
+fn is_determined(session: &Session<'_>, (formula, _): &(Proposed, Unexplained)) -> bool {
+    calibration(session, &formula.state).is_ok()
 }
 
 /// Withdraws the steps of a sensor whose bias wanders beside them.
@@ -192,9 +194,10 @@ fn formula_that_noise_hides(
     found: &mut Explained,
 ) -> Result<bool, Error> {
     if found.rest.is_none()
-        && let Some((formula, hidden)) = hidden_formula(session, &found.search.last)
-        && calibration(session, &formula.state).is_ok()
+        && let Some(own) = hidden_formula(session, &found.search.last)
+        && is_determined(session, &own)
     {
+        let (formula, hidden) = own;
         found.rest = Some(hidden);
         found.formula = Some(formula);
     }

@@ -22,8 +22,8 @@ pub fn held_out(state: &State, noise: BiasNoise) -> Option<[Misfit; 3]> {
     held_out_at_share(state, noise, 1.0)
 }
 
-/// The held-out misfits of `before` at the noise that the fit of `after` found: its biases' and the scatter of its turns. What `after` explains and
-/// `before` lacks is scatter to the fit of `before`.
+/// The held-out misfits of `before` at the noise that the fit of `after` found: its biases' and the scatter of its turns. What
+/// `after` explains and `before` lacks is scatter to the fit of `before`.
 pub fn held_out_as_after(before: &State, after: &State) -> Option<[Misfit; 3]> {
     let [own, other] = [before, after].map(|state| state.scatter_of_turns().powi(2));
     let share = if own > 0.0 { other / own } else { 1.0 };

@@ -16,6 +16,12 @@ impl Calibration {
         DVector::from_iterator(self.parameters.len(), self.parameters.iter().map(value))
     }
 
+    /// The covariance of all parameters.
+    pub(crate) fn covariance_matrix(&self) -> DMatrix<f64> {
+        let n = self.covariance.len();
+        DMatrix::from_fn(n, n, |i, j| self.covariance[i][j])
+    }
+
     /// Writes values and covariance into every place that has them.
     pub(crate) fn write_parameters(&mut self, values: &DVector<f64>, covariance: &DMatrix<f64>) {
         let n = values.len();

@@ -34,7 +34,7 @@ impl Prior {
             return Err(Error::usage(Finding::of(Kind::PriorForeign)));
         }
         let n = all.len();
-        let c = DMatrix::from_fn(n, n, |i, j| calibration.covariance[i][j]);
+        let c = calibration.covariance_matrix();
         let values = calibration.parameter_values();
         let spread = self.spread();
         let m = common.len();

@@ -295,10 +295,12 @@ fn decided(table: &Table, unit: TimeUnit) -> Finding {
 /// Years in which a recording may have been made.
 const YEARS: std::ops::Range<f64> = 2001.0..2100.0;
 
+/// Their seconds since 1970.
+pub(crate) const SINCE_1970: std::ops::Range<f64> = 978_307_200.0..4_102_444_800.0;
+
 /// The unit in which `stamp` lies between 2001 and 2100.
 fn of_epoch(stamp: i64) -> Option<TimeUnit> {
-    let years = 978_307_200.0..4_102_444_800.0;
-    let is_one = |unit: &TimeUnit| years.contains(&(stamp as f64 / unit.per_second()));
+    let is_one = |unit: &TimeUnit| SINCE_1970.contains(&(stamp as f64 / unit.per_second()));
     let tenths = TimeUnit::TenthMicroseconds;
     let since_1970 = TimeUnit::ALL.into_iter().find(is_one);
     since_1970.or_else(|| year_of_tenths(stamp).map(|_| tenths))

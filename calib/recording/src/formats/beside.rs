@@ -69,24 +69,24 @@ pub(super) fn add_magnetometer(
 fn magnetometers_file(files: &Files) -> Option<&file_formats::Entry> {
     const NAMES: [&str; 4] = ["magnetometeruncalibrated", "magnetometer", "mag", "magn"];
     const TABLES: [&str; 4] = ["csv", "txt", "tsv", "dat"];
-    let words = |entry: &file_formats::Entry| -> Vec<String> {
+    let name = |entry: &file_formats::Entry| {
         let name = entry.name.rsplit('/').next().unwrap_or_default();
-        let words = name.split(|c: char| !c.is_alphanumeric());
-        words.map(str::to_lowercase).collect()
+        name.to_lowercase()
     };
-    let called = |entry: &&file_formats::Entry, wanted: &str| {
-        let name = entry.name.rsplit('/').next().unwrap_or_default();
-        name.to_lowercase().split('.').next() == Some(wanted)
-    };
+    let called =
+        |entry: &&file_formats::Entry, wanted: &str| name(entry).split('.').next() == Some(wanted);
     let entries = || files.entries().iter();
     let mut exact = NAMES.iter();
     if let Some(entry) = exact.find_map(|name| entries().find(|entry| called(entry, name))) {
         return Some(entry);
     }
-    let has = |words: &[String], all: &[&str]| words.iter().any(|word| all.contains(&&word[..]));
     let mut by_word = entries().filter(|entry| {
-        let words = words(entry);
-        has(&words, &NAMES) && has(&words, &TABLES)
+        let name = name(entry);
+        let has = |all: &[&str]| {
+            name.split(|c: char| !c.is_alphanumeric())
+                .any(|word| all.contains(&word))
+        };
+        has(&NAMES) && has(&TABLES)
     });
     by_word.next().filter(|_| by_word.next().is_none())
 }

@@ -386,36 +386,33 @@ fn firsts_of_several(names: &[String], only: Option<Sensor>) -> String {
 
 /// Takes the stamps of sampling instead of a time beside them that may be the arrival's, where they are called so.
 fn as_sampled(names: &[String], map: &ColumnMap, roles: &mut [(Role, usize)]) {
-    let free = |at: &usize| roles.iter().all(|(_, column)| column != at);
-    let Some(time) = roles.iter().position(|(role, _)| *role == Role::Time) else {
-        return;
-    };
-    let used = &names[roles[time].1];
-    let is_given = map.names(Role::Time);
-    let is_stamp = |at: &usize| is_sampling_stamp(&names[*at], used);
-    let mut stamps = (0..names.len()).filter(free).filter(is_stamp);
-    if let (Some(stamp), None, false) = (
-        stamps.next(),
-        stamps.next(),
-        is_given || is_sampling_stamp(used, ""),
-    ) {
-        roles[time].1 = stamp;
-    }
+    let may_go = |used: &str| !is_sampling_stamp(used, "");
+    take_better_time(names, map, roles, may_go, is_sampling_stamp);
 }
 
 /// Takes the one column called after a time instead of a counter of ticks beside it: `offsetTime` beside `Tick#`.
 fn not_of_ticks(names: &[String], map: &ColumnMap, roles: &mut [(Role, usize)]) {
+    let is_time = |name: &str, _: &str| is_like_time(name) && name.to_lowercase().ends_with("time");
+    take_better_time(names, map, roles, is_of_ticks, is_time);
+}
+
+/// Takes the one free column that is better than the time, where that may go and nobody gave it.
+fn take_better_time(
+    names: &[String],
+    map: &ColumnMap,
+    roles: &mut [(Role, usize)],
+    may_go: impl Fn(&str) -> bool,
+    is_better: impl Fn(&str, &str) -> bool,
+) {
     let free = |at: &usize| roles.iter().all(|(_, column)| column != at);
     let time = roles.iter().position(|(role, _)| *role == Role::Time);
-    let Some(time) = time.filter(|at| is_of_ticks(&names[roles[*at].1])) else {
+    let Some(time) = time.filter(|_| !map.names(Role::Time)) else {
         return;
     };
-    let is_time = |at: &usize| {
-        let name = &names[*at];
-        is_like_time(name) && name.to_lowercase().ends_with("time")
-    };
-    let mut times = (0..names.len()).filter(free).filter(is_time);
-    if let (Some(other), None, false) = (times.next(), times.next(), map.names(Role::Time)) {
+    let used = &names[roles[time].1];
+    let is_better = |at: &usize| is_better(&names[*at], used);
+    let mut better = (0..names.len()).filter(free).filter(is_better);
+    if let (Some(other), None, true) = (better.next(), better.next(), may_go(used)) {
         roles[time].1 = other;
     }
 }

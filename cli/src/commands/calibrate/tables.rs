@@ -187,19 +187,22 @@ fn uneven(field: &MagneticField, unit: &str) -> String {
     )
 }
 
-/// Unit of the magnetometer's numbers.
+/// Unit of the corrected field.
 pub fn field_unit(calibration: &Calibration) -> &'static str {
-    match &calibration.magnetic_field {
-        Some(field) if field.unit != "uT" => "reading",
-        _ => "µT",
-    }
+    let field = calibration.magnetic_field.as_ref();
+    in_words(field.map(|field| field.unit.as_str()))
 }
 
 /// Unit of the magnetometer's readings.
 fn field_reading_unit(calibration: &Calibration) -> &'static str {
-    match &calibration.magnetic_field {
-        Some(field) if field.unit_of_readings() != "uT" => "reading",
-        _ => "µT",
+    let field = calibration.magnetic_field.as_ref();
+    in_words(field.map(MagneticField::unit_of_readings))
+}
+
+fn in_words(unit: Option<&str>) -> &'static str {
+    match unit {
+        Some("uT") | None => "µT",
+        Some(_) => "reading",
     }
 }
 

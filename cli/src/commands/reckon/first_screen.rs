@@ -15,9 +15,7 @@ pub(super) fn screen(runs: &[Run], remarks: Vec<String>, written: String) -> Scr
     let whole: Vec<&str> = runs.iter().map(|run| run.recording.as_str()).collect();
     let names = Names::of_words(&whole);
     let tables = match runs {
-        [one] => {
-            format!("{}\n{}", names.short(&heading(one)), narrow(one))
-        }
+        [one] => format!("{}\n{}", names.short(&heading(one)), narrow(one)),
         _ => of_several(runs, &short_names(&whole)),
     };
     Screen {

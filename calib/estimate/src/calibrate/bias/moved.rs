@@ -1,7 +1,7 @@
 //! Standard errors of biases that moved: the stated bias is a mean, and a corrected reading is off by the motion about it.
 
 use findings::{Finding, Kind};
-use nalgebra::{DMatrix, Vector3};
+use nalgebra::Vector3;
 use sensor::{PLACES, Sensor, base_names};
 
 use crate::calibration::Calibration;
@@ -32,8 +32,7 @@ pub fn count_motion(calibration: &mut Calibration) {
         }
     }
     if calibration.covariance.len() == n && added.iter().any(|&variance| variance > 0.0) {
-        let own = |i: usize, j: usize| calibration.covariance[i][j];
-        let mut covariance = DMatrix::from_fn(n, n, own);
+        let mut covariance = calibration.covariance_matrix();
         (0..n).for_each(|k| covariance[(k, k)] += added[k]);
         let values = calibration.parameter_values();
         calibration.write_parameters(&values, &covariance);

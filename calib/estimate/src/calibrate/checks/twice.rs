@@ -47,17 +47,16 @@ pub fn none_is_there_twice<'a>(
 ) -> Result<(), Error> {
     let all: Vec<_> = cut.into_iter().collect();
     for (k, (second, of_second)) in all.iter().enumerate() {
-        for (i_of, (first, of_first)) in all[..=k].iter().enumerate() {
-            let found = match i_of == k {
-                true => again_from(&of_second.statics),
-                false => same_from(&of_first.statics, &of_second.statics),
+        for (earlier, (first, of_first)) in all[..=k].iter().enumerate() {
+            let (found, other) = match earlier == k {
+                true => (again_from(&of_second.statics), "itself"),
+                false => {
+                    let found = same_from(&of_first.statics, &of_second.statics);
+                    (found, &*first.name)
+                }
             };
             let Some((i, j)) = found else {
                 continue;
-            };
-            let other = match i_of == k {
-                true => "itself",
-                false => &first.name,
             };
             let (here, there) = (of_first.statics[i].span, of_second.statics[j].span);
             return Err(Error::input(
@@ -76,26 +75,26 @@ pub fn none_is_there_twice<'a>(
 
 /// From where on so many static intervals in a row are the same.
 fn same_from(first: &[StaticInterval], second: &[StaticInterval]) -> Option<(usize, usize)> {
-    let starts = 0..=first.len().checked_sub(IN_A_ROW)?;
-    let pairs = starts.flat_map(|i| (0..second.len()).map(move |j| (i, j)));
-    pairs.into_iter().find(|(i, j)| {
-        let second = second.get(*j..*j + IN_A_ROW);
-        second.is_some_and(|second| are_same(&first[*i..*i + IN_A_ROW], second, SAME_NOISE))
-    })
+    let mut runs = first.windows(IN_A_ROW).enumerate();
+    runs.find_map(|(i, run)| Some((i, place_of(run, second, SAME_NOISE)?)))
 }
 
 /// From where on a recording has static intervals that were there before.
 fn again_from(all: &[StaticInterval]) -> Option<(usize, usize)> {
-    let runs = all.windows(IN_A_ROW).enumerate();
-    let pairs = runs.clone().flat_map(|(i, first)| {
-        let later = runs.clone().skip(i + IN_A_ROW);
-        later.map(move |(j, second)| ((i, first), (j, second)))
-    });
     // One placement again and again is no session that was appended.
     let is_one = |run: &[StaticInterval]| are_same(&run[1..], run, SAME_NOISE);
-    let mut noisy = pairs.filter(|((_, first), _)| first.iter().all(is_noisy) && !is_one(first));
-    let found = noisy.find(|((_, a), (_, b))| are_same(a, b, SAME_NOISE_WITHIN));
-    found.map(|((i, _), (j, _))| (i, j))
+    let runs = all.windows(IN_A_ROW).enumerate();
+    let mut runs = runs.filter(|(_, run)| run.iter().all(is_noisy) && !is_one(run));
+    runs.find_map(|(i, run)| {
+        let later = i + IN_A_ROW;
+        Some((i, later + place_of(run, &all[later..], SAME_NOISE_WITHIN)?))
+    })
+}
+
+/// The first place of the same static intervals in a row.
+fn place_of(run: &[StaticInterval], all: &[StaticInterval], noise: f64) -> Option<usize> {
+    let mut places = all.windows(run.len());
+    places.position(|other| are_same(run, other, noise))
 }
 
 /// Returns true if the readings are more than one value.

@@ -28,8 +28,7 @@ pub fn count_from_the_earliest(calibration: &mut Calibration) {
         for own in (0..values.parameters.len()).filter_map(place) {
             change[(own, first)] = -1.0;
         }
-        let own = |i: usize, j: usize| calibration.covariance[i][j];
-        let covariance = &change * DMatrix::from_fn(n, n, own) * change.transpose();
+        let covariance = &change * calibration.covariance_matrix() * change.transpose();
         calibration.parameters[first] = name(reference);
         let delays = &mut calibration.effects[k].parameters;
         let least = delays[earliest].value;

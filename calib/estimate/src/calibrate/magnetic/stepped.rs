@@ -52,10 +52,12 @@ pub fn stepped<'a>(
         (0..3).map(|k| change[k].powi(2) / (before.std[k].powi(2) + after.std[k].powi(2)));
     let is_bias = by_chance(squares.sum(), 3.0) < UNLIKELY;
     let found = match is_bias {
-        true => of(Kind::MagneticBiasStepped).number("size", change.norm(), units.reading),
+        true => {
+            of(Kind::MagneticBiasStepped).number("size", change.norm(), units.reading.in_words())
+        }
         false => {
             let size = difference(&best.fields[0], &best.fields[1]);
-            of(Kind::FieldStepped).number("size", size, units.field)
+            of(Kind::FieldStepped).number("size", size, units.field.in_words())
         }
     };
     Some((best, found))

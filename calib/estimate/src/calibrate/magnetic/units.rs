@@ -1,29 +1,57 @@
-//! Units of the numbers of a magnetometer, as findings have them.
+//! Units of the numbers of a magnetometer.
 
 use recording::FieldUnit;
 
-/// Units of the numbers of a magnetometer, as findings have them.
-#[derive(Clone, Copy, Debug)]
-pub struct Units {
-    /// Of its readings.
-    pub reading: &'static str,
-    /// Of the field, to which a given strength brings readings of any unit.
-    pub field: &'static str,
+/// Unit of a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// Millionths of a tesla.
+    Microtesla,
+    /// That of the readings, which nobody states.
+    OfReadings,
 }
 
-/// Millionths of a tesla.
-pub const MICROTESLA: &str = "µT";
+impl Unit {
+    fn where_known(is_known: bool) -> Self {
+        if is_known {
+            Self::Microtesla
+        } else {
+            Self::OfReadings
+        }
+    }
 
-/// A unit that nobody states.
-const OF_READINGS: &str = "units of its readings";
+    /// As findings have it.
+    pub fn in_words(self) -> &'static str {
+        match self {
+            Self::Microtesla => "µT",
+            Self::OfReadings => "units of its readings",
+        }
+    }
+
+    /// As files have it.
+    pub fn in_files(self) -> &'static str {
+        match self {
+            Self::Microtesla => "uT",
+            Self::OfReadings => "reading",
+        }
+    }
+}
+
+/// Units of the readings and of the field.
+#[derive(Clone, Copy, Debug)]
+pub struct Units {
+    /// Of the readings.
+    pub reading: Unit,
+    /// Of the field, to which a given strength brings readings of any unit.
+    pub field: Unit,
+}
 
 impl Units {
     /// By the unit that the files state, and whether the strength of the field was given.
     pub fn of(unit: Option<FieldUnit>, strength_given: bool) -> Self {
-        let word = |is_known| if is_known { MICROTESLA } else { OF_READINGS };
         Self {
-            reading: word(unit.is_some()),
-            field: word(unit.is_some() || strength_given),
+            reading: Unit::where_known(unit.is_some()),
+            field: Unit::where_known(unit.is_some() || strength_given),
         }
     }
 }

@@ -6,7 +6,7 @@ use sensor::{Base, Model, Sensor};
 
 use super::inertial::Inertial;
 use super::missing::Missing;
-use super::units::{MICROTESLA, Units};
+use super::units::Units;
 use crate::calibrate::assemble;
 use crate::calibration::{Calibration, MagneticField, RecordingBias, RecordingField, Triad};
 use crate::methods::Fitted;
@@ -131,10 +131,10 @@ fn field(written: &Written<'_>) -> MagneticField {
         .map(of)
         .collect();
     let last = all[all.len() - 1].clone();
-    let [unit, reading_unit] = [written.units.field, written.units.reading].map(name_of);
+    let Units { reading, field } = written.units;
     MagneticField {
-        unit: unit.into(),
-        reading_unit: (reading_unit != unit).then(|| reading_unit.into()),
+        unit: field.in_files().into(),
+        reading_unit: (reading != field).then(|| reading.in_files().into()),
         strength_given: written.strength_given,
         unevenness: unevenness(written.fit),
         last,
@@ -145,14 +145,6 @@ fn field(written: &Written<'_>) -> MagneticField {
     }
 }
 
-/// A unit as files have it.
-fn name_of(unit: &str) -> &'static str {
-    match unit {
-        MICROTESLA => "uT",
-        _ => "reading",
-    }
-}
-
 /// By how much the field differs per axis from place to place, in its own unit.
 fn unevenness(fit: &MagneticFit) -> f64 {
     fit.unevenness * Base::from_parameters(&fit.model.values).scale()
@@ -160,7 +152,7 @@ fn unevenness(fit: &MagneticFit) -> f64 {
 
 fn warnings(written: &Written<'_>) -> Vec<Finding> {
     let fit = written.fit;
-    let unit = written.units.reading;
+    let unit = written.units.reading.in_words();
     let of = |kind| Finding::of(kind).of_sensor(Sensor::Magnetometer);
     let mut all = Vec::new();
     for (place, size) in &fit.disturbed {

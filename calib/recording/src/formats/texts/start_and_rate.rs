@@ -3,6 +3,7 @@
 use std::io::Read;
 
 use super::text_format::TextFormat;
+use crate::clock::time::SINCE_1970;
 use crate::header::look::{Look, cells};
 use crate::recording::options::Role;
 use crate::rows::parts::Part;
@@ -16,18 +17,16 @@ pub(crate) static START_AND_RATE: TextFormat = TextFormat {
     parts,
 };
 
-/// Stamps between 2001 and 2100, s.
-const STAMPS: std::ops::Range<f64> = 978_307_200.0..4_102_444_800.0;
 /// Rates, Hz.
 const RATES: std::ops::RangeInclusive<f64> = 1.0..=4000.0;
 
 fn parts(look: &Look) -> Option<Vec<Part>> {
     let mut lines = look.lines();
-    let start = same(lines.next()?).filter(|start| STAMPS.contains(start));
+    let start = same(lines.next()?).filter(|start| SINCE_1970.contains(start));
     let rate = same(lines.next()?).filter(|rate| RATES.contains(rate));
     let is_row = |line: &str| {
         let cells = cells(line);
-        let is_number = |cell: &String| cell.parse::<f64>().is_ok_and(|n| !STAMPS.contains(&n));
+        let is_number = |cell: &String| cell.parse::<f64>().is_ok_and(|n| !SINCE_1970.contains(&n));
         cells.len() == 3 && cells.iter().all(is_number)
     };
     // The last line looked at may be cut.

@@ -2,7 +2,7 @@
 
 use effects::catalogue_of;
 use faer::{ColRef, Mat};
-use nalgebra::{Rotation3, Vector3};
+use nalgebra::Vector3;
 use recording::Recording;
 use sensor::{EffectRef, Kinematics, Quantity, Role, Sensor};
 
@@ -99,20 +99,22 @@ impl JointFit {
             let span = chunk.mean(mean.sensor).map_or(rest.span, |own| own.span);
             set(&mut mean.truth, rest.recording, 0.5 * (span.from + span.to));
         }
+        let attitudes = self.rows().attitudes(self.parameters.values());
         for turn in &mut all.turns {
             let recording = self.data.turns[turn.turn].recording;
             let samples = turn.truth.iter_mut().zip(&turn.t);
-            samples.for_each(|(truth, t)| set(truth, recording, *t));
-            let from = self.data.turns[turn.turn].from;
-            let up = self.rows().direction(self.parameters.values(), from);
-            set_motion(turn, up * self.gravity);
+            for ((truth, t), attitude) in samples.zip(attitudes.in_turn(turn.turn)) {
+                set(truth, recording, *t);
+                truth.specific_force = attitude.into_body(&Vector3::z()) * self.gravity;
+            }
+            set_acceleration(turn);
         }
         all
     }
 }
 
-/// Sets the specific force of gravity, `force` before the turn, and the angular acceleration at every sample.
-fn set_motion(turn: &mut TurnSensitivity, mut force: Vector3<f64>) {
+/// Sets the angular acceleration at every sample, by the rates of its neighbours.
+fn set_acceleration(turn: &mut TurnSensitivity) {
     let rates: Vec<Vector3<f64>> = turn.truth.iter().map(|truth| truth.angular_rate).collect();
     for (k, truth) in turn.truth.iter_mut().enumerate() {
         let (before, after) = (k.saturating_sub(1), (k + 1).min(rates.len() - 1));
@@ -120,9 +122,6 @@ fn set_motion(turn: &mut TurnSensitivity, mut force: Vector3<f64>) {
         if length > 0.0 {
             truth.angular_acceleration = (rates[after] - rates[before]) / length;
         }
-        let step = (turn.t[k] - turn.t[before]) * 0.5;
-        force = Rotation3::new((rates[before] + rates[k]) * -step) * force;
-        truth.specific_force = force;
     }
 }
 
