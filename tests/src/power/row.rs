@@ -139,6 +139,10 @@ pub enum Row {
     Integrity,
     /// Formulas that no effect has, lambda 150.
     Formulas,
+    /// Formulas that every axis has with a coefficient of its own, lambda 150.
+    FormulasOfAxes150,
+    /// The same, lambda 600.
+    FormulasOfAxes600,
     /// A gyroscope's bias that the device hides or changes.
     Altered,
 }
@@ -157,6 +161,7 @@ impl Row {
             Self::Outside => &OUTSIDE,
             Self::Integrity => &INTEGRITY,
             Self::Formulas => &formulas::NAMES,
+            Self::FormulasOfAxes150 | Self::FormulasOfAxes600 => &formulas::NAMES_ON_ALL_AXES,
             Self::Altered => &ALTERED,
         }
     }
@@ -189,6 +194,8 @@ impl Row {
             Self::Formulas => 11,
             Self::Pairs150 => 12,
             Self::Altered => 13,
+            Self::FormulasOfAxes150 => 14,
+            Self::FormulasOfAxes600 => 15,
         }
     }
 
@@ -204,7 +211,9 @@ impl Row {
             Self::Pairs | Self::Pairs150 => 100,
             Self::Outside => 50 * OUTSIDE.len() as u64,
             Self::Integrity => 40 * INTEGRITY.len() as u64,
-            Self::Formulas => 20 * formulas::NAMES.len() as u64,
+            Self::Formulas | Self::FormulasOfAxes150 | Self::FormulasOfAxes600 => {
+                20 * self.kinds().len() as u64
+            }
             Self::Altered => 40 * ALTERED.len() as u64,
         }
     }
@@ -213,7 +222,12 @@ impl Row {
     pub fn lambda(self) -> f64 {
         match self {
             Self::Orientation30 => 30.0,
-            Self::Time150 | Self::Pairs150 | Self::Outside | Self::Formulas => 150.0,
+            Self::Time150
+            | Self::Pairs150
+            | Self::Outside
+            | Self::Formulas
+            | Self::FormulasOfAxes150 => 150.0,
+            Self::FormulasOfAxes600 => 600.0,
             _ => 60.0,
         }
     }
@@ -284,9 +298,13 @@ impl Job {
     /// What is to be named, and what the clean session needs for it to show.
     fn hide(&mut self, kind: &str) {
         self.hidden = match self.row {
-            Row::Clean | Row::Conditions | Row::Invisible | Row::Outside | Row::Formulas => {
-                Vec::new()
-            }
+            Row::Clean
+            | Row::Conditions
+            | Row::Invisible
+            | Row::Outside
+            | Row::Formulas
+            | Row::FormulasOfAxes150
+            | Row::FormulasOfAxes600 => Vec::new(),
             Row::Pairs | Row::Pairs150 => self.pair(),
             // The stamps are closed up: nothing shows that samples are lost.
             Row::Integrity if kind.starts_with("lost") => vec!["outlying_turn".into()],
@@ -334,7 +352,9 @@ impl Job {
             }
             Row::Invisible => spec = spec.with_hidden(invisible(what, size)),
             Row::Outside => spec = spec.with_hidden(self.outside(what, size)),
-            Row::Formulas => spec = formulas::Hidden::named(what)?.put_into(spec, size)?,
+            Row::Formulas | Row::FormulasOfAxes150 | Row::FormulasOfAxes600 => {
+                spec = formulas::Hidden::named(what)?.put_into(spec, size)?;
+            }
             Row::Altered if what == "dead_zone" => return None,
             Row::Altered => {
                 spec = spec.with_hidden(Hidden::Rezeroing(Rezeroing {

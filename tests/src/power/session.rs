@@ -44,6 +44,9 @@ pub struct Record {
     /// Whether that, or one that could not be told from it, is the hidden one.
     #[serde(default)]
     pub is_formula: bool,
+    /// Forms that explain as much as the named effects.
+    #[serde(default)]
+    pub forms: Vec<String>,
     /// What was left unexplained, in words.
     pub unexplained: Option<String>,
     /// `(estimate − truth)/σ` of the parameters of effects that were rightly named.
@@ -102,6 +105,7 @@ pub fn run(row: Row, index: u64) -> Result<Record, Error> {
     for effect in &findings.effects {
         record.named.push(effect.name.clone());
         record.ties.push(effect.indistinguishable_from.clone());
+        record.forms.extend(effect.forms.iter().cloned());
         if !job.hidden.contains(&effect.name) {
             continue;
         }
