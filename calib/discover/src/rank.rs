@@ -158,11 +158,26 @@ fn best(place: usize, family: &Family, tried: Vec<Tried<'_>>, choice: f64) -> Op
 }
 
 /// `ln p` of columns of a sensor (`m × k`, white-whitened) over all that the noise may be.
-pub fn log_p_of(
+pub fn log_p_of(projected: &Projected, of: (Sensor, &Mat<f64>), levels: &[Level]) -> f64 {
+    tried_at(projected, of, levels).log_p()
+}
+
+/// The likelihood ratio of such columns at the noise that suits them best, with its degrees of freedom; `None` of columns that the data do
+/// not see.
+pub fn ratio_of(
+    projected: &Projected,
+    of: (Sensor, &Mat<f64>),
+    levels: &[Level],
+) -> Option<(f64, f64)> {
+    let (_, statistic, score) = tried_at(projected, of, levels).likeliest?;
+    Some((statistic, score.dof as f64))
+}
+
+fn tried_at<'a>(
     projected: &Projected,
     (sensor, columns): (Sensor, &Mat<f64>),
-    levels: &[Level],
-) -> f64 {
+    levels: &'a [Level],
+) -> Tried<'a> {
     let columns = projected.columns(columns.as_ref());
     let nothing = levels.first().map_or(0.0, |l| l.whitened.log_likelihood());
     let mut tried = Tried::default();
@@ -171,7 +186,7 @@ pub fn log_p_of(
         let gained = level.whitened.log_likelihood() - nothing;
         tried.add(level, gained, score, 0.0);
     }
-    tried.log_p()
+    tried
 }
 
 impl Ranked {

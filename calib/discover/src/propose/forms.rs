@@ -12,9 +12,6 @@ use crate::search::Name;
 /// So many are stated.
 const STATED: usize = 3;
 
-/// A form of which an effect of the catalogue leaves less than this share (`1 − ρ²`) is that effect.
-const SAME: f64 = 2e-3;
-
 /// The forms `e_i = c_i h_i`, `h` a product of what the named effect looks at, whose likelihood is no less than a twentieth of its own and
 /// that are no effect of the `catalogue`; the likeliest [`STATED`] of them, likeliest first. None for an effect with a shape.
 ///
@@ -39,7 +36,7 @@ fn as_likely(name: &Name, effect: &EffectRef, catalogue: &[EffectRef]) -> Option
     let catalogue: Vec<_> = catalogue.iter().filter(alike).cloned().collect();
     let products = forms_of(state, effect.sensor(), &needs);
     let own = log_tail(ranked.score.statistic, ranked.score.dof as f64);
-    let likely = outside(state, &catalogue, products, SAME).into_iter();
+    let likely = outside(state, &catalogue, products).into_iter();
     let likely = likely.filter_map(|product| {
         let found = score(whitened.columns(&product.columns).as_ref(), &whitened.z);
         let log_p = log_tail(found.statistic, found.dof as f64);

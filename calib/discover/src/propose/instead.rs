@@ -16,8 +16,8 @@ use crate::request::Session;
 use crate::search::Search;
 use crate::state::State;
 
-/// A product of which an effect of the catalogue leaves less than this share (`1 − ρ²`) is that effect's, no formula.
-const OWN: f64 = 0.05;
+/// A product of which an effect of the catalogue leaves less than this share (`1 − ρ²`) is that effect, no formula.
+const SAME: f64 = 2e-3;
 
 /// So many disturbances may be one error of the sensor.
 const SEVERAL: usize = 2;
@@ -67,18 +67,17 @@ pub(super) fn promising(
     needed: f64,
 ) -> Option<(Vec<Product>, Screened)> {
     let catalogue = &session.candidates;
-    let products = outside(state, catalogue, dictionary(state), OWN);
+    let products = outside(state, catalogue, dictionary(state));
     let screened = screen(state, &products)?;
     let most = most_evidence(&screened, &products, state.levels());
     (most > needed).then_some((products, screened))
 }
 
-/// The `products` of which every effect of the catalogue that may be missing leaves more than this share.
+/// The `products` that are no effect of the catalogue that may be missing.
 pub(super) fn outside(
     base: &State,
     catalogue: &[EffectRef],
     mut products: Vec<Product>,
-    share: f64,
 ) -> Vec<Product> {
     let spans = catalogue
         .iter()
@@ -90,7 +89,7 @@ pub(super) fn outside(
     let spans: Vec<Mat<f64>> = spans.collect();
     let is_within = |column: &Mat<f64>| {
         let held = |span: &Mat<f64>| (span.transpose() * column).squared_norm_l2();
-        spans.iter().any(|span| held(span) > 1.0 - share)
+        spans.iter().any(|span| held(span) > 1.0 - SAME)
     };
     let is_own = |product: &Product| {
         let mut columns =

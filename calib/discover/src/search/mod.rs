@@ -1,5 +1,6 @@
 //! Naming what is missing, one thing after the other, until the rest is noise.
 
+mod all_together;
 pub mod few_turns;
 mod named_claim;
 mod names;

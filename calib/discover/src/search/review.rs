@@ -5,6 +5,7 @@ use estimate::methods::joint::{Data, Known, Scope};
 use recording::Error;
 use sensor::Sensor;
 
+use super::all_together::evidence_together;
 use super::named_claim::Held;
 use super::names::{Either, Name, Tie};
 use super::ranking::{Earth, as_the_earth};
@@ -84,13 +85,12 @@ impl Finder<'_> {
             }
             if !changed {
                 names.sort_by(|a, b| b.ranked.evidence.total_cmp(&a.ranked.evidence));
-                let found: f64 = held.iter().map(|h| h.evidence).sum();
-                let beside: f64 = certain.iter().map(|(_, evidence)| evidence).sum();
-                let beside = names.iter().map(|n| n.ranked.by_ratio()).sum::<f64>() + beside;
+                let together = evidence_together(&self.base, &held, self.catalogue);
+                let found = || held.iter().map(|h| h.evidence).sum();
                 return Ok(Reviewed {
                     either: self.either(&held, &names, &certain)?,
                     names,
-                    evidence: found.max(beside),
+                    evidence: together.unwrap_or_else(found),
                     last,
                     is_spent: false,
                 });
