@@ -20,7 +20,7 @@ use crate::commands::shared::names::Names;
 use crate::commands::shared::pictures::PictureArgs;
 use crate::exit::Failure;
 use crate::output::Replace;
-use crate::pages::evaluation;
+use crate::pages::evaluation::{self, Next};
 use crate::read_args::ReadArgs;
 use crate::show;
 use crate::show::command_line;
@@ -193,31 +193,30 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     limits::gate_of(&judged)
 }
 
-/// The commands behind what is said to be done next.
-fn steps(args: &Args, files: &[(&str, &Path)], next: &[String]) -> Vec<Step> {
+/// The commands behind what comes next.
+fn steps(args: &Args, files: &[(&str, &Path)], next: &[Next]) -> Vec<Step> {
     let recording = command_line(&args.recording) + &args.read.command_line();
-    let step = |words: &String| {
-        if words.starts_with("Name a calibration") {
+    let step = |next: &Next| match next {
+        Next::NameCalibration => {
             let command = format!("stillpoint evaluate {recording} --calibration cal=cal.json");
-            return Step::new("name a calibration", command);
+            Some(Step::new("name a calibration", command))
         }
-        let used = words
-            .strip_prefix("Use ")
-            .and_then(|rest| rest.split_once(':'));
-        let file = |name: &str| files.iter().find(|(own, _)| show::name(own) == name);
-        if let Some((name, file)) = used.and_then(|(name, _)| Some((name, file(name)?.1))) {
+        Next::RecordAtRest => Some(Step::words(evaluation::RECORD_AT_REST)),
+        Next::CalibrateThis => Some(Step::words(evaluation::CALIBRATE_THIS)),
+        Next::Use(place) => {
+            let (name, file) = files.get(*place)?;
             let file = command_line(file);
             let command = format!("stillpoint apply {file} {recording} -o corrected.csv");
-            return Step::new(format!("use {name}"), command);
+            Some(Step::new(format!("use {}", show::name(name)), command))
         }
-        if let (true, Some((_, file))) = (words.contains("stillpoint bias"), files.first()) {
-            let file = command_line(file);
+        Next::EstimateBias(place) => {
+            let file = command_line(files.get(*place)?.1);
             let command = format!("stillpoint bias {file} {recording} -o today.json");
-            return Step::new("renew the gyroscope's bias", command);
+            Some(Step::new("renew the gyroscope's bias", command))
         }
-        Step::words(words.clone())
+        Next::Advice(text) => Some(Step::words(text.clone())),
     };
-    next.iter().map(step).collect()
+    next.iter().filter_map(step).collect()
 }
 
 /// The gravity that each row is compared with.

@@ -20,6 +20,52 @@ const OF_USE: f64 = 0.9;
 /// A rate at rest that is no rotation of the earth, rad/s: twice that.
 const FAR_FROM_ZERO: f64 = 1.5e-4;
 
+/// What comes after an evaluation.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Next {
+    /// A calibration is named.
+    NameCalibration,
+    /// The device is recorded at rest.
+    RecordAtRest,
+    /// A calibration of this recording is made and compared.
+    CalibrateThis,
+    /// The calibration of this place is used.
+    Use(usize),
+    /// The biases of the calibration of this place are estimated again.
+    EstimateBias(usize),
+    /// What a finding advises.
+    Advice(String),
+}
+
+impl Next {
+    /// The step in words, for calibrations of these names.
+    fn text(&self, calibrations: &[Named<'_>]) -> String {
+        match self {
+            Self::NameCalibration => {
+                "Name a calibration: stillpoint evaluate RECORDING --calibration cal=cal.json".into()
+            }
+            Self::RecordAtRest => RECORD_AT_REST.into(),
+            Self::CalibrateThis => CALIBRATE_THIS.into(),
+            Self::Use(place) => {
+                let name = calibrations
+                    .get(*place)
+                    .map_or("it".into(), |(name, _)| show::name(name));
+                format!("Use {name}: stillpoint apply CAL RECORDING -o corrected.csv")
+            }
+            Self::EstimateBias(_) => {
+                "Estimate the gyroscope's bias again, because the rate at rest is far from zero: stillpoint bias CAL RECORDING".into()
+            }
+            Self::Advice(text) => text.clone(),
+        }
+    }
+}
+
+/// What to do where nothing could be compared.
+pub const RECORD_AT_REST: &str = "Record again and hold the device still now and then.";
+
+/// What to do where a calibration is of no use.
+pub const CALIBRATE_THIS: &str = "Check that recording and calibration are of one device and one unit, then calibrate on this recording and compare.";
+
 /// A calibration by its name, with what it leaves.
 pub type Named<'a> = (&'a str, &'a Calibration);
 
@@ -48,6 +94,7 @@ pub fn page(
     let first = sessions.first().map_or(&raw, |(_, session)| session);
     let coverage = covered(first);
     let (level, sentence, next) = judged(rows, doubts, (segmentation, warnings));
+    let next: Vec<String> = next.iter().map(|step| step.text(calibrations)).collect();
     let mut figures = vec![Residual::measured(first).figure()];
     figures.push(bias(rows));
     figures.extend(coverage.as_ref().map(Coverage::figure));
@@ -136,11 +183,10 @@ pub fn judged(
     rows: &[(String, Evaluation)],
     doubts: &[Vec<Finding>],
     (segmentation, warnings): (&Segmentation, &[String]),
-) -> (Level, String, Vec<String>) {
+) -> (Level, String, Vec<Next>) {
     let Some((raw, calibrated)) = rows.split_first().filter(|(_, rest)| !rest.is_empty()) else {
         let what = "Only the raw readings were measured: no calibration was named.";
-        let next = "Name a calibration: stillpoint evaluate RECORDING --calibration cal=cal.json";
-        return (Level::Care, what.into(), vec![next.into()]);
+        return (Level::Care, what.into(), vec![Next::NameCalibration]);
     };
     let share = |e: &Evaluation| {
         let of = |left: Option<f64>, raw: Option<f64>| Some(left? / raw?);
@@ -151,7 +197,7 @@ pub fn judged(
     };
     let best = (0..calibrated.len())
         .min_by(|&a, &b| share(&calibrated[a].1).total_cmp(&share(&calibrated[b].1)));
-    let Some((name, e)) = best.map(|k| &calibrated[k]) else {
+    let Some((best, (name, e))) = best.map(|k| (k, &calibrated[k])) else {
         return (Level::Care, "Nothing could be compared.".into(), Vec::new());
     };
     let part = |what: &str, left: Option<f64>, raw: Option<f64>, factor: f64, unit: &str| {
@@ -177,8 +223,7 @@ pub fn judged(
     .collect();
     if parts.is_empty() {
         let what = "Nothing could be compared: the device is at rest nowhere in this recording.";
-        let next = "Record again and hold the device still now and then.";
-        return (Level::Care, what.into(), vec![next.into()]);
+        return (Level::Care, what.into(), vec![Next::RecordAtRest]);
     }
     let name = show::name(name);
     let sentence = format!(
@@ -186,13 +231,11 @@ pub fn judged(
         parts.join(" and ")
     );
     if share(e) > OF_USE {
-        let next = "Check that recording and calibration are of one device and one unit, then calibrate on this recording and \
-                    compare.";
         let bad = format!("{name} is no better than the raw readings. {sentence}");
-        return (Level::Bad, bad, vec![next.into()]);
+        return (Level::Bad, bad, vec![Next::CalibrateThis]);
     }
     // What is doubted is neither used nor given another bias.
-    let own = best.and_then(|k| doubts.get(k));
+    let own = doubts.get(best);
     let doubt = own.into_iter().flatten().find(|found| {
         matches!(
             found.kind,
@@ -208,19 +251,17 @@ pub fn judged(
             _ => "It may be of another device.",
         };
         let next = found.advice(Front::CommandLine);
-        let next = next.map(|advice| show::capital(&advice) + ".");
+        let next = next.map(|advice| Next::Advice(show::capital(&advice) + "."));
         return (
             Level::Care,
             format!("{sentence} {why}"),
             next.into_iter().collect(),
         );
     }
-    let next = format!("Use {name}: stillpoint apply CAL RECORDING -o corrected.csv");
-    let mut next = vec![next];
+    let mut next = vec![Next::Use(best)];
     let mut rests = segmentation.statics.iter();
     if norm(e.static_rate) > FAR_FROM_ZERO && rests.any(|rest| rest.span.length() > LONG_ENOUGH) {
-        let estimate = "Estimate the gyroscope's bias again, because the rate at rest is far from zero: stillpoint bias CAL RECORDING";
-        next.push(estimate.into());
+        next.push(Next::EstimateBias(best));
     }
     let level = if warnings.is_empty() {
         Level::Good

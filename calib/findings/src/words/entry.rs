@@ -17,6 +17,17 @@ pub enum Front {
     Python,
 }
 
+/// What the advice says of the use of a result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum UseOfResult {
+    /// Nothing.
+    Open,
+    /// It may be used under a condition.
+    Conditional,
+    /// It must not be used.
+    Forbidden,
+}
+
 /// The words of a kind.
 #[derive(Clone, Debug)]
 pub(crate) struct Entry {
@@ -33,6 +44,8 @@ pub(crate) struct Entry {
     pub text: &'static str,
     /// Template of the advice, an imperative, where no [`Remedy`] gives it. The form is that of `text`.
     pub advice: &'static str,
+    /// What the advice says of the use of the result.
+    pub use_of_result: UseOfResult,
     /// Usual ways out.
     pub remedies: Vec<Remedy>,
 }
@@ -45,6 +58,7 @@ fn silent(level: Level, severity: f64) -> Entry {
         reason: "",
         text: "",
         advice: "",
+        use_of_result: UseOfResult::Open,
         remedies: Vec::new(),
     }
 }

@@ -15,6 +15,7 @@ pub use entry::Front;
 pub use human::{human, significant};
 pub(crate) use tables::entry;
 
+use self::entry::UseOfResult;
 use crate::finding::{Finding, Place};
 use crate::kind::Kind;
 use crate::level::Level;
@@ -138,12 +139,12 @@ impl Finding {
 
     /// True where the advice is to use the result under a condition.
     pub fn allows_use(&self) -> bool {
-        entry(self.kind).advice.starts_with("use th")
+        entry(self.kind).use_of_result == UseOfResult::Conditional
     }
 
     /// True where the result must not be used.
     pub fn forbids_use(&self) -> bool {
-        self.level >= Level::Bad || entry(self.kind).advice.starts_with("do not use")
+        self.level >= Level::Bad || entry(self.kind).use_of_result == UseOfResult::Forbidden
     }
 
     /// Returns the advice; `None` if nothing helps or nothing has to be done.
@@ -187,6 +188,12 @@ mod tests {
                 );
                 assert!(!words.ends_with(['.', ';']), "{words}");
             }
+            let begin = match entry.use_of_result {
+                UseOfResult::Open => "",
+                UseOfResult::Conditional => "use th",
+                UseOfResult::Forbidden => "do not use",
+            };
+            assert!(entry.advice.starts_with(begin), "{}", entry.advice);
             assert!(
                 entry.reason.split_whitespace().count() <= 14,
                 "{}",

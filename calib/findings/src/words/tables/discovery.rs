@@ -3,7 +3,7 @@
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
 
-use crate::words::entry::{Entry, care};
+use crate::words::entry::{Entry, UseOfResult, care};
 use crate::words::tables::reading::IF_EXACT;
 
 /// Advice that separates an error of the device from an error of that day.
@@ -22,6 +22,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "the rate of rotation jumps between samples",
             text: "the rate of rotation jumps between samples, so that {share} ({low} to {high}) of each jump is missing in the angle. The turns miss gravity by {angle} (rms), most of it expected in turns {turns}",
             advice: "use this calibration if its standard errors are small enough for you; if not, put the device down more gently",
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::SampleFaster, Remedy::FilterFirst],
             ..care(0.3)
         },
@@ -29,6 +30,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "the stamps are {way} in this recording, unlike in the others",
             text: "the stamps of the accelerometer are {size} ± {error} {way} in this recording, unlike in the others. The calibration does not contain this offset, and its parameters do not depend on it",
             advice: "use this calibration, but shift the stamps of this recording before you combine its two sensors in motion",
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::OneClock],
             ..care(0.1)
         },
@@ -42,6 +44,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "samples are lost in {at}",
             text: "[{at}: ]samples are lost in this turn, and it misses gravity by {size}: it does not lead to the direction of gravity that the accelerometer reads after it. The program does not use the turn",
             advice: IF_EXACT,
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::RecordAgain],
             ..care(0.1)
         },

@@ -3,7 +3,7 @@
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
 
-use crate::words::entry::{Entry, care, remark};
+use crate::words::entry::{Entry, UseOfResult, care, remark};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
@@ -35,6 +35,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "the mean of {sensor} {axis} jumps during the rest",
             text: "the mean of {sensor} {axis} jumps by {listed}[ and {more} more times]. The jumps act as a random walk (slow drift at random) of {walk}. The bias instability (slow wander at rest) includes them",
             advice: "use these values if the sensor jumps in use too; if not, analyse only the longest stretch between two jumps",
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::such_as(OptionName::Rest, "60,3600")],
             ..care(0.05)
         },
@@ -54,6 +55,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "readings of the {sensor} repeat for a while",
             text: "the readings of the {sensor} repeat one value at t = {listed}: nothing was measured in that time. The noise is therefore stated too small",
             advice: "do not use these values; analyse only the longest stretch between two of these times",
+            use_of_result: UseOfResult::Forbidden,
             remedies: vec![Remedy::such_as(OptionName::Rest, "60,3600")],
             ..care(0.05)
         },

@@ -3,7 +3,7 @@
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
 
-use crate::words::entry::{Entry, care, remark};
+use crate::words::entry::{Entry, UseOfResult, care, remark};
 
 /// What decides whether a result that stands on less than was recorded can be used.
 pub(super) const IF_EXACT: &str =
@@ -18,6 +18,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "the {sensor} is saturated on {axis}",
             text: "{sensor} {axis} is saturated at {limit} in {rows:row}[ between rows {from_row} and {to_row}]: its range ends there, and the true value is larger. The program leaves out the turns and static intervals that this spoils",
             advice: IF_EXACT,
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::LargerRange, Remedy::TurnSlower],
             ..care(0.5)
         },
@@ -78,6 +79,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "the device did not lie still in {intervals}",
             text: "the {sensor} is up to {ratio} times noisier in {intervals} than in the others: its readings scatter more, as from vibration or a hand",
             advice: IF_EXACT,
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::LayDown],
             ..care(0.1)
         },
@@ -85,6 +87,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "the noise of the {sensor} changes part of the way",
             text: "the {sensor} is up to {ratio} times noisier in {intervals} than before: its readings scatter more. Perhaps a fan or a motor ran then, or a setting of the sensor was changed",
             advice: "use the calibration from this recording if only a fan or a motor ran; if a setting was changed, split the recording where the noise changes and calibrate one part",
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::RecordAgain],
             ..care(0.1)
         },
@@ -143,6 +146,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "{system} had filtered the readings before",
             text: "{system} has subtracted from {gyro} the mean that it read when it started. It has also filtered {accel}",
             advice: "use the calibration only for logs of {system} with the same filters, and estimate the gyroscope's bias again after each start",
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::Uncalibrated],
             ..care(0.1)
         },
@@ -150,6 +154,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "the accelerometer is the sum of two columns that the phone's software computed",
             text: "the accelerometer is the sum of `{linear}`, .. and gravity `{gravity}`, .., both computed by the phone's software. That software has corrected them by a calibration of its own",
             advice: "use the calibration only for readings that the same phone's software has corrected in the same way",
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::Uncalibrated],
             ..care(0.3)
         },

@@ -3,7 +3,7 @@
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
 
-use crate::words::entry::{Entry, bad, care, remark};
+use crate::words::entry::{Entry, UseOfResult, bad, care, remark};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
@@ -17,6 +17,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "{axis} of the {sensor} reads {times} what {others} read",
             text: "{axis} of the {sensor} reads {times} what {others} read of the same {what}. Sensors seldom differ so much from axis to axis, and no unit or range explains it. The calibration corrects it",
             advice: "use this calibration if the sensor itself is that unusual; if the file was changed, correct the column",
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::such_as(OptionName::Columns, "az=az*0.91")],
             ..care(1.0)
         },
@@ -24,6 +25,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "the axes of the {sensor} differ in their range",
             text: "the axes of the {sensor} read {x}, {y} and {z} raw whole numbers (counts) per m/s². These differ by {share}: the axes may have different ranges. The calibration converts each axis by its own number",
             advice: "use this calibration for readings with the same ranges; if all axes should have one range, set it and record again",
+            use_of_result: UseOfResult::Conditional,
             ..care(1.0)
         },
         Kind::ScaleOff => Entry {
@@ -43,6 +45,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "the readings look like units of g",
             text: "the readings of the accelerometer look like units of g (9.8 m/s²). The calibration converts them to m/s²",
             advice: "use this calibration for readings in the same unit",
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::set_to(OptionName::AccelUnit, "g")],
             ..care(0.001)
         },
@@ -55,6 +58,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "the gyroscope misses gravity by {missed} after the fit",
             text: "the gyroscope misses gravity by {missed} rms after the fit: its turns do not lead to the directions that the accelerometer reads. Perhaps axes are exchanged, a sign or the time stamps are wrong",
             advice: "do not use this calibration; compare columns, signs and time stamps with the description of the app or the data sheet, correct what differs, and record again if nothing does",
+            use_of_result: UseOfResult::Forbidden,
             remedies: vec![Remedy::LookInto],
             ..bad(10.0)
         },
@@ -87,6 +91,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "the gyroscope's unit looks like {unit}",
             text: "the readings of the gyroscope look like {unit}[ that were read as {read}]. The calibration converts them to rad/s",
             advice: "use this calibration for readings in the same unit",
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::set_to(OptionName::GyroUnit, "deg/s")],
             ..care(0.001)
         },

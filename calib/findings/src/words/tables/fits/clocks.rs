@@ -3,7 +3,7 @@
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
 
-use crate::words::entry::{Entry, care, remark};
+use crate::words::entry::{Entry, UseOfResult, care, remark};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
@@ -17,6 +17,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "no clock says when the gyroscope was sampled",
             text: "the times of the gyroscope's samples are not known. After turns it leads to another direction of gravity than the accelerometer's, by {ratio} times the noise. Equal time steps do no better than the stamps",
             advice: "use the accelerometer's parameters and the gyroscope's bias of this calibration, but not the gyroscope's other parameters",
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::SensorStamps],
             ..care(0.3)
         },

@@ -3,7 +3,7 @@
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
 
-use crate::words::entry::{Entry, bad, care, remark};
+use crate::words::entry::{Entry, UseOfResult, bad, care, remark};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
@@ -58,6 +58,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "the device does not look like one of the prior's type",
             text: "the device does not look like its type (the typical values given as a prior): {parameter} lies {distance} standard deviations from the type's mean (by chance with probability {p}). The prior is not used",
             advice: "use this calibration, which was made without the prior; if the device is of another type, give the prior of that type",
+            use_of_result: UseOfResult::Conditional,
             ..care(0.1)
         },
         Kind::BiasesDiffer => Entry {
@@ -76,6 +77,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "{name} is {value}, and {allowed} is allowed",
             text: "{name} is {value}. Its limit allows {allowed}",
             advice: "do not use this calibration where this limit has to hold",
+            use_of_result: UseOfResult::Forbidden,
             remedies: vec![Remedy::RecordAgain],
             ..bad(5.0)
         },
@@ -146,6 +148,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "the calibration does not hold for the validation recording",
             text: "the calibration misses this recording by {missed} times what the noise and the errors of the calibration explain, whatever its biases are ({channel}; {own} times in the recordings of the fit). Perhaps it is of another device, or the device has changed: temperature, a shock, another range",
             advice: "do not use the calibration for this recording",
+            use_of_result: UseOfResult::Forbidden,
             ..care(1.0)
         },
         Kind::ScalarLeftAsRead => Entry {

@@ -3,7 +3,7 @@
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy, Setting};
 
-use crate::words::entry::{Entry, bad, care, remark};
+use crate::words::entry::{Entry, UseOfResult, bad, care, remark};
 use crate::words::tables::reading::IF_EXACT;
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
@@ -58,6 +58,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "the readings drift in {at}",
             text: "[{at}: ]the readings drift[ by {size}] while the device should rest, as when it slowly slips or warms up. The program fits the drift[ ({angle} in all, up to {slope} in the accelerometer's reading)]",
             advice: IF_EXACT,
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::RecordAgain],
             ..care(0.05)
         },
@@ -65,6 +66,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "the device settled in {at}",
             text: "[{at}: ]the device still moved[ by {size}] for some seconds after it was laid down, as on a cushion that gives way. The program corrects for this move[ ({slip} in all)]",
             advice: IF_EXACT,
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::RecordAgain],
             ..care(0.02)
         },
@@ -72,6 +74,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "the device moved in {at}",
             text: "[{at}: ]the device moved[ by {size}] while it should have rested, as a slipping mount does. The program corrects for this move[ ({slip} at once)]",
             advice: IF_EXACT,
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::RecordAgain],
             ..care(0.05)
         },
@@ -79,6 +82,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "something touched the device in {at}",
             text: "[{at}: ]something touched or pushed the device[, by {size}]. The program does not use the accelerometer's reading in this interval[ (off by {force})][ (shakes at t = {shaken}, {times} times as much as usual)][ (this cut a {cut} in two, and the shorter part counts as part of a turn)]",
             advice: IF_EXACT,
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::RecordAgain],
             ..care(0.03)
         },
@@ -91,6 +95,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "{at} misses gravity, and is not used",
             text: "[{at}: ]the turn misses gravity[ by {size},] by far more than the noise: it does not lead to the direction of gravity that the accelerometer reads after it. The program does not use the turn[ (shakes at t = {shaken}, {times} times as much as usual)]",
             advice: IF_EXACT,
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::RecordAgain],
             ..care(0.1)
         },
@@ -125,6 +130,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "the static intervals are short",
             text: "static intervals (rests) of {least} and more are used, because too few last 2.5 s",
             advice: IF_EXACT,
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::RestLonger],
             ..remark(0.005)
         },

@@ -3,7 +3,7 @@
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
 
-use crate::words::entry::{Entry, care, remark};
+use crate::words::entry::{Entry, UseOfResult, care, remark};
 use crate::words::tables::reading::IF_EXACT;
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
@@ -18,6 +18,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "the magnetic field differs from place to place",
             text: "the magnetic field differs by {size} per axis between static intervals ({share} of it; the magnetometer's noise makes {noise}), as near iron or currents. The program has enlarged the magnetometer's standard errors to cover that",
             advice: IF_EXACT,
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::AwayFromIron],
             ..care(0.5)
         },
@@ -42,6 +43,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "the model of the magnetometer lacks {effect}",
             text: "the readings of the magnetometer depend on {effect}, a source of error that its model lacks. Its standard errors do not cover that",
             advice: "use this calibration if you do not need the magnetometer",
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::set(OptionName::Effects)],
             ..care(0.3)
         },
@@ -49,6 +51,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "magnetometer and gyroscope disagree about the heading",
             text: "magnetometer and gyroscope disagree about the heading (the horizontal direction) after turns, by more than noise. The program calibrates the gyroscope by its turns alone",
             advice: "use this calibration without its magnetometer",
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::AwayFromIron],
             ..care(0.3)
         },

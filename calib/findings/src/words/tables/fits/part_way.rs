@@ -3,7 +3,7 @@
 use crate::kind::Kind;
 use crate::remedy::Remedy;
 
-use crate::words::entry::{Entry, care};
+use crate::words::entry::{Entry, UseOfResult, care};
 
 /// What can be done with a recording of two parts.
 const ONE_PART: &str =
@@ -15,6 +15,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "the bias of the {sensor} jumps part of the way",
             text: "the bias of the {sensor} on {axis} jumps by {size} between static intervals {after} and {before} ({at}). One calibration does not hold for both parts",
             advice: ONE_PART,
+            use_of_result: UseOfResult::Forbidden,
             remedies: vec![Remedy::RecordAgain],
             ..care(0.5)
         },
@@ -22,6 +23,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "the scale of the {sensor} changes part of the way",
             text: "the scale factor of the {sensor} on {axis} changes by {size} between static intervals {after} and {before} ({at})[, as with another unit or range of the {force}][, as with another range of the {rate}, or a clock that runs at another rate]. One calibration does not hold for both parts",
             advice: ONE_PART,
+            use_of_result: UseOfResult::Forbidden,
             remedies: vec![Remedy::RecordAgain],
             ..care(3.0)
         },
@@ -29,6 +31,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "the axes of the {sensor} turn part of the way",
             text: "the axes of the {sensor} turn by {size} between static intervals {after} and {before} ({at}), as if the sensor had moved in its case. One calibration does not hold for both parts",
             advice: ONE_PART,
+            use_of_result: UseOfResult::Forbidden,
             remedies: vec![Remedy::RecordAgain],
             ..care(5.0)
         },
@@ -36,6 +39,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "an axis of the {sensor} changes its sign part of the way",
             text: "the {axis} axis of the {sensor} changes its sign between static intervals {after} and {before} ({at}). One calibration does not hold for both parts",
             advice: ONE_PART,
+            use_of_result: UseOfResult::Forbidden,
             remedies: vec![Remedy::RecordAgain],
             ..care(30.0)
         },
@@ -43,6 +47,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "two columns of the {sensor} change places part of the way",
             text: "the columns {axis} of the {sensor} change places between static intervals {after} and {before} ({at}). One calibration does not hold for both parts",
             advice: ONE_PART,
+            use_of_result: UseOfResult::Forbidden,
             remedies: vec![Remedy::RecordAgain],
             ..care(30.0)
         },
@@ -50,6 +55,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             reason: "{at} misses gravity, and the other turns do not",
             text: "{at} misses gravity by {size}: unlike the other turns, it does not lead to the direction that the accelerometer reads after it. Perhaps rows are lost, repeated or moved in it, or the clock jumped",
             advice: "use this calibration if another warning says that this turn is not used",
+            use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::RecordAgain],
             ..care(0.3)
         },

@@ -2,7 +2,7 @@
 
 use crate::kind::Kind;
 use crate::remedy::{OptionName, Remedy};
-use crate::words::entry::{Entry, doubt};
+use crate::words::entry::{Entry, UseOfResult, doubt};
 
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
@@ -16,11 +16,14 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "correct unit, sign or order of the columns if they are not those of the calibration's recordings",
             vec![Remedy::OwnCalibration],
         ),
-        Kind::NormOff => doubt(
-            "at rest the corrected reading of the accelerometer differs from gravity by {rms} (rms)[, and in the calibration's own recordings by {usual}]. The calibration may be of another device",
-            "use this calibration only if device and unit are those of its recordings",
-            vec![Remedy::OwnCalibration],
-        ),
+        Kind::NormOff => Entry {
+            use_of_result: UseOfResult::Conditional,
+            ..doubt(
+                "at rest the corrected reading of the accelerometer differs from gravity by {rms} (rms)[, and in the calibration's own recordings by {usual}]. The calibration may be of another device",
+                "use this calibration only if device and unit are those of its recordings",
+                vec![Remedy::OwnCalibration],
+            )
+        },
         Kind::NormGrown => doubt(
             "at rest the corrected reading of the accelerometer differs from gravity by {rms} (rms), and in the calibration's own recordings by {usual}. The sensor has changed since, as by temperature or age, or gravity is another here",
             "",
@@ -31,11 +34,14 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "calibrate the magnetometer again if unit, signs and order of the columns are those of the calibration's recordings",
             vec![Remedy::OwnCalibration],
         ),
-        Kind::CorrectedOtherwise => doubt(
-            "{by} had corrected the readings of the {sensor} in this recording before, and {own} those behind the calibration. So the calibration does not hold for this recording",
-            "do not use the corrected readings; calibrate from recordings that were corrected as this one",
-            vec![],
-        ),
+        Kind::CorrectedOtherwise => Entry {
+            use_of_result: UseOfResult::Forbidden,
+            ..doubt(
+                "{by} had corrected the readings of the {sensor} in this recording before, and {own} those behind the calibration. So the calibration does not hold for this recording",
+                "do not use the corrected readings; calibrate from recordings that were corrected as this one",
+                vec![],
+            )
+        },
         Kind::CorrectedInPart => doubt(
             "{by} had corrected the readings of the {sensor} before, and not those of {others}: one calibration does not hold for both",
             "calibrate these recordings apart",
@@ -61,11 +67,14 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "correct only those with it; for any other recording calibrate again without {effect}",
             vec![],
         ),
-        Kind::OnlyRestAnalysed => doubt(
-            "the device moved during the recording. The program analyses only the longest rest, {at}",
-            "use these values if this rest is the one you meant; else leave the device alone and record again",
-            vec![Remedy::such_as(OptionName::Rest, "60,3600")],
-        ),
+        Kind::OnlyRestAnalysed => Entry {
+            use_of_result: UseOfResult::Conditional,
+            ..doubt(
+                "the device moved during the recording. The program analyses only the longest rest, {at}",
+                "use these values if this rest is the one you meant; else leave the device alone and record again",
+                vec![Remedy::such_as(OptionName::Rest, "60,3600")],
+            )
+        },
         _ => return None,
     })
 }
