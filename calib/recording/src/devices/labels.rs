@@ -3,7 +3,8 @@
 pub(crate) use super::names::Class;
 use crate::header::dialect::{Cell, Dialect};
 use crate::header::preface::{Kept, cells};
-use crate::header::{Layout, roles_by_map};
+use crate::header::Layout;
+use crate::header::by_map::roles_by_map;
 use crate::recording::line_numbers::LineNumbers;
 use crate::recording::options::{ReadOptions, Role};
 

@@ -1,5 +1,6 @@
 //! The vocabulary of column names.
 
+pub(crate) mod axes_units;
 mod parts;
 mod stamps;
 mod words;
