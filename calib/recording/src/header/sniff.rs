@@ -274,7 +274,7 @@ impl Start {
             names.pop();
         }
         if width == names.len() + 1 && rows_are_numbered(rows, self.dialect) {
-            // R names its rows, and gives the names none.
+            // R and pandas number their rows, and give the numbers no name.
             names.insert(0, String::new());
         }
         if width != names.len() && !(width == names.len() + 1 && ends_empty(rows, self.dialect)) {

@@ -3,24 +3,43 @@
 use findings::{Finding, Kind, OptionName, Remedy};
 use nalgebra::Vector3;
 
-use super::rests;
+use super::decide::length_of_gravity;
+use super::{GyroUnit, rests};
 use crate::Error;
 use crate::recording::Stream;
-use crate::recording::options::Role;
+use crate::recording::options::{ReadOptions, Role};
 use crate::recording::samples::Samples;
 use crate::rows::table::Table;
+use crate::shown::significant;
 use crate::source::place::in_file;
+
+/// Refuses a gyroscope alone whose readings keep the length of gravity, and in no unit that anybody says: they are an accelerometer's.
+fn refuse_force(table: &Table, options: &ReadOptions) -> Result<(), Error> {
+    let said = options.gyro_unit.or(table.stated.gyro);
+    let Some(length) = length_of_gravity(&table.gyro.values).filter(|_| said.is_none()) else {
+        return Ok(());
+    };
+    let force = Finding::of(Kind::ForceAsRate).detail("length", significant(length, 3));
+    let columns = exchanged(table).unwrap_or_default();
+    let remedy = Remedy::examples([
+        (OptionName::Columns, columns.as_str()),
+        (OptionName::GyroUnit, GyroUnit::RadiansPerSecond.name()),
+    ]);
+    Err(in_file(&table.name, force.only_remedies([remedy])))
+}
 
 /// Refuses sensors whose names are each other's: a mean that turns from rest to rest is an accelerometer's. Their units play no
 /// part.
 ///
 /// # Errors
 /// [`Error::Input`] with the columns as they should be read.
-pub(crate) fn refuse(tables: &[Table]) -> Result<(), Error> {
+pub(crate) fn refuse(tables: &[Table], options: &ReadOptions) -> Result<(), Error> {
     let accel = tables.iter().find(|table| !table.accel.t.is_empty());
     let gyro = tables.iter().find(|table| !table.gyro.t.is_empty());
-    let (Some(of_accel), Some(of_gyro)) = (accel, gyro) else {
-        return Ok(());
+    let (of_accel, of_gyro) = match (accel, gyro) {
+        (Some(accel), Some(gyro)) => (accel, gyro),
+        (None, Some(gyro)) => return refuse_force(gyro, options),
+        _ => return Ok(()),
     };
     let (accel, gyro) = (&of_accel.accel, &of_gyro.gyro);
     let same_rows = accel.t.len() == gyro.t.len();
@@ -73,5 +92,35 @@ fn exchanged(table: &Table) -> Option<String> {
     let all = table.roles.iter();
     let all = all.filter_map(|(role, column)| Some(format!("{}={column}", other(role)?.name())));
     let all: Vec<String> = all.collect();
-    (all.len() == 6).then(|| all.join(","))
+    matches!(all.len(), 3 | 6).then(|| all.join(","))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Recording;
+
+    #[test]
+    fn an_accelerometer_under_the_names_of_a_gyroscope_is_refused_with_its_columns() {
+        let row = |k: u32| {
+            let angle = 0.01 * f64::from(k);
+            let (t, x, z) = (angle, angle.sin(), angle.cos());
+            format!("{t},{x:.4},{:.4},{z:.4}\n", 0.01 * angle)
+        };
+        let rows: String = (0..500).map(row).collect();
+        let read = |names: &str, options: &ReadOptions| {
+            let text = format!("{names}\n{rows}");
+            Recording::from_bytes("a.csv", text.as_bytes(), options)
+        };
+        let untold = ReadOptions::default();
+        let error = read("t,gx,gy,gz", &untold).unwrap_err();
+        let text = error.finding().text(findings::Front::CommandLine);
+        assert!(text.contains("ax=gx,ay=gy,az=gz"), "{text}");
+        let rates = ReadOptions {
+            gyro_unit: Some(GyroUnit::RadiansPerSecond),
+            ..Default::default()
+        };
+        assert!(read("t,gx,gy,gz", &rates).is_ok());
+        assert!(read("t,gx (g),gy (g),gz (g)", &untold).is_ok());
+    }
 }
