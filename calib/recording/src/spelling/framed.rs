@@ -9,6 +9,7 @@ use crate::source::rewrite::rewritten;
 pub(super) static FRAMED: Spelling = Spelling {
     spelling: "frames around rows",
     read_as: "rows",
+    of_dates: false,
     change,
 };
 

@@ -9,6 +9,7 @@ use crate::source::rewrite::rewritten;
 pub(super) static PACKED_DATE: Spelling = Spelling {
     spelling: "dates without marks",
     read_as: "dates",
+    of_dates: true,
     change,
 };
 
@@ -18,8 +19,21 @@ const FEWEST: usize = 10;
 /// Years, in four digits and in two.
 const YEARS: [std::ops::Range<u32>; 2] = [2001..2100, 10..60];
 
-/// The date that the digits of a cell are, by ISO 8601; `None` of any other number.
+/// The date that the digits of a cell are; `None` of any other number. Behind a day and a month, which may be each other, the time
+/// stands apart: for the reader to refuse.
 fn date(cell: &str) -> Option<String> {
+    year_first(cell).or_else(|| {
+        let (date, rest) = cell.split_at_checked(8)?;
+        let (begin, year) = date.split_at(4);
+        let turned = [year, &begin[2..], &begin[..2], rest].concat();
+        let other = [year, begin, rest].concat();
+        year_first(&turned).or_else(|| year_first(&other))?;
+        Some(format!("{date} {rest}"))
+    })
+}
+
+/// The date that the digits of a cell are, by ISO 8601, the year first.
+fn year_first(cell: &str) -> Option<String> {
     let (digits, decimals) = cell.split_once('.').unwrap_or((cell, ""));
     let are_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
     if !are_digits(digits) || !are_digits(decimals) {
@@ -92,6 +106,7 @@ mod tests {
             ("20260501120059250", "2026-05-01T12:00:59.2500"),
             ("20260501120059250000", "2026-05-01T12:00:59.2500000"),
             ("260501120059250", "2026-05-01T12:00:59.2500"),
+            ("01052026120059.25", "01052026 120059.25"),
         ] {
             let text = "time,ax,ay\n".to_owned() + &format!("{stamp},1,2\n").repeat(12);
             let read = respelt(&PACKED_DATE, &text).unwrap();

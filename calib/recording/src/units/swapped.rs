@@ -13,18 +13,30 @@ use crate::rows::table::Table;
 use crate::shown::significant;
 use crate::source::place::in_file;
 
-/// Refuses a gyroscope alone whose readings keep the length of gravity, and in no unit that anybody says: they are an accelerometer's.
-fn refuse_force(table: &Table, options: &ReadOptions) -> Result<(), Error> {
+/// The mean direction of readings is no longer than this where they turn.
+const TURNED: f64 = 0.9;
+
+/// The length of gravity that readings of several directions keep.
+fn turning_gravity(values: &[Vector3<f64>]) -> Option<f64> {
+    let directions = values.iter().filter_map(|value| value.try_normalize(0.0));
+    let mean = directions.sum::<Vector3<f64>>() / values.len().max(1) as f64;
+    length_of_gravity(values).filter(|_| mean.norm() < TURNED)
+}
+
+/// Refuses a gyroscope whose readings keep the length of gravity in several directions, in no unit that anybody says: they are an
+/// accelerometer's, or gravity beside it.
+fn refuse_force(table: &Table, is_alone: bool, options: &ReadOptions) -> Result<(), Error> {
     let said = options.gyro_unit.or(table.stated.gyro);
-    let Some(length) = length_of_gravity(&table.gyro.values).filter(|_| said.is_none()) else {
+    let Some(length) = turning_gravity(&table.gyro.values).filter(|_| said.is_none()) else {
         return Ok(());
     };
     let force = Finding::of(Kind::ForceAsRate).detail("length", significant(length, 3));
-    let columns = exchanged(table).unwrap_or_default();
-    let remedy = Remedy::examples([
-        (OptionName::Columns, columns.as_str()),
-        (OptionName::GyroUnit, GyroUnit::RadiansPerSecond.name()),
-    ]);
+    let columns = exchanged(table).filter(|_| is_alone);
+    let columns = columns
+        .as_deref()
+        .map(|columns| (OptionName::Columns, columns));
+    let unit = (OptionName::GyroUnit, GyroUnit::RadiansPerSecond.name());
+    let remedy = Remedy::examples(columns.into_iter().chain([unit]));
     Err(in_file(&table.name, force.only_remedies([remedy])))
 }
 
@@ -38,10 +50,13 @@ pub(crate) fn refuse(tables: &[Table], options: &ReadOptions) -> Result<(), Erro
     let gyro = tables.iter().find(|table| !table.gyro.t.is_empty());
     let (of_accel, of_gyro) = match (accel, gyro) {
         (Some(accel), Some(gyro)) => (accel, gyro),
-        (None, Some(gyro)) => return refuse_force(gyro, options),
+        (None, Some(gyro)) => return refuse_force(gyro, true, options),
         _ => return Ok(()),
     };
     let (accel, gyro) = (&of_accel.accel, &of_gyro.gyro);
+    if turning_gravity(&accel.values).is_some() {
+        refuse_force(of_gyro, false, options)?;
+    }
     let same_rows = accel.t.len() == gyro.t.len();
     let matched = match same_rows {
         true => None,

@@ -182,7 +182,7 @@ mod tests {
         for unit in UNITS {
             let (mut accel, mut gyro) = (Stream::default(), Stream::default());
             let mut attitude = Rotation3::identity();
-            for place in 0..8 {
+            for place in 0..12 {
                 let axis = Unit::new_normalize(Vector3::new(1.0, f64::from(place % 3) - 1.0, 0.3));
                 for k in 0..400 {
                     // Slow turns: their numbers in deg/s are possible in rad/s.
@@ -205,12 +205,12 @@ mod tests {
             assert!(unit_change(&accel, &gyro).is_none());
             let other = UNITS[(UNITS.iter().position(|u| *u == unit).unwrap() + 1) % 3];
             let mut changed = gyro.clone();
-            for value in &mut changed.values[1600..] {
+            for value in &mut changed.values[2400..] {
                 *value *= unit.scale() / other.scale();
             }
             let change = unit_change(&accel, &changed).unwrap();
             assert_eq!(change.units, [unit, other]);
-            assert!(change.between[0] <= 16.0 && change.between[1] >= 15.0);
+            assert!(change.between[0] <= 24.5 && change.between[1] >= 23.5);
             assert_eq!(wrong_by(&accel, &gyro, unit), None);
             // Ticks of 0.22 µs read as microseconds.
             gyro.t.iter_mut().for_each(|t| *t *= 4.5);

@@ -48,18 +48,26 @@ fn refused(text: &str) -> String {
 fn dates_without_marks_or_with_other_marks_are_stamps() {
     let s = session();
     type Stamp<'a> = &'a dyn Fn([u64; 3]) -> String;
-    let packed: [Stamp<'_>; 7] = [
+    let packed: [Stamp<'_>; 6] = [
         &|[m, s, ms]| format!("20260501T12{m:02}{s:02}.{ms:03}"),
         &|[m, s, ms]| format!("2026050112{m:02}{s:02}.{ms:03}"),
         &|[m, s, ms]| format!("2026050112{m:02}{s:02}{ms:03}"),
         &|[m, s, ms]| format!("26050112{m:02}{s:02}{ms:03}"),
         &|[m, s, ms]| format!("2026-05-01_12-{m:02}-{s:02}-{ms:03}"),
         &|[m, s, ms]| format!("2026.05.01 12:{m:02}:{s:02}.{ms:03}"),
-        &|[m, s, ms]| format!("{m:02}:{s:02}:{ms:03}"),
     ];
     for stamp in packed {
         is_read_as("csv", &stamped("time", &s, stamp), &s);
     }
+    let of_the_hour = |[m, s, ms]: [u64; 3]| format!("{m:02}:{s:02}:{ms:03}");
+    is_read_as("time_of_day", &stamped("time", &s, of_the_hour), &s);
+    // Who says the format reads the digits themselves.
+    let options = ReadOptions {
+        time_format: Some("%Y%m%d%H%M%S%.f".to_owned()),
+        ..ReadOptions::default()
+    };
+    let said = stamped("time", &s, packed[1]);
+    is_it(&read_as(&said, &options).unwrap(), &s, 1e-4);
     // Days and months that may be each other, digits that no clock shows, and parts that may be of anything.
     let refusals: [Stamp<'_>; 3] = [
         &|[m, s, ms]| format!("01.05.2026 12:{m:02}:{s:02}.{ms:03}"),
@@ -82,11 +90,11 @@ fn a_column_per_field_of_the_clock_is_one_stamp() {
     );
     let counted = |[m, s, ms]: [u64; 3]| format!("{m},{s},{ms}");
     is_read_as("clock_columns", &stamped("min,sec,ms", &s, counted), &s);
-    // Seconds that go on past the minute, and a part that two columns have.
     let goes_on = |[m, s, ms]: [u64; 3]| format!("{m},{}.{ms:03}", 60 * m + s);
-    refused(&stamped("min,sec", &s, goes_on));
-    let twice = |[m, s, ms]: [u64; 3]| format!("{m},{s}.{ms:03},{ms}");
-    refused(&stamped("min,sec,ms", &s, twice));
+    is_read_as("clock_columns", &stamped("min,sec", &s, goes_on), &s);
+    // Hundredths that are called milliseconds.
+    let hundredths = |[m, s, ms]: [u64; 3]| format!("{m},{s},{}", ms / 10);
+    refused(&stamped("min,sec,ms", &s, hundredths));
 }
 
 #[test]
@@ -133,6 +141,12 @@ fn letters_that_say_the_sensor_are_no_units() {
     };
     is_read_as("long", &long("a", "g", ["x", "x"]), &s);
     is_read_as("long", &long("ACCE", "GYRO", ["x", "x"]), &s);
+    // Gravity is no rate.
+    let gravity = table("t,sensor,x,y,z", |k| {
+        let (t, f) = (s.t[k], xyz(&s.force[k], 1.0));
+        format!("{t:.2},a,{f}\n{t:.2},g,{}", xyz(&s.force[k], 0.999))
+    });
+    assert!(refused(&gravity).contains("they hold no rates"));
     // Rows of the accelerometer have `g` in them too.
     refused(&long("a", "g", ["g", "s"]));
 }

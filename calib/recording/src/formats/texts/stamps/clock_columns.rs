@@ -1,6 +1,7 @@
 //! Tables with the fields of a clock in columns of their own: `hour,minute,second,..`, `min,sec,ms,..`.
 
 use std::io::Read;
+use std::ops::Range;
 
 use crate::clock::time_of_day::TimeOfDay;
 use crate::formats::texts::TextFormat;
@@ -73,6 +74,9 @@ fn fields(header: &str) -> Option<Vec<(usize, f64)>> {
 fn seconds(row: &str, fields: &[(usize, f64)]) -> Option<f64> {
     let places = places(row);
     let last = fields.len().saturating_sub(1);
+    if let Some(counted) = counted_on(row, &places, fields) {
+        return Some(counted);
+    }
     let part = |(at, (column, unit)): (usize, &(usize, f64))| {
         let cell = row.get(places.get(*column)?.clone())?;
         let number: f64 = cell.replace(',', ".").parse().ok()?;
@@ -86,14 +90,49 @@ fn seconds(row: &str, fields: &[(usize, f64)]) -> Option<f64> {
     fields.iter().enumerate().map(part).sum()
 }
 
+/// The seconds of a row of minutes and of seconds that count on past them: `1,60.5`.
+fn counted_on(row: &str, places: &[Range<usize>], fields: &[(usize, f64)]) -> Option<f64> {
+    let [(minute, _), (second, _)] = fields else {
+        return None;
+    };
+    let cell = |column: &usize| row.get(places.get(*column)?.clone());
+    let minutes: f64 = cell(minute)?.parse().ok()?;
+    let seconds: f64 = cell(second)?.replace(',', ".").parse().ok()?;
+    (seconds >= 60.0 && (seconds / 60.0).floor() == minutes).then_some(seconds)
+}
+
+/// Numbers of a part of a second that show how far it counts.
+const ENOUGH: usize = 10;
+
+/// True for parts of a second that begin again before half of it, as hundredths do that are called milliseconds.
+fn counts_less(rows: &[&str], fields: &[(usize, f64)]) -> bool {
+    let Some((column, unit)) = fields.last().filter(|(_, unit)| *unit < 1.0) else {
+        return false;
+    };
+    let number = |row: &&str| row[places(row).get(*column)?.clone()].parse::<f64>().ok();
+    let parts: Vec<f64> = rows.iter().filter_map(number).collect();
+    let begins_again = parts.windows(2).any(|pair| pair[1] < pair[0]);
+    let mut all: Vec<u64> = parts.iter().map(|part| part.to_bits()).collect();
+    all.sort_unstable();
+    all.dedup();
+    let before_half = parts.iter().all(|part| part * unit < 0.5);
+    let is_of_seconds = fields.iter().any(|(_, unit)| *unit == 1.0)
+        && fields.iter().filter(|(_, unit)| *unit < 1.0).count() == 1;
+    is_of_seconds && begins_again && before_half && all.len() >= ENOUGH
+}
+
 fn parts(look: &Look) -> Option<Vec<Part>> {
     let mut lines = whole_rows(look).into_iter();
     let fields = fields(lines.next()?)?;
-    let rows: Vec<Option<f64>> = lines.map(|row| seconds(row, &fields)).collect();
-    (rows.len() > 1 && rows.iter().all(Option::is_some)).then(|| {
+    let lines: Vec<&str> = lines.collect();
+    let is_clock = lines.iter().all(|row| seconds(row, &fields).is_some());
+    (lines.len() > 1 && is_clock).then(|| {
         vec![Part {
             time_unit: Some(TimeUnit::Seconds),
-            change: Some(change),
+            change: Some(match counts_less(&lines, &fields) {
+                true => unreadable,
+                false => change,
+            }),
             ..Part::default()
         }]
     })
@@ -101,47 +140,55 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
 
 /// The rows with the time in the column of the minutes, and the header with other names for the fields.
 fn change(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
+    stamped(text, seconds)
+}
+
+/// The same with stamps that are no numbers, for the reader to refuse.
+fn unreadable(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
+    stamped(text, |_, _| None)
+}
+
+/// The row with other texts in the columns of some fields.
+fn replaced_in(row: &str, (column, _): &(usize, f64), with: &str) -> String {
+    let place = places(row).get(*column).cloned();
+    place.map_or_else(|| row.to_owned(), |place| replaced(row, &place, with))
+}
+
+fn stamped(
+    text: Box<dyn Read + Send>,
+    seconds: fn(&str, &[(usize, f64)]) -> Option<f64>,
+) -> Box<dyn Read + Send> {
     let mut known: Option<Vec<(usize, f64)>> = None;
     let mut clock = TimeOfDay::default();
     rewritten(text, move |line, out| {
         let text = std::str::from_utf8(line).unwrap_or_default();
-        let replaced_in = |text: &str, (column, _): &(usize, f64), with: &str| {
-            let place = places(text).get(*column).cloned();
-            place.map_or_else(|| text.to_owned(), |place| replaced(text, &place, with))
+        let Some(fields) = &known else {
+            known = fields(text).filter(|_| may_be_row(text));
+            let columns = known.as_deref().unwrap_or_default();
+            let named = columns.iter().fold(text.to_owned(), |text, field| {
+                let name = if field.1 == 60.0 { "time" } else { "part" };
+                replaced_in(&text, field, name)
+            });
+            return out.extend_from_slice(match columns.is_empty() {
+                true => line,
+                false => named.as_bytes(),
+            });
         };
-        match &known {
+        let Some(minutes) = fields.iter().find(|(_, unit)| *unit == 60.0) else {
+            return out.extend_from_slice(line);
+        };
+        let stamp = match seconds(text, fields) {
+            Some(seconds) => format!("{:.9}", clock.count_on(seconds)),
+            // No number, for the reader to refuse.
             None => {
-                known = fields(text).filter(|_| may_be_row(text));
-                let columns = known.as_deref().unwrap_or_default();
-                let named = columns.iter().fold(text.to_owned(), |text, field| {
-                    let name = if field.1 == 60.0 { "time" } else { "part" };
-                    replaced_in(&text, field, name)
-                });
-                match columns.is_empty() {
-                    true => out.extend_from_slice(line),
-                    false => out.extend_from_slice(named.as_bytes()),
-                }
+                let cells = places(text);
+                let shown =
+                    |(column, _): &(usize, f64)| cells.get(*column).map(|at| &text[at.clone()]);
+                let shown: Vec<&str> = fields.iter().filter_map(shown).collect();
+                shown.join(" and ")
             }
-            Some(fields) => {
-                let minutes = fields.iter().find(|(_, unit)| *unit == 60.0);
-                let Some(field) = minutes else {
-                    return out.extend_from_slice(line);
-                };
-                let stamp = match seconds(text, fields) {
-                    Some(seconds) => format!("{:.9}", clock.count_on(seconds)),
-                    // No number, for the reader to refuse.
-                    None => {
-                        let cells = places(text);
-                        let shown = |(column, _): &(usize, f64)| {
-                            cells.get(*column).map(|at| &text[at.clone()])
-                        };
-                        let shown: Vec<&str> = fields.iter().filter_map(shown).collect();
-                        shown.join(" and ")
-                    }
-                };
-                out.extend_from_slice(replaced_in(text, field, &stamp).as_bytes());
-            }
-        }
+        };
+        out.extend_from_slice(replaced_in(text, minutes, &stamp).as_bytes());
     })
 }
 

@@ -83,7 +83,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "[give {files} the other way round]",
         ),
         Kind::ForceAsRate => error_with(
-            "the columns of the gyroscope keep the length {length} whatever the attitude, as gravity does: they hold an accelerometer",
+            "the columns of the gyroscope keep the length {length} whatever the attitude, as gravity does: they hold no rates",
             "name them as the accelerometer's; if they do hold a gyroscope, give its unit",
             vec![Remedy::examples([
                 (OptionName::Columns, "ax=NAME,ay=NAME,az=NAME"),
