@@ -232,7 +232,7 @@ fn is_one_of(words: &[&str], stem: &str) -> bool {
         let may_be = |rest: &str| *around != BODY || rest.chars().count() > 1;
         rest.is_some_and(|rest| may_be(rest) && words.contains(&rest))
     };
-    words.contains(&stem) || AROUND.iter().any(|around| bare(&around))
+    words.contains(&stem) || AROUND.iter().any(bare)
 }
 
 /// True for a stem, without its axis and in small letters, that a magnetometer is called by.

@@ -38,11 +38,14 @@ const FIELDS: [(&[&str], f64); 6] = [
         1e-9,
     ),
 ];
+/// A field's column and its seconds.
+type Field = (usize, f64);
+
 /// The index of the minutes among them.
 const MINUTE: usize = 1;
 
 /// The fields by their columns, the minutes and the seconds among them.
-fn fields(header: &str) -> Option<Vec<(usize, f64)>> {
+fn fields(header: &str) -> Option<Vec<Field>> {
     let names: Vec<&str> = places(header).into_iter().map(|at| &header[at]).collect();
     let field = |name: &str| {
         let word = compact(name);
@@ -71,13 +74,13 @@ fn fields(header: &str) -> Option<Vec<(usize, f64)>> {
 
 /// The seconds since midnight, or since the hour, of a row; `None` where a field counts more than one of the field before it, or has
 /// a part that the field behind it counts again.
-fn seconds(row: &str, fields: &[(usize, f64)]) -> Option<f64> {
+fn seconds(row: &str, fields: &[Field]) -> Option<f64> {
     let places = places(row);
     let last = fields.len().saturating_sub(1);
     if let Some(counted) = counted_on(row, &places, fields) {
         return Some(counted);
     }
-    let part = |(at, (column, unit)): (usize, &(usize, f64))| {
+    let part = |(at, (column, unit)): (usize, &Field)| {
         let cell = row.get(places.get(*column)?.clone())?;
         let number: f64 = cell.replace(',', ".").parse().ok()?;
         let limit = match at.checked_sub(1).and_then(|before| fields.get(before)) {
@@ -91,7 +94,7 @@ fn seconds(row: &str, fields: &[(usize, f64)]) -> Option<f64> {
 }
 
 /// The seconds of a row of minutes and of seconds that count on past them: `1,60.5`.
-fn counted_on(row: &str, places: &[Range<usize>], fields: &[(usize, f64)]) -> Option<f64> {
+fn counted_on(row: &str, places: &[Range<usize>], fields: &[Field]) -> Option<f64> {
     let [(minute, _), (second, _)] = fields else {
         return None;
     };
@@ -105,7 +108,7 @@ fn counted_on(row: &str, places: &[Range<usize>], fields: &[(usize, f64)]) -> Op
 const ENOUGH: usize = 10;
 
 /// True for parts of a second that begin again before half of it, as hundredths do that are called milliseconds.
-fn counts_less(rows: &[&str], fields: &[(usize, f64)]) -> bool {
+fn counts_less(rows: &[&str], fields: &[Field]) -> bool {
     let Some((column, unit)) = fields.last().filter(|(_, unit)| *unit < 1.0) else {
         return false;
     };
@@ -149,16 +152,16 @@ fn unreadable(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
 }
 
 /// The row with other texts in the columns of some fields.
-fn replaced_in(row: &str, (column, _): &(usize, f64), with: &str) -> String {
+fn replaced_in(row: &str, (column, _): &Field, with: &str) -> String {
     let place = places(row).get(*column).cloned();
     place.map_or_else(|| row.to_owned(), |place| replaced(row, &place, with))
 }
 
 fn stamped(
     text: Box<dyn Read + Send>,
-    seconds: fn(&str, &[(usize, f64)]) -> Option<f64>,
+    seconds: fn(&str, &[Field]) -> Option<f64>,
 ) -> Box<dyn Read + Send> {
-    let mut known: Option<Vec<(usize, f64)>> = None;
+    let mut known: Option<Vec<Field>> = None;
     let mut clock = TimeOfDay::default();
     rewritten(text, move |line, out| {
         let text = std::str::from_utf8(line).unwrap_or_default();
@@ -182,8 +185,7 @@ fn stamped(
             // No number, for the reader to refuse.
             None => {
                 let cells = places(text);
-                let shown =
-                    |(column, _): &(usize, f64)| cells.get(*column).map(|at| &text[at.clone()]);
+                let shown = |(column, _): &Field| cells.get(*column).map(|at| &text[at.clone()]);
                 let shown: Vec<&str> = fields.iter().filter_map(shown).collect();
                 shown.join(" and ")
             }
