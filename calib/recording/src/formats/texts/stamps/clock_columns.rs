@@ -4,8 +4,8 @@ use std::io::Read;
 use std::ops::Range;
 
 use crate::clock::time_of_day::TimeOfDay;
-use crate::formats::texts::TextFormat;
 use crate::formats::texts::places::{may_be_row, places, replaced, whole_rows};
+use crate::formats::texts::text_format::TextFormat;
 use crate::header::look::Look;
 use crate::header::names::{compact, role_of};
 use crate::recording::options::Role;

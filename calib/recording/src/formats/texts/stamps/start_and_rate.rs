@@ -3,7 +3,7 @@
 use std::io::Read;
 
 use crate::clock::time::SINCE_1970;
-use crate::formats::texts::TextFormat;
+use crate::formats::texts::text_format::TextFormat;
 use crate::header::look::{Look, cells};
 use crate::recording::options::Role;
 use crate::rows::parts::Part;
