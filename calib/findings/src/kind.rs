@@ -1063,6 +1063,10 @@ kinds! {
     RestlessRest = "restless_rest",
     /// The sensors have each other's names.
     SensorsSwapped = "sensors_swapped",
+    /// Readings under the names of a gyroscope are those of an accelerometer.
+    ForceAsRate = "force_as_rate",
+    /// The gyroscope's unit changes within a file.
+    RateUnitChanges = "rate_unit_changes",
     /// Axes repeat another one.
     AxisRepeated = "axis_repeated",
     /// An axis never changes.

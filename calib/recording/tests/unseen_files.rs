@@ -175,7 +175,7 @@ fn names_of_many_programs_are_read() {
 fn a_question_comes_with_the_line_that_answers_it() {
     let s = session();
     let headers = [
-        "t,Versnelling X,Versnelling Y,Versnelling Z,Hoeksnelheid X,Hoeksnelheid Y,Hoeksnelheid Z",
+        "t,Acceleration X,Acceleration Y,Acceleration Z,Vinkelhastighet X,Vinkelhastighet Y,Vinkelhastighet Z",
         "time,Acc1,Acc2,Acc3,Gyr1,Gyr2,Gyr3",
         "t,left_acc_x,left_acc_y,left_acc_z,left_gyr_x,left_gyr_y,left_gyr_z",
         "GPS TOW,X Accel [x8004],Y Accel [x8004],Z Accel [x8004],p,q,r",

@@ -202,6 +202,9 @@ fn large(stamp: i64) -> i64 {
     }
 }
 
+/// Marks between the groups of digits of a date with a time of day.
+const MARKS: usize = 6;
+
 fn utc(date: jiff::civil::DateTime) -> Result<jiff::Timestamp, jiff::Error> {
     jiff::tz::TimeZone::UTC.to_timestamp(date)
 }
@@ -214,31 +217,62 @@ fn iso(text: &str) -> Option<jiff::Timestamp> {
         .or_else(|| unmistakable(text))
 }
 
-/// Dates that are not ISO 8601 and can be read in one way only: months in letters, and a third colon.
+/// Dates that are not ISO 8601 and can be read in one way only: the year first, or months in letters.
 fn unmistakable(text: &str) -> Option<jiff::Timestamp> {
     let of_the_day = twelve_hours::of_the_day(text.trim());
     let text = of_the_day.as_ref();
-    let pointed;
-    let text = match text.rfind(':') {
-        Some(at) if text.matches(':').count() == 3 && !text.contains('+') => {
-            pointed = format!("{}.{}", &text[..at], &text[at + 1..]);
-            pointed.as_str()
-        }
-        _ => text,
-    };
-    const PATTERNS: [&str; 4] = [
-        "%Y/%m/%d %H:%M:%S%.f",
+    let text = text.strip_suffix(" UTC").unwrap_or(text);
+    const PATTERNS: [&str; 6] = [
         "%d-%b-%Y %H:%M:%S%.f",
-        "%Y-%m-%d %H:%M:%S%.f",
+        "%d %b %Y %H:%M:%S%.f",
+        "%b %d, %Y %H:%M:%S%.f",
+        "%b %d %Y %H:%M:%S%.f",
+        "%a %b %d %H:%M:%S%.f %Y",
         "%Y-%m-%dT%H:%M:%S%.f%z",
     ];
-    PATTERNS.iter().find_map(|pattern| {
+    let by_pattern = |pattern: &&str| {
         let parsed = jiff::fmt::strtime::parse(pattern, text).ok()?;
         parsed
             .to_timestamp()
             .or_else(|_| utc(parsed.to_datetime()?))
             .ok()
-    })
+    };
+    year_first(text).or_else(|| PATTERNS.iter().find_map(by_pattern))
+}
+
+/// A date and a time of day as groups of digits, the year first, with any marks between them: `2026.05.01 12:00:00.5`,
+/// `2026-05-01_12-00-00-500`, `20260501_120000.5`.
+fn year_first(text: &str) -> Option<jiff::Timestamp> {
+    let marks: Vec<char> = text.chars().filter(|c| !c.is_ascii_digit()).collect();
+    if marks.len() > MARKS || !marks.iter().all(|mark| "-/._:, T".contains(*mark)) {
+        return None;
+    }
+    let mut groups = text.split(|c: char| !c.is_ascii_digit());
+    let date = groups.next()?;
+    let [year, month, day] = match date.len() {
+        4 => [date, groups.next()?, groups.next()?],
+        8 => [&date[..4], &date[4..6], &date[6..]],
+        _ => return None,
+    };
+    let time = groups.next()?;
+    let [hour, minute, second] = match time.len() {
+        1 | 2 => [time, groups.next()?, groups.next()?],
+        6 => [&time[..2], &time[2..4], &time[4..]],
+        _ => return None,
+    };
+    let decimals = groups.next().unwrap_or("0");
+    // Behind another mark than a decimal one a number of milliseconds would be no decimals, and `-0200` behind colons is a zone.
+    let last = marks.last().copied().unwrap_or('.');
+    let between = marks.iter().rev().nth(1).copied();
+    let is_part = decimals.len() >= 3 && (last == ':' || Some(last) == between);
+    let is_decimal = ".,".contains(last) || is_part;
+    if groups.next().is_some() || !is_decimal && decimals != "0" {
+        return None;
+    }
+    let [month, day, hour, minute, second] =
+        [month, day, hour, minute, second].map(|two| format!("{two:0>2}"));
+    let iso = format!("{year}-{month}-{day}T{hour}:{minute}:{second}.{decimals}");
+    utc(iso.parse().ok()?).ok()
 }
 
 #[cfg(test)]
@@ -291,6 +325,36 @@ mod tests {
     fn iso_dates_count_nanoseconds() {
         let read = stamps(&["2026-11-21T03:04:05.123Z", "2026-11-21T03:04:05.133Z"]);
         assert_eq!(read, [0.0, 1e7]);
+    }
+
+    #[test]
+    fn dates_that_can_be_read_in_one_way_are_read() {
+        let expected = iso("2026-05-01T12:00:00.25Z");
+        for text in [
+            "2026/05/01 12:00:00.250",
+            "2026.5.1 12:00:00,25",
+            "2026-05-01_12-00-00-250",
+            "2026-05-01 12:00:00:250",
+            "2026-05-01 12.00.00.250",
+            "20260501_120000.25",
+            "01-May-2026 12:00:00.25",
+            "May 01, 2026 12:00:00.25",
+            "Fri May 01 12:00:00.25 2026",
+            "2026-05-01 12:00:00.25 UTC",
+        ] {
+            assert_eq!(iso(text), expected, "{text}");
+        }
+        for text in [
+            "01.05.2026 12:00:00",
+            "05/01/2026 12:00:00",
+            "2026-05-01_12-00-00-25",
+            "2026.05.01 12:00:00-0200",
+            "10102026 120000",
+            "2026-13-01 12.00.00",
+            "20260501120000",
+        ] {
+            assert_eq!(iso(text), None, "{text}");
+        }
     }
 
     #[test]

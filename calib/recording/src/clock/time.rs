@@ -30,6 +30,9 @@ const SECONDS_OF_A_YEAR: f64 = 31_556_952.0;
 /// Rates of most recordings, Hz: of two units the one with such a rate is meant.
 const USUAL: std::ops::Range<f64> = 20.0..2000.0;
 
+/// Rates of stamps that are called ticks, Hz.
+const TICKED: std::ops::Range<f64> = 5.0..2000.0;
+
 /// Units that people convert stamps to, and no clock counts in.
 const LONG: [TimeUnit; 3] = [TimeUnit::Days, TimeUnit::Hours, TimeUnit::Minutes];
 
@@ -206,7 +209,8 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
     let Some(step) = step else {
         return Ok(TimeUnit::Seconds);
     };
-    let is_ticks = |(role, name): &(Role, String)| *role == Role::Time && is_of_ticks(name);
+    let is_ticks = |(role, name): &&(Role, String)| *role == Role::Time && is_of_ticks(name);
+    let ticks = table.roles.iter().find(is_ticks);
     let plausible = |unit: &TimeUnit| (1.0..=10_000.0).contains(&(unit.per_second() / step));
     // A counter of microseconds looks like seconds of this century after half an hour: its rate tells.
     if let Some(unit) = table.clock.origin.and_then(of_epoch).filter(plausible) {
@@ -226,10 +230,20 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
     // Of a packet with one stamp every sample is one.
     let step = step / rows_per_stamp(table);
     let fitting = |rates: std::ops::Range<f64>| {
-        let fits = |unit: &TimeUnit| rates.contains(&(unit.per_second() / step));
+        // Nobody counts ticks of a nanosecond: those of a processor's clock would be taken for such.
+        let fits = |unit: &TimeUnit| {
+            let may_be = ticks.is_none() || *unit != TimeUnit::Nanoseconds;
+            may_be && rates.contains(&(unit.per_second() / step))
+        };
         COUNTED.into_iter().filter(fits).collect::<Vec<_>>()
     };
-    let mut fitted = fitting(1.0..10_000.0);
+    // The rate of a counter is anything: one that makes an unusual rate has another.
+    let possible = if ticks.is_some() {
+        TICKED
+    } else {
+        1.0..10_000.0
+    };
+    let mut fitted = fitting(possible);
     if fitted.len() > 1 {
         fitted = fitting(USUAL);
     }
@@ -248,9 +262,9 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
             let is_days =
                 first.is_some_and(|first| (1e4..1e6).contains(first) || (0.0..1.0).contains(first));
             let is_days = is_days && plausible(&TimeUnit::Days);
-            if table.roles.iter().any(is_ticks) {
+            if let Some((_, column)) = ticks {
                 let found = Finding::of(Kind::TimeUnitOpen).detail("step", significant(step, 6));
-                let scaled = Remedy::such_as(OptionName::Columns, "t=ticks/32768");
+                let scaled = Remedy::such_as(OptionName::Columns, format!("t={column}/32768"));
                 return Err(in_file(&table.name, found.only_remedies([scaled])));
             }
             let unit = match LONG.iter().find(|unit| is_usual(unit, step)) {

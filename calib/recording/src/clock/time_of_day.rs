@@ -16,16 +16,27 @@ pub(crate) struct TimeOfDay {
 }
 
 /// The seconds since midnight of `HH:MM:SS`, with decimals behind a point, a comma or a third colon; those since the hour of
-/// `MM:SS.s`, as spreadsheets show a time with its decimals. Behind it may stand the half of the day.
+/// `MM:SS.s` and `MM:SS:sss`, as spreadsheets show a time with its decimals. Behind it may stand the half of the day, and before
+/// it the days that pandas counts.
 pub(crate) fn seconds(text: &str) -> Option<f64> {
     let text = twelve_hours::of_the_day(text.trim());
+    if let Some((days, rest)) = text.split_once(" days ") {
+        return Some(86_400.0 * f64::from(days.parse::<u16>().ok()?) + seconds(rest)?);
+    }
     let (hours, rest) = text.split_once(':')?;
     let (hours, (minutes, rest)) = match rest.split_once(':') {
         Some(parts) => (hours, parts),
         None if rest.contains(['.', ',']) => ("0", (hours, rest)),
         None => return None,
     };
-    let (seconds, decimals) = rest.split_once([':', '.', ',']).unwrap_or((rest, "0"));
+    let (hours, minutes, rest) = match rest.len() {
+        // Three digits behind the second colon are milliseconds: `59:59:900`.
+        3 if rest.bytes().all(|byte| byte.is_ascii_digit()) => {
+            ("0", hours, [minutes, rest].join("."))
+        }
+        _ => (hours, minutes, rest.to_owned()),
+    };
+    let (seconds, decimals) = rest.split_once([':', '.', ',']).unwrap_or((&rest, "0"));
     let number = |digits: &str, limit: f64| {
         let whole = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
         let value: f64 = digits.parse().ok().filter(|_| whole)?;
@@ -64,6 +75,8 @@ mod tests {
         assert_eq!(seconds("1:0:1.5"), Some(3601.5));
         assert_eq!(seconds("59:59.9"), Some(3599.9));
         assert_eq!(seconds("00:60,0"), Some(60.0));
+        assert_eq!(seconds("59:59:900"), Some(3599.9));
+        assert_eq!(seconds("1 days 00:00:01.500000"), Some(86_401.5));
         for text in [
             "25:00:00",
             "1:2",

@@ -1,9 +1,10 @@
 //! The cells of the columns that may say which device a row is of, kept while the rows are read.
 
 pub(crate) use super::names::Class;
+use crate::header::Layout;
+use crate::header::by_map::roles_by_map;
 use crate::header::dialect::{Cell, Dialect};
 use crate::header::preface::{Kept, cells};
-use crate::header::{Layout, roles_by_map};
 use crate::recording::line_numbers::LineNumbers;
 use crate::recording::options::{ReadOptions, Role};
 

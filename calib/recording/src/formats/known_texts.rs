@@ -5,13 +5,14 @@ use sensor::Sensor;
 use super::phones::{androsensor, physics_toolbox, sensorlog};
 use super::robots::{kalibr, px4_text, ros_text, trackers};
 use super::texts::{
-    TextFormat, brackets, clock_text, date_and_time, split_stamp, start_and_rate, unpadded,
+    TextFormat, brackets, clock_columns, clock_text, date_and_time, split_stamp, start_and_rate,
+    two_headers, unpadded,
 };
 use crate::header::look::Look;
 use crate::rows::parts::Part;
 
 /// Tables whose names say less than their program means.
-static TEXTS: [&TextFormat; 14] = [
+static TEXTS: [&TextFormat; 16] = [
     &physics_toolbox::PHYSICS_TOOLBOX,
     &sensorlog::SENSORLOG,
     &androsensor::ANDROSENSOR,
@@ -21,7 +22,9 @@ static TEXTS: [&TextFormat; 14] = [
     &trackers::XSENS,
     &trackers::SHIMMER,
     &start_and_rate::START_AND_RATE,
+    &clock_columns::CLOCK_COLUMNS,
     &split_stamp::SPLIT_STAMP,
+    &two_headers::TWO_HEADERS,
     &unpadded::UNPADDED,
     &clock_text::TIME_OF_DAY,
     &brackets::BRACKETS,

@@ -19,11 +19,12 @@ use findings::{Finding, Kind};
 pub use log_streams::{LogContents, LogStream};
 use phones::{androsensor, phyphox, physics_toolbox, sensor_logger, sensorlog, sensorstream};
 use robots::{
-    adafruit, betaflight, kalibr, novatel, px4_text, razor, ros_text, serial, trackers, vmu931,
+    adafruit, betaflight, gyroflow, kalibr, novatel, px4_text, razor, ros_text, serial, trackers,
+    vmu931,
 };
 use texts::{
-    brackets, clock_text, date_and_time, labview, long, per_axis, split_stamp, start_and_rate,
-    tagged, unpadded, wide,
+    brackets, clock_columns, clock_text, date_and_time, labview, long, per_axis, split_stamp,
+    start_and_rate, tagged, two_headers, unpadded, wide,
 };
 
 pub use crate::formats::format::Format;
@@ -61,6 +62,7 @@ pub static FORMATS: &[&dyn Format] = &[
     &betaflight::BETAFLIGHT,
     &razor::RAZOR,
     &vmu931::VMU931,
+    &gyroflow::GYROFLOW,
     &novatel::NOVATEL,
     &tagged::GET_SENSOR_DATA,
     &tagged::GNSS_LOGGER,
@@ -68,10 +70,12 @@ pub static FORMATS: &[&dyn Format] = &[
     &labview::LABVIEW,
     &per_axis::PER_AXIS,
     &wide::WIDE,
+    &two_headers::TWO_HEADERS,
     &long::LONG,
     &adafruit::ADAFRUIT,
     &serial::SERIAL,
     &start_and_rate::START_AND_RATE,
+    &clock_columns::CLOCK_COLUMNS,
     &split_stamp::SPLIT_STAMP,
     &unpadded::UNPADDED,
     &clock_text::TIME_OF_DAY,

@@ -1,7 +1,7 @@
 //! Column names to quantities.
 
 pub(crate) mod affine;
-mod axes_units;
+pub(crate) mod by_map;
 pub(crate) mod by_unit;
 pub(crate) mod dialect;
 pub(crate) mod gravity;
@@ -12,6 +12,7 @@ pub(crate) mod questions;
 pub(crate) mod quotes;
 mod row_shape;
 pub(crate) mod sniff;
+mod time_column;
 pub(crate) mod triads;
 pub(crate) mod unit_row;
 pub(crate) mod unnamed;
@@ -20,15 +21,13 @@ use findings::{Finding, Kind, OptionName, Remedy};
 pub(crate) use questions::{suggest, unclear};
 use sensor::Sensor;
 
-use super::units::{Stated, TimeUnit, looks_like_unit};
+use super::units::{Stated, looks_like_unit};
 use crate::header::affine::Affine;
+use crate::header::by_map::{affines, roles_by_map};
 use crate::header::by_unit::by_unit;
 use crate::header::gravity::Split;
-use crate::header::names::{
-    is_like_time, is_message_stamp, is_of_ticks, is_sampling_stamp, is_temperature_beside,
-    may_be_linear, role_of, says_gravity, stated_unit, take_apart,
-};
-use crate::header::suggest::{nearest, suggestion};
+use crate::header::names::{may_be_linear, role_of, says_gravity, stated_unit, take_apart};
+use crate::header::suggest::suggestion;
 use crate::header::triads::Triad;
 use crate::recording::options::{ColumnMap, Role};
 use crate::shown::{shown, shown_list};
@@ -79,9 +78,9 @@ impl Layout {
         let gravity = gravity::summed(&names, map, only, &mut roles);
         let by_unit = by_unit(&names, only, &mut roles);
         of_the_one(&names, only, &mut roles);
-        as_sampled(&names, map, &mut roles);
-        not_of_ticks(&names, map, &mut roles);
-        let times = likely_times(&names, &roles);
+        time_column::as_sampled(&names, map, &mut roles);
+        time_column::not_of_ticks(&names, map, &mut roles);
+        let times = time_column::likely(&names, &roles);
         if let [time] = times[..] {
             roles.push((Role::Time, time));
         }
@@ -96,7 +95,7 @@ impl Layout {
         };
         layout.assign(&roles, map)?;
         if layout.affine.is_empty() {
-            axes_units::refuse_several(&layout.names, layout.accel, layout.gyro)?;
+            names::axes_units::refuse_several(&layout.names, layout.accel, layout.gyro)?;
         }
         layout.state_units();
         Ok(layout)
@@ -168,29 +167,25 @@ impl Layout {
 
     /// Takes another time where that of the layout stands still, as the stamp of a header that nobody fills does.
     pub fn take_time_that_moves(&mut self, stands_still: impl Fn(usize) -> bool) {
-        let is_time = |at: &usize| role_of(&self.names[*at], None) == Some(Role::Time);
-        let moves = |at: &usize| !self.is_read(*at) && is_time(at) && !stands_still(*at);
-        if self.time.is_some_and(&stands_still)
-            && let Some(other) = (0..self.names.len()).find(moves)
-        {
-            self.time = Some(other);
-            self.state_units();
-        }
+        let is_free = |at: usize| !self.is_read(at);
+        let other = self
+            .time
+            .and_then(|time| time_column::that_moves(&self.names, time, is_free, stands_still));
+        self.take_time(other);
     }
 
     /// Takes the one other time that is finer than that of the layout, as milliseconds are beside a date of whole seconds.
     pub fn take_finer_time(&mut self, is_finer: impl Fn(usize, usize) -> bool) {
-        let is_time = |at: &usize| {
-            let name = &self.names[*at];
-            role_of(name, None) == Some(Role::Time) || is_like_time(name)
-        };
-        let Some(time) = self.time else { return };
-        let mut finer = (0..self.names.len())
-            .filter(|at| !self.is_read(*at))
-            .filter(is_time)
-            .filter(|at| is_finer(*at, time));
-        if let (Some(other), None) = (finer.next(), finer.next()) {
-            self.time = Some(other);
+        let is_free = |at: usize| !self.is_read(at);
+        let other = self
+            .time
+            .and_then(|time| time_column::finer(&self.names, time, is_free, is_finer));
+        self.take_time(other);
+    }
+
+    fn take_time(&mut self, other: Option<usize>) {
+        if other.is_some() {
+            self.time = other;
             self.state_units();
         }
     }
@@ -313,7 +308,6 @@ fn roles_by_name(
     let is_reading =
         |name: &&String| role_of(name, only).is_some_and(|role| role.reading().is_some());
     let reading = names.iter().find(is_reading);
-    let is_stamp = |name: &str| reading.is_some_and(|reading| is_message_stamp(name, reading));
     let mut temperatures = Vec::new();
     for (index, name) in names.iter().enumerate() {
         let said = roles[..given].iter().any(|(_, column)| *column == index);
@@ -323,20 +317,10 @@ fn roles_by_name(
         match roles.iter().position(|(r, _)| *r == role) {
             None => roles.push((role, index)),
             Some(at) if at < given => {}
-            Some(at) if role == Role::Time && is_temperature_beside(name, &names[roles[at].1]) => {
-                temperatures.push(index);
-            }
-            Some(at) if role == Role::Time && is_temperature_beside(&names[roles[at].1], name) => {
-                temperatures.push(roles[at].1);
-                roles[at].1 = index;
-            }
-            // Stamps in a unit that is known, rather than those in a zone of the earth.
             Some(at) if role == Role::Time => {
-                let used = &names[roles[at].1];
-                let better = is_stamp(name) && !is_stamp(used);
-                if better || (strange_unit(used) && !strange_unit(name)) {
-                    roles[at].1 = index;
-                }
+                let choice = time_column::of_two(names, roles[at].1, index, reading);
+                roles[at].1 = choice.time;
+                temperatures.extend(choice.temperature);
             }
             Some(_) if matches!(role, Role::Field(_)) => {}
             Some(at) if says_gravity(&names[roles[at].1]) != says_gravity(name) => {
@@ -384,45 +368,6 @@ fn firsts_of_several(names: &[String], only: Option<Sensor>) -> String {
     each.collect::<Vec<_>>().join(",")
 }
 
-/// Takes the stamps of sampling instead of a time beside them that may be the arrival's, where they are called so.
-fn as_sampled(names: &[String], map: &ColumnMap, roles: &mut [(Role, usize)]) {
-    let may_go = |used: &str| !is_sampling_stamp(used, "");
-    take_better_time(names, map, roles, may_go, is_sampling_stamp);
-}
-
-/// Takes the one column called after a time instead of a counter of ticks beside it: `offsetTime` beside `Tick#`.
-fn not_of_ticks(names: &[String], map: &ColumnMap, roles: &mut [(Role, usize)]) {
-    let is_time = |name: &str, _: &str| is_like_time(name) && name.to_lowercase().ends_with("time");
-    take_better_time(names, map, roles, is_of_ticks, is_time);
-}
-
-/// Takes the one free column that is better than the time, where that may go and nobody gave it.
-fn take_better_time(
-    names: &[String],
-    map: &ColumnMap,
-    roles: &mut [(Role, usize)],
-    may_go: impl Fn(&str) -> bool,
-    is_better: impl Fn(&str, &str) -> bool,
-) {
-    let free = |at: &usize| roles.iter().all(|(_, column)| column != at);
-    let time = roles.iter().position(|(role, _)| *role == Role::Time);
-    let Some(time) = time.filter(|_| !map.names(Role::Time)) else {
-        return;
-    };
-    let used = &names[roles[time].1];
-    let is_better = |at: &usize| is_better(&names[*at], used);
-    let mut better = (0..names.len()).filter(free).filter(is_better);
-    if let (Some(other), None, true) = (better.next(), better.next(), may_go(used)) {
-        roles[time].1 = other;
-    }
-}
-
-/// True for a time whose name ends with something in brackets that is no unit.
-fn strange_unit(name: &str) -> bool {
-    let unit = take_apart(name).1;
-    unit.is_some_and(|unit| unit.parse::<TimeUnit>().is_err())
-}
-
 /// The columns of a table of one sensor whose names say nothing but the axis: `X_value`, `x-axis (g)`.
 fn of_the_one(names: &[String], only: Option<Sensor>, roles: &mut Vec<(Role, usize)>) {
     let Some(sensor) = only else { return };
@@ -439,91 +384,6 @@ fn of_the_one(names: &[String], only: Option<Sensor>, roles: &mut Vec<(Role, usi
     if let [triad] = found[..] {
         roles.extend(axes.into_iter().zip(triad.columns));
     }
-}
-
-/// Columns without a role that may be the time, where none is called so.
-fn likely_times(names: &[String], roles: &[(Role, usize)]) -> Vec<usize> {
-    if roles.iter().any(|(role, _)| *role == Role::Time) {
-        return Vec::new();
-    }
-    let free = |at: &usize| roles.iter().all(|(_, column)| column != at);
-    let like = |at: &usize| is_like_time(&names[*at]);
-    let mut times: Vec<usize> = (0..names.len()).filter(free).filter(like).collect();
-    // Ticks and counters have units that nobody states.
-    times.sort_by_key(|&at| !names[at].to_lowercase().contains("time"));
-    // `Phone timestamp` beside `sensor timestamp [ns]` is the arrival's.
-    let sampled = |at: &usize| is_sampling_stamp(&names[*at], "");
-    let mut stamps = times.iter().copied().filter(sampled);
-    match (stamps.next(), stamps.next()) {
-        (Some(stamp), None) => vec![stamp],
-        _ => times,
-    }
-}
-
-/// Refuses one column for two roles.
-///
-/// # Errors
-/// Both.
-pub(crate) fn refuse_twins(names: &[String], map: &ColumnMap) -> Result<(), Box<Finding>> {
-    // A column that is not there is for another to refuse.
-    let roles = roles_by_map(names, map).unwrap_or_default();
-    for (i, (role, column)) in roles.iter().enumerate() {
-        if let Some(other) = roles[..i].iter().position(|(_, other)| other == column) {
-            let given = |i: usize| format!("{}={}", map.0[i].0.name(), shown(&map.0[i].1));
-            return Err(Finding::of(Kind::ColumnForTwo)
-                .detail("given", format!("{},{}", given(other), given(i)))
-                .count("column", column + 1)
-                .detail("first", roles[other].0.name())
-                .detail("second", role.name())
-                .into());
-        }
-    }
-    Ok(())
-}
-
-/// The column called `wanted`, or numbered so from 1.
-fn column(names: &[String], wanted: &str) -> Option<usize> {
-    let by_name = names.iter().position(|name| name.trim() == wanted);
-    let number = || wanted.parse::<usize>().ok();
-    by_name.or_else(|| {
-        number()
-            .filter(|n| (1..=names.len()).contains(n))
-            .map(|n| n - 1)
-    })
-}
-
-/// Returns the user's scales and offsets. An expression that is also the name of a column is read as the name.
-pub(crate) fn affines(names: &[String], map: &ColumnMap) -> Vec<(Role, Affine)> {
-    let of = |(role, wanted): &(Role, String)| {
-        let (_, affine) = affine::take_apart(wanted)?;
-        column(names, wanted).is_none().then_some((*role, affine))
-    };
-    map.0.iter().filter_map(of).collect()
-}
-
-/// Columns by name first, then by number from 1.
-pub(crate) fn roles_by_map(
-    names: &[String],
-    map: &ColumnMap,
-) -> Result<Vec<(Role, usize)>, Box<Finding>> {
-    let find = |wanted: &str| {
-        column(names, wanted).or_else(|| column(names, affine::take_apart(wanted)?.0))
-    };
-    let mut roles = Vec::new();
-    for (role, wanted) in &map.0 {
-        let column = find(wanted).ok_or_else(|| {
-            let missing = Finding::of(Kind::NoSuchColumn)
-                .detail("role", role.name())
-                .detail("wanted", shown(wanted))
-                .count("count", names.len());
-            match nearest(wanted, names) {
-                Some(nearest) => missing.detail("nearest", shown(nearest)),
-                None => missing,
-            }
-        })?;
-        roles.push((*role, column));
-    }
-    Ok(roles)
 }
 
 #[cfg(test)]

@@ -30,7 +30,7 @@ pub(super) fn usual_width(rows: &[&Kept], dialect: Dialect) -> Option<usize> {
         .and_then(|run| run.first().copied())
 }
 
-/// True if the first cells count the rows from 1, in quotes or not.
+/// True if the first cells count the rows from 0 or 1, in quotes or not.
 pub(super) fn rows_are_numbered(rows: &[&Kept], dialect: Dialect) -> bool {
     let first = |row: &Kept| {
         let cell = cells(&row.bytes, dialect).first()?.clone();
@@ -39,11 +39,11 @@ pub(super) fn rows_are_numbered(rows: &[&Kept], dialect: Dialect) -> bool {
             .parse::<usize>()
             .ok()
     };
-    rows.len() > 1
-        && rows
-            .iter()
-            .enumerate()
-            .all(|(at, row)| first(row) == Some(at + 1))
+    let count_from = |begin: usize| {
+        let mut rows = rows.iter().enumerate();
+        rows.all(|(at, row)| first(row) == Some(at + begin))
+    };
+    rows.len() > 1 && [0, 1].into_iter().any(count_from)
 }
 
 /// True if the rows end with a separator, which makes an empty last cell.

@@ -3,6 +3,7 @@
 use findings::{Finding, Findings, Kind, OptionName, Remedy};
 use sensor::Sensor;
 
+use super::by_map::{affines, refuse_twins, roles_by_map};
 use super::dialect::{Cell, Dialect, Separator};
 use super::preface::{
     Finder, Kept, Preface, cells, decode, is_comment, without_comment_mark, words,
@@ -17,7 +18,7 @@ use super::unit_row;
 use super::unnamed::{Unnamed, likely};
 use crate::Error;
 use crate::devices::labels::{self, Class};
-use crate::header::{self, Layout};
+use crate::header::Layout;
 use crate::recording::options::{ReadOptions, Role};
 use crate::rows::number::{self, Dialects};
 use crate::source::batches::Batch;
@@ -261,7 +262,7 @@ impl Start {
         }
         let cell = |cell: &Cell| decode(&bytes[cell.clone()]);
         let mut names: Vec<String> = cells.iter().map(cell).collect();
-        header::refuse_twins(&names, &options.columns).map_err(Error::usage)?;
+        refuse_twins(&names, &options.columns).map_err(Error::usage)?;
         let width = usual_width(rows, self.dialect).unwrap_or(names.len());
         if rows.is_empty() {
             // A wrong header is the better news.
@@ -273,7 +274,7 @@ impl Start {
             names.pop();
         }
         if width == names.len() + 1 && rows_are_numbered(rows, self.dialect) {
-            // R names its rows, and gives the names none.
+            // R and pandas number their rows, and give the numbers no name.
             names.insert(0, String::new());
         }
         if width != names.len() && !(width == names.len() + 1 && ends_empty(rows, self.dialect)) {
@@ -346,9 +347,9 @@ impl Start {
             }
             roles
         } else {
-            header::refuse_twins(&names, &options.columns).map_err(Error::usage)?;
-            self.layout.affine = header::affines(&names, &options.columns);
-            header::roles_by_map(&names, &options.columns).map_err(refuse)?
+            refuse_twins(&names, &options.columns).map_err(Error::usage)?;
+            self.layout.affine = affines(&names, &options.columns);
+            roles_by_map(&names, &options.columns).map_err(refuse)?
         };
         let assigned = self.layout.assign(&roles, &options.columns);
         assigned.map_err(refuse)

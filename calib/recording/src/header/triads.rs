@@ -115,6 +115,11 @@ pub(crate) fn triads(names: &[String]) -> Vec<Triad> {
             for column in columns {
                 taken[column] = true;
             }
+            // The speed of a roll is a rate, and that of anything else is none.
+            let stem = match axes == TURNS {
+                true => stem.replace("speed", "rate"),
+                false => stem,
+            };
             found.push(Triad { columns, stem });
         }
     }
@@ -268,6 +273,10 @@ mod tests {
             [([0, 1, 2], gyro)]
         );
         assert!(of(&["roll", "pitch", "yaw"]).is_empty());
+        assert_eq!(
+            of(&["rollspeed", "pitchspeed", "yawspeed"]),
+            [([0, 1, 2], gyro)]
+        );
         for names in [
             ["InlineAcc", "LateralAcc", "VerticalAcc"],
             ["G Force Long", "G Force Lat", "G Force Vert"],

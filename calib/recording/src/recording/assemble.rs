@@ -114,7 +114,7 @@ pub(crate) fn assemble(
         let strange = table.strange[1].clone();
         (table.name.clone(), table.stated.gyro, strange)
     });
-    swapped::refuse(&tables)?;
+    swapped::refuse(&tables, options)?;
     for table in tables {
         add(&mut recording, table, options)?;
     }

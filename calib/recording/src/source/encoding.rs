@@ -1,12 +1,29 @@
 //! The encoding of a text that is no UTF-8: by its mark, by its zeros, or by the words that it then holds.
 
-use encoding_rs::{BIG5, Encoding, GBK, SHIFT_JIS, UTF_16BE, UTF_16LE};
+use encoding_rs::{
+    BIG5, EUC_JP, EUC_KR, Encoding, GBK, SHIFT_JIS, UTF_16BE, UTF_16LE, WINDOWS_1251,
+};
 
-/// Encodings of a language that write two bytes for a sign, the likelier first.
-const BY_WORDS: [&Encoding; 3] = [GBK, SHIFT_JIS, BIG5];
+/// Encodings of a language, the likelier first.
+const BY_WORDS: [&Encoding; 6] = [GBK, SHIFT_JIS, BIG5, EUC_JP, EUC_KR, WINDOWS_1251];
 
 /// Words of the columns of inertial sensors in those languages. Any bytes are signs of some kind; these are no accident.
-const WORDS: [&str; 6] = ["时间", "加速度", "角速度", "陀螺", "時間", "時刻"];
+const WORDS: [&str; 14] = [
+    "时间",
+    "加速度",
+    "角速度",
+    "陀螺",
+    "時間",
+    "時刻",
+    "시간",
+    "가속도",
+    "각속도",
+    "ускорени",
+    "Ускорени",
+    "угловая",
+    "гироскоп",
+    "время",
+];
 
 /// The encoding of the text that begins with `head`; `None` for UTF-8, and for bytes that are passed as they are.
 pub(super) fn of(head: &[u8]) -> Option<&'static Encoding> {
@@ -59,6 +76,11 @@ mod tests {
         let names = "時間 (s),加速度 X (G)\n0,1\n";
         assert_eq!(of(&SHIFT_JIS.encode(names).0), Some(SHIFT_JIS));
         assert_eq!(of(&BIG5.encode(names).0), Some(BIG5));
+        assert_eq!(of(&EUC_JP.encode(names).0), Some(EUC_JP));
+        let names = "시간(s),가속도X,각속도X\n0,1,2\n";
+        assert_eq!(of(&EUC_KR.encode(names).0), Some(EUC_KR));
+        let names = "Время;Ускорение X\n0;1\n";
+        assert_eq!(of(&WINDOWS_1251.encode(names).0), Some(WINDOWS_1251));
         assert_eq!(of(names.as_bytes()), None);
         // Latin-1 is left to the reader of the names.
         let names = "Temps;Acc\u{e9}l\u{e9}ration x (m/s\u{b2})\n0;1\n";

@@ -17,7 +17,8 @@ use super::place::in_file;
 use crate::Error;
 use crate::header::look::Look;
 use crate::header::preface::is_comment;
-use crate::spelling::SPELLINGS;
+use crate::recording::options::ReadOptions;
+use crate::spelling::{SPELLINGS, Spelling};
 
 /// No comments are longer.
 const LONGEST_PREFACE: usize = 64 << 20;
@@ -61,6 +62,7 @@ impl Input {
         name: String,
         unpacked: decode::Unpacked,
         origin: Origin,
+        options: &ReadOptions,
     ) -> Result<Self, Error> {
         let (mut reader, warnings) = decode::text(&name, unpacked);
         let mut head = take_head(&name, &mut reader)?;
@@ -75,12 +77,13 @@ impl Input {
             origin,
             look: OnceLock::new(),
         };
-        input.respelt()
+        input.respelt(options)
     }
 
     /// The same text with numbers and stamps as readers take them.
-    fn respelt(mut self) -> Result<Self, Error> {
-        for spelling in SPELLINGS {
+    fn respelt(mut self, options: &ReadOptions) -> Result<Self, Error> {
+        let is_said = |spelling: &&&Spelling| spelling.of_dates && options.time_format.is_some();
+        for spelling in SPELLINGS.iter().filter(|spelling| !is_said(spelling)) {
             let Some(change) = (spelling.change)(self.look()) else {
                 continue;
             };

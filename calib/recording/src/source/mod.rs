@@ -176,7 +176,7 @@ impl Source {
         if let Some(format) = Tabular::recognise(&unpacked.head) {
             return tables(name, format, unpacked, &origin, options);
         }
-        Input::new(name, unpacked, origin).map(Self::Text)
+        Input::new(name, unpacked, origin, options).map(Self::Text)
     }
 
     /// The files that it consists of, if any.

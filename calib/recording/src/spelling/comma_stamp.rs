@@ -11,6 +11,7 @@ use crate::source::rewrite::rewritten;
 pub(super) static COMMA_STAMP: Spelling = Spelling {
     spelling: "commas before decimals of seconds",
     read_as: "points",
+    of_dates: false,
     change,
 };
 

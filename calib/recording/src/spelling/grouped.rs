@@ -12,6 +12,7 @@ use crate::source::rewrite::rewritten;
 pub(super) static GROUPED: Spelling = Spelling {
     spelling: "numbers with thousands separators",
     read_as: "numbers without",
+    of_dates: false,
     change,
 };
 

@@ -2,14 +2,18 @@
 
 mod cells;
 mod comma_stamp;
+mod framed;
 mod grouped;
+mod packed_date;
 mod respell;
 mod unit_cells;
 
 pub(crate) use respell::Spelling;
 
 /// Every way; what one respells the next one sees.
-pub(crate) static SPELLINGS: [&Spelling; 3] = [
+pub(crate) static SPELLINGS: [&Spelling; 5] = [
+    &framed::FRAMED,
+    &packed_date::PACKED_DATE,
     &comma_stamp::COMMA_STAMP,
     &unit_cells::UNIT_CELLS,
     &grouped::GROUPED,

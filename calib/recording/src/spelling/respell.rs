@@ -14,6 +14,8 @@ pub(crate) struct Spelling {
     pub spelling: &'static str,
     /// What it is read as.
     pub read_as: &'static str,
+    /// True where a format of dates that is given says how it is spelt.
+    pub of_dates: bool,
     /// Function that returns the change of a text that is spelt so by its first lines; `None` for any other.
     pub change: fn(&Look) -> Option<Respell>,
 }

@@ -13,6 +13,7 @@ use crate::units::is_unit;
 pub(super) static UNIT_CELLS: Spelling = Spelling {
     spelling: "the units behind numbers",
     read_as: "units of the columns",
+    of_dates: false,
     change,
 };
 

@@ -2,7 +2,7 @@
 
 use super::direction::is_direction;
 use super::rests::{rest_throughout, rests, sphere};
-use super::turn_unit::{turn_unit, wrong_by};
+use super::turn_unit::{turn_unit, unit_change, wrong_by};
 use crate::Error;
 use crate::order_statistic::nth_smallest;
 use crate::recording::{Stream, UnitBy};
@@ -87,7 +87,7 @@ pub(crate) fn accel_unit(
     let stated = said.given.or(said.stated);
     // A bias of half of gravity hides it from the median, but not from the sphere that the rests lie on.
     let by_rests = gravity_at_rest(stream);
-    let norm = by_rests.unwrap_or_else(|| median_norm(stream));
+    let norm = by_rests.unwrap_or_else(|| median_norm(&stream.values));
     if let Some(unit) = stated.filter(|unit| *unit != AccelUnit::Counts) {
         refuse_other_gravity(name, stream, by_rests, unit, said.given.is_some())?;
     }
@@ -162,7 +162,8 @@ fn refuse_direction(name: &str, stream: &Stream) -> Result<(), Error> {
     }
     Err(in_file(
         name,
-        Finding::of(Kind::Normalised).detail("length", format!("{:.4}", median_norm(stream))),
+        Finding::of(Kind::Normalised)
+            .detail("length", format!("{:.4}", median_norm(&stream.values))),
     ))
 }
 
@@ -174,7 +175,7 @@ fn refuse_other_gravity(
     unit: AccelUnit,
     given: bool,
 ) -> Result<(), Error> {
-    let steady = || Some(median_norm(stream)).filter(|_| keeps_its_length(stream));
+    let steady = || Some(median_norm(&stream.values)).filter(|_| keeps_its_length(&stream.values));
     let Some(radius) = by_rests.or_else(steady) else {
         return Ok(());
     };
@@ -207,12 +208,12 @@ fn refuse_other_gravity(
 }
 
 /// True where the readings of most rows have about one length.
-fn keeps_its_length(stream: &Stream) -> bool {
+fn keeps_its_length(values: &[nalgebra::Vector3<f64>]) -> bool {
     let length = |k: usize| {
-        let norms = stream.values.iter().map(nalgebra::Vector3::norm);
-        nth_smallest(norms, stream.len() * k / 4).unwrap_or(0.0)
+        let norms = values.iter().map(nalgebra::Vector3::norm);
+        nth_smallest(norms, values.len() * k / 4).unwrap_or(0.0)
     };
-    stream.len() >= values::ENOUGH && length(1) > STEADY * length(3)
+    values.len() >= values::ENOUGH && length(1) > STEADY * length(3)
 }
 
 /// Refuses a unit that is written in the file and not known, where the samples do not tell it either.
@@ -256,6 +257,15 @@ pub(crate) fn gyro_unit(
     warnings: &mut Findings,
 ) -> Result<(GyroUnit, UnitBy), Error> {
     let stated = said.given.or(said.stated);
+    if let Some(change) = accel.and_then(|accel| unit_change(accel, stream)) {
+        let ([from, to], [until, since]) = (change.units, change.between);
+        let changes = told(Kind::RateUnitChanges, name, Sensor::Gyroscope)
+            .detail("from", from.name())
+            .detail("to", to.name())
+            .number("until", until, "s")
+            .number("since", since, "s");
+        return Err(in_file(name, changes));
+    }
     let by_turns = accel.and_then(|accel| turn_unit(accel, stream));
     if let Some(unit) = stated {
         let by = match said.given {
@@ -411,9 +421,16 @@ fn refuse_restless_rest(
     ))
 }
 
-fn median_norm(stream: &Stream) -> f64 {
-    let norms = stream.values.iter().map(nalgebra::Vector3::norm);
-    nth_smallest(norms, stream.len() / 2).unwrap_or(0.0)
+fn median_norm(values: &[nalgebra::Vector3<f64>]) -> f64 {
+    let norms = values.iter().map(nalgebra::Vector3::norm);
+    nth_smallest(norms, values.len() / 2).unwrap_or(0.0)
+}
+
+/// The length that most readings keep, where it is that of gravity in m/s² or in g.
+pub(crate) fn length_of_gravity(values: &[nalgebra::Vector3<f64>]) -> Option<f64> {
+    let length = median_norm(values);
+    let is_gravity = KNOWN[..2].iter().any(|range| range.contains(&length));
+    (is_gravity && keeps_its_length(values)).then_some(length)
 }
 
 #[cfg(test)]

@@ -86,6 +86,8 @@ unit! {
         G = "g" | "g0" | "gs",
         /// Thousandths of standard gravity.
         MilliG = "mg" | "milli-g" | "millig",
+        /// Millionths of standard gravity.
+        MicroG = "ug" | "µg" | "micro-g" | "microg",
         /// Centimetres per second squared.
         Gal = "cm/s^2" | "cm/s2" | "cm/s²" | "gal" | "cmps2",
         /// Millimetres per second squared.
@@ -136,7 +138,7 @@ unit! {
 }
 
 /// Parts of units in words, and what stands for them.
-const WORDS: [(&str, &str); 25] = [
+const WORDS: [(&str, &str); 33] = [
     ("degrees", "deg"),
     ("degree", "deg"),
     ("grad", "deg"),
@@ -162,6 +164,14 @@ const WORDS: [(&str, &str); 25] = [
     ("弧度", "rad"),
     ("度", "deg"),
     ("米", "m"),
+    ("초", "s"),
+    ("град", "deg"),
+    ("рад", "rad"),
+    ("мкс", "us"),
+    ("мс", "ms"),
+    ("м", "m"),
+    ("сек", "s"),
+    ("с", "s"),
 ];
 
 /// Lower case without blanks, underscores, brackets and raised dots, words as their signs: `deg per sec` as `deg/s`.
@@ -265,6 +275,7 @@ impl AccelUnit {
             Self::MetresPerSecondSquared | Self::Counts => 1.0,
             Self::G => STANDARD_GRAVITY,
             Self::MilliG => STANDARD_GRAVITY / 1e3,
+            Self::MicroG => STANDARD_GRAVITY / 1e6,
             Self::Gal => 0.01,
             Self::MillimetresPerSecondSquared => 1e-3,
             // The international foot, 0.3048 m by definition.

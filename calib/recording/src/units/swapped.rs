@@ -3,26 +3,60 @@
 use findings::{Finding, Kind, OptionName, Remedy};
 use nalgebra::Vector3;
 
-use super::rests;
+use super::decide::length_of_gravity;
+use super::{GyroUnit, rests};
 use crate::Error;
 use crate::recording::Stream;
-use crate::recording::options::Role;
+use crate::recording::options::{ReadOptions, Role};
 use crate::recording::samples::Samples;
 use crate::rows::table::Table;
+use crate::shown::significant;
 use crate::source::place::in_file;
+
+/// The mean direction of readings is no longer than this where they turn.
+const TURNED: f64 = 0.9;
+
+/// The length of gravity that readings of several directions keep.
+fn turning_gravity(values: &[Vector3<f64>]) -> Option<f64> {
+    let directions = values.iter().filter_map(|value| value.try_normalize(0.0));
+    let mean = directions.sum::<Vector3<f64>>() / values.len().max(1) as f64;
+    length_of_gravity(values).filter(|_| mean.norm() < TURNED)
+}
+
+/// Refuses a gyroscope whose readings keep the length of gravity in several directions, in no unit that anybody says: they are an
+/// accelerometer's, or gravity beside it.
+fn refuse_force(table: &Table, is_alone: bool, options: &ReadOptions) -> Result<(), Error> {
+    let said = options.gyro_unit.or(table.stated.gyro);
+    let Some(length) = turning_gravity(&table.gyro.values).filter(|_| said.is_none()) else {
+        return Ok(());
+    };
+    let force = Finding::of(Kind::ForceAsRate).detail("length", significant(length, 3));
+    let columns = exchanged(table).filter(|_| is_alone);
+    let columns = columns
+        .as_deref()
+        .map(|columns| (OptionName::Columns, columns));
+    let unit = (OptionName::GyroUnit, GyroUnit::RadiansPerSecond.name());
+    let remedy = Remedy::examples(columns.into_iter().chain([unit]));
+    Err(in_file(&table.name, force.only_remedies([remedy])))
+}
 
 /// Refuses sensors whose names are each other's: a mean that turns from rest to rest is an accelerometer's. Their units play no
 /// part.
 ///
 /// # Errors
 /// [`Error::Input`] with the columns as they should be read.
-pub(crate) fn refuse(tables: &[Table]) -> Result<(), Error> {
+pub(crate) fn refuse(tables: &[Table], options: &ReadOptions) -> Result<(), Error> {
     let accel = tables.iter().find(|table| !table.accel.t.is_empty());
     let gyro = tables.iter().find(|table| !table.gyro.t.is_empty());
-    let (Some(of_accel), Some(of_gyro)) = (accel, gyro) else {
-        return Ok(());
+    let (of_accel, of_gyro) = match (accel, gyro) {
+        (Some(accel), Some(gyro)) => (accel, gyro),
+        (None, Some(gyro)) => return refuse_force(gyro, true, options),
+        _ => return Ok(()),
     };
     let (accel, gyro) = (&of_accel.accel, &of_gyro.gyro);
+    if turning_gravity(&accel.values).is_some() {
+        refuse_force(of_gyro, false, options)?;
+    }
     let same_rows = accel.t.len() == gyro.t.len();
     let matched = match same_rows {
         true => None,
@@ -73,5 +107,35 @@ fn exchanged(table: &Table) -> Option<String> {
     let all = table.roles.iter();
     let all = all.filter_map(|(role, column)| Some(format!("{}={column}", other(role)?.name())));
     let all: Vec<String> = all.collect();
-    (all.len() == 6).then(|| all.join(","))
+    matches!(all.len(), 3 | 6).then(|| all.join(","))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Recording;
+
+    #[test]
+    fn an_accelerometer_under_the_names_of_a_gyroscope_is_refused_with_its_columns() {
+        let row = |k: u32| {
+            let angle = 0.01 * f64::from(k);
+            let (t, x, z) = (angle, angle.sin(), angle.cos());
+            format!("{t},{x:.4},{:.4},{z:.4}\n", 0.01 * angle)
+        };
+        let rows: String = (0..500).map(row).collect();
+        let read = |names: &str, options: &ReadOptions| {
+            let text = format!("{names}\n{rows}");
+            Recording::from_bytes("a.csv", text.as_bytes(), options)
+        };
+        let untold = ReadOptions::default();
+        let error = read("t,gx,gy,gz", &untold).unwrap_err();
+        let text = error.finding().text(findings::Front::CommandLine);
+        assert!(text.contains("ax=gx,ay=gy,az=gz"), "{text}");
+        let rates = ReadOptions {
+            gyro_unit: Some(GyroUnit::RadiansPerSecond),
+            ..Default::default()
+        };
+        assert!(read("t,gx,gy,gz", &rates).is_ok());
+        assert!(read("t,gx (g),gy (g),gz (g)", &untold).is_ok());
+    }
 }

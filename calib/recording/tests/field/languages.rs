@@ -1,6 +1,6 @@
 //! Names in other languages and other encodings.
 
-use encoding_rs::{GBK, SHIFT_JIS};
+use encoding_rs::{EUC_JP, EUC_KR, GBK, SHIFT_JIS, WINDOWS_1251};
 use findings::Front;
 use stillpoint_recording::{ReadOptions, Recording};
 
@@ -52,6 +52,22 @@ fn names_in_several_languages_are_read() {
             "Temps (ms),Accélération X,Accélération Y,Accélération Z,Vitesse angulaire X,Vitesse angulaire Y,Vitesse angulaire Z",
             [1e3, 1.0, 1.0],
         ),
+        (
+            "Время (с),Ускорение X (м/с²),Ускорение Y (м/с²),Ускорение Z (м/с²),Угловая скорость X (град/с),Угловая скорость Y (град/с),Угловая скорость Z (град/с)",
+            [1.0, 1.0, degrees],
+        ),
+        (
+            "시간(s),가속도X(m/s²),가속도Y(m/s²),가속도Z(m/s²),각속도X(rad/s),각속도Y(rad/s),각속도Z(rad/s)",
+            [1.0, 1.0, 1.0],
+        ),
+        (
+            "tempo,aceleração x,aceleração y,aceleração z,velocidade angular x,velocidade angular y,velocidade angular z",
+            [1.0, 1.0, 1.0],
+        ),
+        (
+            "zaman,ivme x,ivme y,ivme z,açısal hız x,açısal hız y,açısal hız z",
+            [1.0, 1.0, 1.0],
+        ),
     ] {
         let text = named(header, &s, units);
         let found = read_as(&text, &ReadOptions::default());
@@ -66,6 +82,9 @@ fn names_in_other_encodings_are_those_in_utf_8() {
     let degrees = 1f64.to_degrees();
     let chinese = "时间,加速度x(g),加速度y(g),加速度z(g),角速度x(°/s),角速度y(°/s),角速度z(°/s)";
     let japanese = "時間 (s),加速度 X (G),加速度 Y (G),加速度 Z (G),角速度 X (deg/s),角速度 Y (deg/s),角速度 Z (deg/s)";
+    let korean =
+        "시간(s),가속도X(g),가속도Y(g),가속도Z(g),각속도X(deg/s),각속도Y(deg/s),각속도Z(deg/s)";
+    let russian = "Время (с),Ускорение X (g),Ускорение Y (g),Ускорение Z (g),Угловая скорость X (град/с),Угловая скорость Y (град/с),Угловая скорость Z (град/с)";
     let french = "Temps (s),Accélération x (g),Accélération y (g),Accélération z (g),Vitesse angulaire x (°/s),Vitesse angulaire y (°/s),Vitesse angulaire z (°/s)";
     let of = |header: &str| named(header, &s, [1.0, 1.0 / G, degrees]);
     let little: Vec<u8> = of(chinese)
@@ -76,6 +95,12 @@ fn names_in_other_encodings_are_those_in_utf_8() {
     for (encoding, bytes) in [
         ("GBK", GBK.encode(&of(chinese)).0.into_owned()),
         ("Shift_JIS", SHIFT_JIS.encode(&of(japanese)).0.into_owned()),
+        ("EUC-JP", EUC_JP.encode(&of(japanese)).0.into_owned()),
+        ("EUC-KR", EUC_KR.encode(&of(korean)).0.into_owned()),
+        (
+            "windows-1251",
+            WINDOWS_1251.encode(&of(russian)).0.into_owned(),
+        ),
         ("UTF-16LE", little),
         ("Latin-1", latin),
     ] {

@@ -7,6 +7,7 @@ mod apps;
 mod columns;
 mod formats;
 mod languages;
+mod layouts;
 mod loggers;
 mod session;
 mod stamps;

@@ -19,8 +19,8 @@ pub(crate) static ADAFRUIT: TextFormat = TextFormat {
 };
 
 /// What the lines of a sensor begin with, its units behind the numbers ...
-const ACCELERATION: [&str; 2] = ["Acceleration X:", "Accel X:"];
-const ROTATION: [&str; 2] = ["Rotation X:", "Gyro X:"];
+const ACCELERATION: [&str; 3] = ["Acceleration X:", "Accel X:", "Acceleration: X:"];
+const ROTATION: [&str; 4] = ["Rotation X:", "Gyro X:", "Gyro: X:", "Rotation: X:"];
 /// ... and what they begin with where no units follow.
 const BARE: [[&str; 1]; 2] = [["Accel:"], ["Gyro:"]];
 
@@ -117,6 +117,7 @@ mod tests {
     fn blocks_of_all_kinds_of_words_are_one_row() {
         for block in [
             "Acceleration X: 1.00, Y: 2.00, Z: 3.00 m/s^2\nRotation X: 4.00, Y: 5.00, Z: 6.00 rad/s\n",
+            "Acceleration: X:1.00, Y: 2.00, Z: 3.00 m/s^2\nGyro X:4.00, Y: 5.00, Z: 6.00 rad/s\n",
             "\t\tAccel X: 1.00 \tY: 2.00 \tZ: 3.00 m/s^2 \n\t\tGyro X: 4.00 \tY: 5.00 \tZ: 6.00 radians/s \n",
             "Accel:\t\tx= 1.00 |\ty= 2.00 |\tz= 3.00\nGyro:\t\tx= 4.00 |\ty= 5.00 |\tz= 6.00\ntemperature: 25\n",
         ] {

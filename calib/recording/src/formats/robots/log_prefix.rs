@@ -50,6 +50,7 @@ pub(super) fn logged(line: &str) -> Option<Logged<'_>> {
     esp_idf(line)
         .or_else(|| arduino(line))
         .or_else(|| zephyr(line))
+        .or_else(|| dated(line))
 }
 
 /// A line without the colours of a terminal around it.
@@ -115,6 +116,88 @@ fn zephyr(line: &str) -> Option<Logged<'_>> {
     })
 }
 
+/// Words for the level of a message.
+const LEVELS: [&str; 5] = ["DEBUG", "INFO", "WARNING", "WARN", "ERROR"];
+
+/// A message behind a date or a time of day and what Android, Python, a journal or Google's loggers write next:
+/// `05-01 12:00:00.010  1234  5678 D IMU : ..`, `2026-05-01 12:00:00,010 - INFO - ..`, `May 1 12:00:00 pi imu[812]: ..`,
+/// `I0501 12:00:00.010000 1234 imu.cc:12] ..`.
+fn dated(line: &str) -> Option<Logged<'_>> {
+    let mut rest = line;
+    // The time of day is among the first words.
+    let stamp = (0..3).find_map(|_| {
+        let (word, behind) = rest.trim_start().split_once(' ')?;
+        rest = behind;
+        let time = word.rsplit('T').next()?.split(['+', 'Z']).next()?;
+        seconds(time).filter(|_| time.matches(':').count() == 2)
+    });
+    let rest = rest.trim_start();
+    let said = android(rest)
+        .or_else(|| python(rest))
+        .or_else(|| journal(rest))
+        .or_else(|| glog(rest));
+    let (tag, message) = said?;
+    Some(Logged {
+        stamp: Stamp::OfDay(stamp?),
+        tag,
+        message: message.trim(),
+    })
+}
+
+/// `1234  5678 D IMU : ..` and `D/IMU( 1234): ..`.
+fn android(rest: &str) -> Option<(&str, &str)> {
+    let is_number = |c: char| c.is_ascii_digit() || c == ' ';
+    let behind = rest.trim_start_matches(is_number);
+    if let Some((level, message)) = behind.split_once(' ')
+        && is_level(level)
+        && behind.len() < rest.len()
+    {
+        let (tag, message) = message.split_once(": ")?;
+        return Some((tag.trim(), message));
+    }
+    let (level, rest) = rest.split_once('/')?;
+    let (tag, rest) = rest.split_once('(')?;
+    let (_, message) = rest.split_once("): ")?;
+    is_level(level).then_some((tag.trim(), message))
+}
+
+/// `- INFO - ..` and `INFO ..`.
+fn python(rest: &str) -> Option<(&str, &str)> {
+    let rest = rest.trim_start_matches(['-', ' ', '[']);
+    let level = LEVELS.iter().find(|level| rest.starts_with(**level))?;
+    let message = rest[level.len()..].trim_start_matches([':', '-', ' ', ']']);
+    // A sign is no dash.
+    let begin = rest.len() - message.len();
+    let is_number = message.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+    let has_sign = rest[..begin].ends_with('-') && is_number;
+    Some((
+        "",
+        if has_sign {
+            &rest[begin - 1..]
+        } else {
+            message
+        },
+    ))
+}
+
+/// `pi imu[812]: ..`.
+fn journal(rest: &str) -> Option<(&str, &str)> {
+    let (who, message) = rest.split_once("]: ")?;
+    let (who, number) = who.rsplit_once('[')?;
+    let is_number = number.bytes().all(|byte| byte.is_ascii_digit());
+    let (_, tag) = who.rsplit_once(' ')?;
+    is_number.then_some((tag, message))
+}
+
+/// `1234 imu.cc:12] ..`.
+fn glog(rest: &str) -> Option<(&str, &str)> {
+    let (place, message) = rest.split_once("] ")?;
+    let (_, place) = place.split_once(' ')?;
+    let (file, line) = place.rsplit_once(':')?;
+    let is_number = !line.is_empty() && line.bytes().all(|byte| byte.is_ascii_digit());
+    is_number.then_some((file, message))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -144,7 +227,24 @@ mod tests {
             of("[00:00:12.345,678] <inf> imu: ax:1 ay:2"),
             Some((Stamp::OfDay(12.345678), imu, said))
         );
+        let noon = Stamp::OfDay(43_200.01);
+        for (line, tag) in [
+            (
+                "05-01 12:00:00.010  1234  5678 D imu     : ax:1 ay:2",
+                "imu",
+            ),
+            ("05-01 12:00:00.010 D/imu( 1234): ax:1 ay:2", "imu"),
+            ("2026-05-01T12:00:00.010+0200 pi imu[812]: ax:1 ay:2", "imu"),
+            ("May  1 12:00:00.010 pi imu[812]: ax:1 ay:2", "imu"),
+            ("2026-05-01 12:00:00,010 - INFO - ax:1 ay:2", ""),
+            ("2026-05-01 12:00:00,010 INFO ax:1 ay:2", ""),
+            ("I0501 12:00:00.010000 1234 imu.cc:12] ax:1 ay:2", "imu.cc"),
+        ] {
+            assert_eq!(of(line), Some((noon, tag, said)), "{line}");
+        }
         for line in [
+            "12:00:00.010 1 2 3",
+            "2026-05-01 12:00:00.010 1 2 3",
             "I (x) imu: 1",
             "A (12) b: 1",
             "[12.5] 1 2 3",

@@ -3,6 +3,7 @@
 pub(crate) mod adafruit;
 pub(crate) mod ardupilot_text;
 pub(crate) mod betaflight;
+pub(crate) mod gyroflow;
 pub(crate) mod kalibr;
 mod log_prefix;
 pub(crate) mod novatel;

@@ -128,6 +128,12 @@ fn numbers(line: &str) -> Option<Numbers<'_>> {
         sensors.push(None);
         rest
     });
+    // The topic of a message may stand before it: `imu/data {"ax": ..}`.
+    let is_topic = |text: &str| {
+        text.trim().starts_with(char::is_alphabetic) && !text.trim().contains([' ', ',', '\t'])
+    };
+    let record = rest.find("{\"").filter(|at| is_topic(&rest[..*at]));
+    let rest = record.map_or(rest, |at| &rest[at..]);
     let is_json = rest.trim_start().starts_with('{');
     let separates = |c: char| {
         matches!(
@@ -214,7 +220,10 @@ fn labelled(look: &Look) -> Option<Vec<Part>> {
     let count = |is: &dyn Fn(&&Numbers<'_>) -> bool| rows.iter().filter(is).count();
     // Three in four lines, but for what the program says at its start.
     let enough = |count: usize| 4 * count >= 3 * (lines.len() - others).saturating_sub(5);
-    let alike = count(&|row| row.tag == first.tag && row.names().eq(first.names()));
+    let is_like = |row: &&Numbers<'_>| {
+        row.tag == first.tag && row.names().eq(first.names()) && row.sensors == first.sensors
+    };
+    let alike = count(&is_like);
     if !enough(alike) || alike < 2 {
         // Rows that are called by turns differently are of several sensors.
         let of = |sensor: Sensor| rows.iter().filter(move |row| row.is_of_one(sensor));

@@ -31,7 +31,7 @@ struct Label {
 
 /// Labels of each sensor, those of what no system has corrected first; numbers are those of Android
 /// (`android.hardware.Sensor`, constants `TYPE_..`).
-static ACCEL: [Label; 4] = [
+static ACCEL: [Label; 5] = [
     Label {
         words: &[
             "accelerometeruncalibrated",
@@ -43,9 +43,12 @@ static ACCEL: [Label; 4] = [
     Label {
         words: &[
             "acc",
+            "acce",
             "accel",
             "accelerometer",
             "acceleration",
+            "imuacc",
+            "imuaccel",
             "typeaccelerometer",
             "androidsensoraccelerometer",
         ],
@@ -59,8 +62,12 @@ static ACCEL: [Label; 4] = [
         words: &["1"],
         change: |text| only(text, &ACCEL[3]),
     },
+    Label {
+        words: &["a"],
+        change: |text| only(text, &ACCEL[LETTER]),
+    },
 ];
-static GYRO: [Label; 4] = [
+static GYRO: [Label; 5] = [
     Label {
         words: &[
             "gyroscopeuncalibrated",
@@ -75,6 +82,8 @@ static GYRO: [Label; 4] = [
             "gyro",
             "gyroscope",
             "angularvelocity",
+            "imugyr",
+            "imugyro",
             "typegyroscope",
             "androidsensorgyroscope",
         ],
@@ -88,8 +97,12 @@ static GYRO: [Label; 4] = [
         words: &["4"],
         change: |text| only(text, &GYRO[3]),
     },
+    Label {
+        words: &["g"],
+        change: |text| only(text, &GYRO[LETTER]),
+    },
 ];
-static FIELD: [Label; 4] = [
+static FIELD: [Label; 5] = [
     Label {
         words: &[
             "magnetometeruncalibrated",
@@ -104,6 +117,7 @@ static FIELD: [Label; 4] = [
             "mag",
             "magn",
             "magnetometer",
+            "imumag",
             "magneticfield",
             "typemagneticfield",
             "androidsensormagneticfield",
@@ -118,12 +132,25 @@ static FIELD: [Label; 4] = [
         words: &["2"],
         change: |text| only(text, &FIELD[3]),
     },
+    Label {
+        words: &["m"],
+        change: |text| only(text, &FIELD[LETTER]),
+    },
 ];
+
+/// The index of the letter among the labels of a sensor: it may be a unit where the rows are not called by letters.
+const LETTER: usize = 4;
 
 /// Names of columns whose numbers are Android's.
 const TYPES: [&str; 3] = ["type", "sensortype", "sensortypeid"];
 
 impl Label {
+    fn is_letter(&self) -> bool {
+        self.words
+            .iter()
+            .all(|word| word.starts_with(char::is_alphabetic) && word.len() == 1)
+    }
+
     /// The column with the label in the rows below `header`; `None` where any may have it.
     fn column(&self, header: &[String]) -> Option<usize> {
         let is_number = self.words.iter().all(|word| word.parse::<u8>().is_ok());
@@ -213,13 +240,21 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
     }
     let (row, label) = forces[0];
     let at = columns(look, row, label)?;
-    if label != rates[0].1 || columns(look, rates[0].0, label)? != at {
+    // A letter beside words is a unit, and one label in several columns is none.
+    let mut labels = forces.iter().chain(&rates);
+    let are_in_one = labels.all(|(_, at)| *at == label);
+    let are_alike = force.is_letter() == rate.is_letter();
+    if !are_in_one || !are_alike || columns(look, rates[0].0, label)? != at {
         return None;
     }
     let names = look.first();
     let stamps = at[0].parse::<usize>().ok();
     let time_unit = stamps.and_then(|at| stated_unit(names.get(at - 1)?));
-    let field = first(&FIELD, look).map(|(label, _)| label.change);
+    let field = first(&FIELD, look).filter(|(field, rows)| {
+        let is_in_one = rows.iter().all(|(_, at)| *at == label);
+        is_in_one && field.is_letter() == force.is_letter()
+    });
+    let field = field.map(|(label, _)| label.change);
     let changes = [Some(force.change), Some(rate.change), field];
     let stated = Stated {
         time: time_unit,
@@ -270,6 +305,14 @@ mod tests {
         assert_eq!(columns_of(&uncalibrated.repeat(2)), Some(expected.clone()));
         let blanks = "ACC 7 1 2 3\nGYR 8 4 5 6\n";
         assert_eq!(columns_of(&blanks.repeat(2)), Some(expected));
+        let letters = "7,a,1,2,3\n8,g,4,5,6\n9,a,1,2,3\n9,g,4,5,6\n";
+        let expected: Vec<String> = ["1", "3", "4", "5"].map(str::to_owned).into();
+        assert_eq!(columns_of(letters), Some(expected));
+        // Where they stand for units they are none.
+        let units = "7,acc,1,2,3,g\n7,acc,1,2,3,g\n8,acc,1,2,3,g\n";
+        assert_eq!(columns_of(units), None);
+        let units = "7,a,1,2,3,g\n7,g,1,2,3,s\n8,a,1,2,3,g\n8,g,1,2,3,s\n";
+        assert_eq!(columns_of(units), None);
         // Numbers are labels in a column of types alone.
         let rows = "7,1,1,2,3\n8,4,4,5,6\n9,1,1,2,3\n9,4,4,5,6\n";
         assert!(columns_of(&format!("t,sensor_type,x,y,z\n{rows}")).is_some());

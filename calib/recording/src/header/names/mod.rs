@@ -1,5 +1,6 @@
 //! The vocabulary of column names.
 
+pub(crate) mod axes_units;
 mod parts;
 mod stamps;
 mod words;
@@ -12,7 +13,7 @@ pub(crate) use self::stamps::{
     is_like_time, is_message_stamp, is_of_ticks, is_sampling_stamp, is_temperature_beside,
     says_unknown_unit, stamps_of, stated_unit,
 };
-use self::words::{ACCEL, GYRO, TEMPERATURE, TIME};
+use self::words::{TEMPERATURE, TIME};
 pub(crate) use self::words::{is_field, sensor_of};
 use crate::recording::options::Role;
 use crate::units::{AccelUnit, GyroUnit, TemperatureUnit};
@@ -68,10 +69,21 @@ fn role_of_word(name: &str, only: Option<Sensor>) -> Option<Role> {
         return Some(Role::Temperature);
     }
     let unit = unit.unwrap_or_default();
+    // `G(x)` and `gX (g)` are in units of gravity.
+    let of_gravity = ["x", "y", "z"].iter().position(|axis| *axis == unit);
+    if let Some(axis) = of_gravity.filter(|_| word == "g" && name.contains('(')) {
+        return Some(Role::Accel(axis));
+    }
     let (axis, stem) = axis_and_stem(&word, unit)?;
-    if ACCEL.contains(&stem) || (stem.is_empty() && unit.parse::<AccelUnit>().is_ok()) {
+    let is_bare = stem.is_empty();
+    let in_gravity = stem == "g" && unit.parse() == Ok(AccelUnit::G);
+    let sensor = sensor_of(stem).filter(|_| !in_gravity);
+    if in_gravity
+        || sensor == Some(Sensor::Accelerometer)
+        || (is_bare && unit.parse::<AccelUnit>().is_ok())
+    {
         Some(Role::Accel(axis))
-    } else if GYRO.contains(&stem) || (stem.is_empty() && unit.parse::<GyroUnit>().is_ok()) {
+    } else if sensor == Some(Sensor::Gyroscope) || (is_bare && unit.parse::<GyroUnit>().is_ok()) {
         Some(Role::Gyro(axis))
     } else if is_field(stem) {
         only.is_none().then_some(Role::Field(axis))
@@ -171,6 +183,18 @@ mod tests {
             ("rotationRate.alpha", Some(Role::Gyro(2))),
             ("rotationRate.beta", Some(Role::Gyro(0))),
             ("orientation.alpha", None),
+            ("G(x)", Some(Role::Accel(0))),
+            ("gY (g)", Some(Role::Accel(1))),
+            ("gY (deg/s)", Some(Role::Gyro(1))),
+            ("imu_ax", Some(Role::Accel(0))),
+            ("gyro_body_z", Some(Role::Gyro(2))),
+            ("Ускорение X (м/с²)", Some(Role::Accel(0))),
+            ("각속도 Y(deg/s)", Some(Role::Gyro(1))),
+            ("tv_sec", Some(Role::Time)),
+            // Forces, moments and gravity.
+            ("f_body_x", None),
+            ("m_body_x", None),
+            ("g_body_x", None),
             // An angle, and what gravity is taken off.
             ("角度X(°)", None),
             ("线性加速度x", None),

@@ -120,7 +120,9 @@ pub(crate) fn stamps_of(name: &str) -> Option<Sensor> {
 
 /// True for the name of a counter whose rate nobody states: `Tick#`.
 pub(crate) fn is_of_ticks(name: &str) -> bool {
-    matches!(take_apart(name).0.as_str(), "tick" | "ticks")
+    let (word, unit) = take_apart(name);
+    let counts = ["tick", "ticks", "cycles", "jiffies"].iter();
+    unit.is_none() && { counts }.any(|end| word.ends_with(end))
 }
 
 /// True for the stamp in the header of the message that has the column `reading` too: it says when the readings were taken, and a

@@ -59,6 +59,12 @@ pub(super) const TIME: &[&str] = &[
     "tid",
     "czas",
     "время",
+    "시간",
+    "zaman",
+    "tv",
+    "utc",
+    "gpsseconds",
+    "gpssec",
     "时间",
     "時間",
     "時刻",
@@ -81,12 +87,6 @@ pub(super) const ACCEL: &[&str] = &[
     "accelero",
     "specificforce",
     "f",
-    "imuacc",
-    "imuaccel",
-    "rawacc",
-    "rawaccel",
-    "accraw",
-    "accelraw",
     "accelerationg",
     "totalacceleration",
     "accelerationincludinggravity",
@@ -98,7 +98,6 @@ pub(super) const ACCEL: &[&str] = &[
     "linaccel",
     "linearacc",
     "linearaccel",
-    "arrayacc",
     "beschleunigung",
     "beschleunigungssensor",
     "accélération",
@@ -115,6 +114,12 @@ pub(super) const ACCEL: &[&str] = &[
     "加速度計",
     "加速计",
     "加速度传感器",
+    "ускорение",
+    "가속도",
+    "aceleração",
+    "przyspieszenie",
+    "versnelling",
+    "ivme",
 ];
 /// Names of gyroscope columns without their axis.
 pub(super) const GYRO: &[&str] = &[
@@ -132,19 +137,12 @@ pub(super) const GYRO: &[&str] = &[
     "rotrate",
     "rateofrotation",
     "angularspeed",
-    "imugyr",
-    "imugyro",
-    "rawgyr",
-    "rawgyro",
-    "gyrraw",
-    "gyroraw",
     "ω",
     "gyroscopeuncalibrated",
     "gy",
     "angvel",
     "angularvel",
     "gyros",
-    "arraygyro",
     "drehrate",
     "winkelgeschwindigkeit",
     "gyroskop",
@@ -161,6 +159,14 @@ pub(super) const GYRO: &[&str] = &[
     "陀螺仪",
     "陀螺儀",
     "陀螺仪传感器",
+    "угловаяскорость",
+    "각속도",
+    "velocidadeangular",
+    "prędkośćkątowa",
+    "hoeksnelheid",
+    "açısalhız",
+    "angrate",
+    "turnrate",
 ];
 /// Names of magnetometer columns without their axis.
 pub(super) const FIELD: &[&str] = &[
@@ -171,9 +177,6 @@ pub(super) const FIELD: &[&str] = &[
     "magnetometer",
     "magneticfield",
     "magneticfieldstrength",
-    "imumag",
-    "rawmag",
-    "magraw",
     "magnetometeruncalibrated",
     "magnetic",
     "magnet",
@@ -184,11 +187,9 @@ pub(super) const FIELD: &[&str] = &[
     "magneticinduction",
     "compass",
     "magadc",
-    "imumagneticfield",
     "maguncalibrated",
     "uncalmag",
     "magnetfeld",
-    "arraymagn",
     "champmagnétique",
     "磁场",
     "磁場",
@@ -216,16 +217,34 @@ pub(super) const TEMPERATURE: &[&str] = &[
     "溫度",
 ];
 
+/// Words around that of a sensor which say nothing more.
+const AROUND: [&str; 4] = ["imu", "raw", "array", BODY];
+
+/// The one beside which a letter may be a force, a moment or gravity in the axes of the body.
+const BODY: &str = "body";
+
+/// True for a stem that is one of `words`, with one of the words around it or without.
+fn is_one_of(words: &[&str], stem: &str) -> bool {
+    let bare = |around: &&str| {
+        let rest = stem
+            .strip_prefix(*around)
+            .or_else(|| stem.strip_suffix(*around));
+        let may_be = |rest: &str| *around != BODY || rest.chars().count() > 1;
+        rest.is_some_and(|rest| may_be(rest) && words.contains(&rest))
+    };
+    words.contains(&stem) || AROUND.iter().any(bare)
+}
+
 /// True for a stem, without its axis and in small letters, that a magnetometer is called by.
 pub(crate) fn is_field(stem: &str) -> bool {
-    FIELD.contains(&stem)
+    is_one_of(FIELD, stem)
 }
 
 /// The sensor that a stem, without its axis and in small letters, is called after.
 pub(crate) fn sensor_of(stem: &str) -> Option<Sensor> {
     match stem {
-        _ if ACCEL.contains(&stem) => Some(Sensor::Accelerometer),
-        _ if GYRO.contains(&stem) => Some(Sensor::Gyroscope),
+        _ if is_one_of(ACCEL, stem) => Some(Sensor::Accelerometer),
+        _ if is_one_of(GYRO, stem) => Some(Sensor::Gyroscope),
         _ => None,
     }
 }

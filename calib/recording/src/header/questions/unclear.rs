@@ -34,8 +34,20 @@ const OTHER_NAMES: [&str; 34] = [
 const SENSOR: usize = 3;
 
 /// Parts of names that an accelerometer's or a gyroscope's columns have.
-const SENSORS: [&str; 10] = [
-    "acc", "gyr", "rot", "omega", "angul", "rate", "turn", "force", "imu", "inertial",
+const SENSORS: [&str; 13] = [
+    "rollspeed",
+    "pitchspeed",
+    "yawspeed",
+    "acc",
+    "gyr",
+    "rot",
+    "omega",
+    "angul",
+    "rate",
+    "turn",
+    "force",
+    "imu",
+    "inertial",
 ];
 /// Parts of names of what is worked out from such columns or said about them.
 const DERIVED: [&str; 26] = [

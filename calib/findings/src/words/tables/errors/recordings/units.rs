@@ -82,6 +82,18 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "the columns of the gyroscope turn with gravity from rest to rest, and those of the accelerometer do not: their names are swapped",
             "[give {files} the other way round]",
         ),
+        Kind::ForceAsRate => error_with(
+            "the columns of the gyroscope keep the length {length} whatever the attitude, as gravity does: they hold no rates",
+            "name them as the accelerometer's; if they do hold a gyroscope, give its unit",
+            vec![Remedy::examples([
+                (OptionName::Columns, "ax=NAME,ay=NAME,az=NAME"),
+                (OptionName::GyroUnit, "rad/s"),
+            ])],
+        ),
+        Kind::RateUnitChanges => error(
+            "the gyroscope's turns are those that the accelerometer saw in {from} up to t = {until}, and in {to} from t = {since} on",
+            "convert the readings to one unit, or split the file there",
+        ),
         _ => return None,
     })
 }

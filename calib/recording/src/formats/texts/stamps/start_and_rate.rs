@@ -2,8 +2,8 @@
 
 use std::io::Read;
 
-use super::text_format::TextFormat;
 use crate::clock::time::SINCE_1970;
+use crate::formats::texts::text_format::TextFormat;
 use crate::header::look::{Look, cells};
 use crate::recording::options::Role;
 use crate::rows::parts::Part;

@@ -5,7 +5,7 @@ use std::str::FromStr;
 use findings::{Finding, Kind};
 use sensor::Sensor;
 
-use super::names::take_apart;
+use super::parts::take_apart;
 use crate::shown::shown;
 use crate::units::{AccelUnit, GyroUnit};
 
@@ -13,7 +13,7 @@ use crate::units::{AccelUnit, GyroUnit};
 ///
 /// # Errors
 /// The names with their units.
-pub(super) fn refuse_several(
+pub(crate) fn refuse_several(
     names: &[String],
     accel: Option<[usize; 3]>,
     gyro: Option<[usize; 3]>,

@@ -2,9 +2,9 @@
 
 use std::io::Read;
 
-use super::text_format::TextFormat;
 use crate::clock::time_of_day::{TimeOfDay, seconds};
 use crate::clock::twelve_hours::length_of_half;
+use crate::formats::texts::text_format::TextFormat;
 use crate::header::look::Look;
 use crate::rows::parts::Part;
 use crate::source::rewrite::rewritten;

@@ -2,7 +2,7 @@
 
 use std::io::Read;
 
-use super::text_format::TextFormat;
+use crate::formats::texts::text_format::TextFormat;
 use crate::header::look::{Look, cells};
 use crate::header::names::role_of;
 use crate::recording::options::Role;

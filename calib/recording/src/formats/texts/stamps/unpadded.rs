@@ -3,8 +3,8 @@
 use std::io::Read;
 use std::ops::Range;
 
-use super::places::{may_be_row, places, replaced, whole_rows};
-use super::text_format::TextFormat;
+use crate::formats::texts::places::{may_be_row, places, replaced, whole_rows};
+use crate::formats::texts::text_format::TextFormat;
 use crate::header::look::Look;
 use crate::header::names::role_of;
 use crate::order_statistic::nth_smallest;
