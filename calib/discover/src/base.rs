@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use estimate::calibrate::{
-    gyroscope_of_one_device, not_in_one_plane, of_one_device, of_one_recording_each,
-    readings_of_the_device, refuse_unobservable,
+    differences, not_in_one_plane, of_one_device, of_one_recording_each, readings_of_the_device,
+    refuse_unobservable,
 };
 use estimate::methods::static_means;
 use findings::{Finding, Kind};
@@ -30,11 +30,7 @@ pub(super) fn base(session: &mut Session<'_>) -> Result<State, Error> {
     not_in_one_plane(&means)?;
     if !session.request.force_device {
         of_one_recording_each(cut, session.request.gravity)?;
-        let differ = of_one_device(&session.ready(), &means, session.request.gravity)?;
-        // At another latitude once more.
-        let is_new = |found: &Finding| session.remarks.iter().all(|own| own.kind != found.kind);
-        let differ = differ.filter(is_new);
-        session.remarks.extend(differ);
+        of_one_device(&session.ready(), &means, session.request.gravity)?;
     }
     let base = State::fit(session, Extension::default())?;
     session.clocks = Some(base.fit.data.decided_clocks());
@@ -48,7 +44,7 @@ pub(super) fn base(session: &mut Session<'_>) -> Result<State, Error> {
         return Err(Error::not_enough(found));
     }
     if !session.request.force_device {
-        gyroscope_of_one_device(&base.fit, &session.ready(), false)?;
+        differences(&base.fit, &session.ready(), false)?;
     }
     Ok(base)
 }

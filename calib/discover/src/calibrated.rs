@@ -2,7 +2,7 @@
 
 use ::findings::{Finding, Kind};
 use estimate::calibrate::{
-    Account, Frame, beside_the_others, count_motion, gyroscope_of_one_device, written_down,
+    Account, Frame, beside_the_others, count_motion, differences, written_down,
 };
 use estimate::calibration::Calibration;
 use estimate::methods::joint::JointFit;
@@ -30,13 +30,12 @@ pub(super) fn calibrated(
         None => calibration,
     };
     say_held(&mut calibration, &held);
+    let fit = &search.last.fit;
+    let differ = differences(fit, &session.ready(), true)?.beside(&calibration.warnings);
+    differ.enlarge(&mut calibration, fit);
     let warnings = &mut calibration.warnings;
     warnings.extend(unknown_temperature(&search.last));
-    warnings.extend(gyroscope_of_one_device(
-        &search.last.fit,
-        &session.ready(),
-        true,
-    )?);
+    warnings.extend(differ.findings());
     warnings.extend(search.spent.clone());
     Ok(calibration)
 }

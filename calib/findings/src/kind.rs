@@ -282,10 +282,14 @@ kinds! {
     BiasRemovedBefore = "bias_removed_before",
     /// A recording repeats another.
     SameData = "same_data",
-    /// Parameters differ from recording to recording.
+    /// The readings are cut off towards zero.
+    CutTowardsZero = "cut_towards_zero",
+    /// The placements cannot show whether a sensor is linear.
+    LinearityUntested = "linearity_untested",
+    /// A sensor differs from recording to recording.
     RecordingsDiffer = "recordings_differ",
-    /// The gyroscope of one recording differs from the others.
-    GyroscopeDiffers = "gyroscope_differs",
+    /// A sensor differs from one part of a recording to another.
+    PartsDiffer = "parts_differ",
     /// There is no gyroscope.
     NoGyroscope = "no_gyroscope",
     /// There is no accelerometer.

@@ -13,5 +13,6 @@ mod mpu9150;
 mod one_truth;
 mod prior_of_a_type;
 mod several_recordings;
+mod small_standard_errors;
 mod stories;
 mod verdicts;

@@ -96,6 +96,7 @@ pub fn of_one_recording_each<'a>(
     gravity: f64,
 ) -> Result<(), Error> {
     none_is_there_twice(cut.clone())?;
+    checks::no_rows_come_again(cut.clone().map(|(recording, _)| recording))?;
     none_is_turned(cut, gravity)
 }
 

@@ -42,6 +42,7 @@ impl Fit<'_> {
             Ok(outcome) => {
                 let recordings = &self.recordings.recordings;
                 let outcome = with_changes(outcome, recordings, self.request.gravity);
+                let outcome = self.with_what_placements_hide(outcome);
                 let outcome = with_magnetometer(outcome, recordings, self.request)?;
                 with_scalars(outcome, recordings, self.request)
             }
@@ -54,6 +55,22 @@ impl Fit<'_> {
                 .ok_or_else(|| Error::not_enough(self.in_the_hand(self.for_dead_axes(refused)))),
             other => other,
         }
+    }
+
+    /// The outcome with a warning where readings are cut off towards zero, which is no effect of the sensor, or where the placements would
+    /// not show an effect of the usual size.
+    fn with_what_placements_hide(&self, mut outcome: Outcome) -> Outcome {
+        let cut = checks::cut_towards_zero(self.recordings.each(), self.request.gravity);
+        let calibration = &mut outcome.calibration;
+        let untested = checks::untested_linearity(calibration);
+        let warnings = &mut calibration.warnings;
+        if cut.is_some() {
+            warnings.retain(|found| found.kind != Kind::EffectMissing);
+        }
+        let is_said = cut.is_some() || warnings.has(Kind::PlacementsMissing);
+        warnings.extend(untested.filter(|_| !is_said));
+        warnings.extend(cut);
+        outcome
     }
 
     fn by_method(&self) -> Result<Outcome, Error> {

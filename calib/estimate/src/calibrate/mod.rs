@@ -43,7 +43,7 @@ pub use prepared::Prepared;
 pub use prepared::clocks::late_clock;
 pub use recording::read_static_means;
 pub use request::{Frame, GyroBias, Instant, Method, NOMINAL_RATES, Request};
-pub use same_device::{gyroscope_of_one_device, of_one_device};
+pub use same_device::{Differences, differences, of_one_device};
 pub use stepwise::gyroscope_data;
 
 use std::borrow::Borrow;

@@ -1,24 +1,30 @@
-//! Test that several recordings come from one device.
+//! Test that all data come from one device.
 
-use findings::{Finding, Kind};
+use findings::{Finding, Findings, Kind};
+use nalgebra::{DMatrix, DVector};
 use recording::{Error, Recording};
 use sensor::Sensor;
-use statrs::distribution::{ContinuousCDF, StudentsT};
+use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
-use crate::methods::joint::JointFit;
+use crate::calibration::Calibration;
+use crate::methods::joint::{Apart, JointFit, Portion};
 use crate::methods::{AccelerometerFit, AccelerometerRequest, fit_accelerometer};
 use crate::residuals::StaticMean;
 
-/// Devices are told apart where chance makes so much difference in one parameter this rarely.
+/// Devices are told apart where chance makes so much difference this rarely.
 const LEVEL: f64 = 1e-7;
 
 /// Differences of scale factors and misalignments below this are no other device: a fit's own misfit
 /// may explain them.
 const SAME: f64 = 1e-3;
 
-/// Those beyond this are said where chance makes them this rarely: a temperature that changes them, and not the effects that they look like.
+/// Those beyond this are said where chance makes them in one of so many calibrations: a temperature that changes them, and not the
+/// effects that they look like.
 const NOTICED: f64 = 2e-4;
-const SAID: f64 = 1e-5;
+const SAID: f64 = 2e-3;
+
+/// The same of a sensor that misfits: an error of it that other placements show otherwise looks like a difference.
+const SAID_BESIDE_MISFIT: f64 = 1e-5;
 
 /// Standard errors within which scale factors are the same, and twice as many beyond which they differ.
 const CHANCE: f64 = 3.0;
@@ -83,66 +89,206 @@ pub(super) fn same_accelerometer(
                     .of_sensor(Sensor::Accelerometer)
                     .detail("first", request.names[*first].clone())
                     .detail("second", request.names[*second].clone())
-                    .detail("parameter", difference.parameter.clone())
-                    .detail("one", format!("{:.5}", difference.values[0]))
-                    .detail("two", format!("{:.5}", difference.values[1]))
-                    .detail("distance", format!("{:.0}", difference.distance));
-                let found = match gravity_apart(a, b) {
-                    Some(share) => found.number("gravity", share, "share"),
-                    None => found,
-                };
+                    .detail("parameter", difference.parameter.clone());
                 between.add_to(found)
             };
             let is_another = difference.size > SAME && difference.p_value < LEVEL;
             if is_another && difference.size > between.allowed() {
-                return Err(Error::input(of(Kind::DevicesDiffer)));
+                let found = of(Kind::DevicesDiffer)
+                    .detail("one", format!("{:.5}", difference.values[0]))
+                    .detail("two", format!("{:.5}", difference.values[1]))
+                    .detail("distance", format!("{:.0}", difference.distance));
+                return Err(Error::input(match gravity_apart(a, b) {
+                    Some(share) => found.number("gravity", share, "share"),
+                    None => found,
+                }));
             }
-            warmer.get_or_insert_with(|| of(Kind::RecordingsDiffer));
+            let pairs = alone.len() * (alone.len() - 1) / 2;
+            if difference.p_value * pairs as f64 <= SAID {
+                warmer.get_or_insert_with(|| {
+                    let change = difference.values[1] - difference.values[0];
+                    of(Kind::RecordingsDiffer)
+                        .number("change", change / difference.scale, "share")
+                        .number("error", difference.size / difference.distance, "share")
+                });
+            }
         }
     }
     Ok(warmer)
 }
 
-/// The same of the gyroscope by a fit to all: `recordings` are those of the fit.
+/// Parts of the data in which a sensor is another.
+#[derive(Clone, Debug, Default)]
+pub struct Differences(Vec<Difference>);
+
+#[derive(Clone, Debug)]
+struct Difference {
+    apart: Apart,
+    /// Calibrations in which chance makes one so large.
+    chance: f64,
+    finding: Finding,
+}
+
+/// The differences between parts of the data by a fit to all: `recordings` are those of the fit.
 ///
 /// # Errors
-/// The recording whose gyroscope is another.
-pub fn gyroscope_of_one_device(
+/// The recording whose gyroscope is another device's.
+pub fn differences(
     fit: &JointFit,
     recordings: &[&Recording],
     force_device: bool,
-) -> Result<Option<Finding>, Error> {
-    let Some(apart) = fit.gyroscope_apart() else {
-        return Ok(None);
-    };
-    let size = apart.change.abs();
-    if apart.p_value > SAID || size < NOTICED {
-        return Ok(None);
+) -> Result<Differences, Error> {
+    let all = fit.apart();
+    let mut found = Vec::new();
+    for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+        let own = all.iter().filter(|apart| apart.sensor == sensor);
+        let least = own.min_by(|a, b| a.p_value.total_cmp(&b.p_value));
+        let Some(apart) = least.filter(|apart| is_said(apart, all.len())) else {
+            continue;
+        };
+        if let Portion::Recording(place) = apart.part
+            && !force_device
+            && let Some(other) = gyroscope_of_another(apart, recordings, place)
+        {
+            return Err(Error::input(other));
+        }
+        found.push(Difference {
+            apart: apart.clone(),
+            chance: apart.p_value * all.len() as f64,
+            finding: said(apart, fit.gravity, recordings),
+        });
     }
-    let own = recordings[apart.recording];
-    let others = recordings.iter().enumerate();
-    let others = others.filter(|(k, _)| *k != apart.recording);
+    Ok(Differences(found))
+}
+
+/// Returns true if one of so many differences is beyond chance and large enough to matter: between the halves of a recording, in which no
+/// temperature or clock was another, as large as between devices.
+fn is_said(apart: &Apart, tried: usize) -> bool {
+    let least = match apart.part {
+        Portion::Recording(_) => NOTICED,
+        Portion::SecondHalf(_) => SAME,
+    };
+    let size = apart.changes[apart.most].size.abs();
+    apart.p_value * tried as f64 <= SAID && size > least
+}
+
+fn gyroscope_of_another(apart: &Apart, recordings: &[&Recording], place: usize) -> Option<Finding> {
+    let most = &apart.changes[apart.most];
+    let own = recordings[place];
+    let others = recordings.iter().enumerate().filter(|(k, _)| *k != place);
     let between = others.map(|(_, other)| Temperatures::of(celsius(own), celsius(other)));
     let between: Vec<Temperatures> = between.collect();
     let allowed = between.iter().map(Temperatures::allowed);
-    let of = |kind| {
-        Finding::of(kind)
+    let is_another = most.size.abs() > ANOTHER_GYROSCOPE.max(allowed.fold(0.0, f64::max))
+        && apart.p_value < LEVEL
+        && apart.sensor == Sensor::Gyroscope;
+    is_another.then(|| {
+        let found = Finding::of(Kind::GyroscopeOfOther)
             .in_recording(&own.name)
             .of_sensor(Sensor::Gyroscope)
-            .detail("parameter", apart.parameter.trim_start_matches("gyro."))
-            .number("change", apart.change, "share")
-            .number("error", apart.std, "share")
-    };
-    let is_another = size > ANOTHER_GYROSCOPE.max(allowed.fold(0.0, f64::max));
-    let is_another = is_another && apart.p_value < LEVEL;
-    if is_another && !force_device {
-        let found = of(Kind::GyroscopeOfOther);
-        return Err(Error::input(match between.first() {
+            .detail("parameter", most.parameter.trim_start_matches("gyro."))
+            .number("change", most.size, "share")
+            .number("error", most.std, "share");
+        match between.first() {
             Some(between) => between.add_to(found),
             None => found,
-        }));
+        }
+    })
+}
+
+fn said(apart: &Apart, gravity: f64, recordings: &[&Recording]) -> Finding {
+    let most = &apart.changes[apart.most];
+    let half = 0.5 * most.size.abs();
+    let (Portion::Recording(place) | Portion::SecondHalf(place)) = apart.part;
+    let own = recordings[place];
+    let others = recordings.iter().enumerate().filter(|(k, _)| *k != place);
+    let mut others = others.map(|(_, other)| other);
+    // A long recording is several to the fit.
+    let is_whole = others.clone().all(|other| other.name != own.name);
+    let found = match apart.part {
+        Portion::Recording(_) if is_whole => {
+            let names = match (others.next(), others.next()) {
+                (Some(other), None) => other.name.as_str(),
+                _ => "the others",
+            };
+            let temperatures = match recordings {
+                [a, b] => Temperatures::of(celsius(a), celsius(b)),
+                _ => Temperatures(None),
+            };
+            let found = Finding::of(Kind::RecordingsDiffer)
+                .detail("first", names)
+                .detail("second", own.name.clone())
+                .detail("included", "half");
+            temperatures.add_to(found)
+        }
+        _ => Finding::of(Kind::PartsDiffer),
+    };
+    let found = found
+        .in_recording(&own.name)
+        .of_sensor(apart.sensor)
+        .detail("parameter", most.parameter.clone())
+        .number("change", most.size, "share")
+        .number("error", most.std, "share");
+    match apart.sensor {
+        Sensor::Accelerometer => found.affects("corrected_reading", half * gravity, "m/s^2"),
+        _ => found.affects("turn", half * std::f64::consts::FRAC_PI_2, "rad"),
     }
-    Ok(Some(of(Kind::GyroscopeDiffers)))
+}
+
+impl Differences {
+    /// The differences as findings.
+    pub fn findings(&self) -> Findings {
+        let mut all = Findings::new();
+        all.extend(self.0.iter().map(|own| own.finding.clone()));
+        all
+    }
+
+    /// Those that no misfit of their sensor may explain, by the warnings of the fit.
+    #[must_use]
+    pub fn beside(mut self, warnings: &Findings) -> Self {
+        let misfits = |sensor| {
+            let mut all = warnings.iter();
+            all.any(|found| found.kind == Kind::Misfit && found.place.sensor == Some(sensor))
+        };
+        self.0
+            .retain(|own| own.chance <= SAID_BESIDE_MISFIT || !misfits(own.apart.sensor));
+        self
+    }
+
+    /// Takes back that an effect is missing, where what differs from part to part looks like one to the fit of all.
+    pub fn withdraw_effects(&self, warnings: &mut Findings) {
+        let sensors: Vec<_> = self.0.iter().map(|own| own.apart.sensor).collect();
+        warnings.retain(|found| {
+            let is_other = |sensor: Sensor| !sensors.contains(&sensor);
+            found.kind != Kind::EffectMissing
+                || sensors.is_empty()
+                || found.place.sensor.is_some_and(is_other)
+        });
+    }
+
+    /// Adds `δδᵀ/4` to the covariance, `δ` the changes of the scale factors and misalignments: those of either part lie about half of
+    /// them from what a fit to both finds.
+    pub fn enlarge(&self, calibration: &mut Calibration, fit: &JointFit) {
+        let values = calibration.parameter_values();
+        let mut covariance = calibration.covariance_matrix();
+        for Difference { apart, .. } in &self.0 {
+            let scale = match apart.sensor {
+                Sensor::Accelerometer => fit.force_unit.scale,
+                _ => fit.rate_unit.scale,
+            };
+            let half = |name: &String| {
+                let changes = apart.changes.iter();
+                let own = changes.filter(|change| change.parameter == *name);
+                own.map(|change| 0.5 * scale * change.size).sum::<f64>()
+            };
+            let halves = calibration.parameters.iter().map(half);
+            let halves = DVector::from_iterator(calibration.parameters.len(), halves);
+            covariance += &halves * halves.transpose();
+        }
+        if !self.0.is_empty() {
+            calibration.write_parameters(&values, &covariance);
+        }
+    }
 }
 
 /// Mean temperatures of two recordings, where they are known, °C.
@@ -196,41 +342,54 @@ fn gravity_apart(a: &AccelerometerFit, b: &AccelerometerFit) -> Option<f64> {
 }
 
 /// A parameter in which two fits differ.
-struct Difference {
+struct BetweenFits {
     /// Difference as a share of the scale.
     size: f64,
+    scale: f64,
     parameter: String,
     /// In both.
     values: [f64; 2],
     /// In standard errors.
     distance: f64,
-    /// Chance of so much in one parameter.
+    /// Chance of so much in all parameters.
     p_value: f64,
 }
 
-/// The parameter in which two fits differ most, where that is beyond chance.
-fn difference(a: &AccelerometerFit, b: &AccelerometerFit) -> Option<Difference> {
-    let law = StudentsT::new(0.0, 1.0, spare(a).min(spare(b))).ok()?;
+/// The parameter in which two fits differ by most standard errors, where that is large enough to matter, and the chance of
+/// `dᵀ C⁻¹ d` of all.
+fn difference(a: &AccelerometerFit, b: &AccelerometerFit) -> Option<BetweenFits> {
     let scale = a.unit.scale.max(b.unit.scale);
-    let of = |name: &String| {
-        let (x, y) = (
-            a.fitted.parameters.get(name)?,
-            b.fitted.parameters.get(name)?,
-        );
-        let errors = [a, b].map(|fit| fit.fitted.standard_error(name));
-        let t = (x - y).abs() / errors[0]?.hypot(errors[1]?);
-        let size = (x - y).abs() / scale;
-        let p_value = 2.0 * law.sf(t);
-        let other = t.is_finite() && size > NOTICED && p_value < SAID;
-        other.then(|| Difference {
-            size,
-            parameter: name.clone(),
-            values: [x, y],
-            distance: t,
-            p_value,
-        })
+    let place = |fit: &AccelerometerFit, name: &String| {
+        let mut names = fit.fitted.free.iter();
+        names.position(|own| own == name)
     };
-    let names = a.fitted.free.iter();
-    let own = names.filter(|name| name.starts_with("accel.") && !name.contains(".b_"));
-    own.filter_map(of).max_by(|a, b| a.size.total_cmp(&b.size))
+    let is_own = |name: &&String| name.starts_with("accel.") && !name.contains(".b_");
+    let both = a.fitted.free.iter().filter(is_own);
+    let both = both.filter_map(|name| Some((name, place(a, name)?, place(b, name)?)));
+    let both: Vec<(&String, usize, usize)> = both.collect();
+    let n = both.len();
+    let covariance = DMatrix::from_fn(n, n, |i, k| {
+        let (one, other) = (&a.fitted.covariance, &b.fitted.covariance);
+        one[both[i].1][both[k].1] + other[both[i].2][both[k].2]
+    });
+    let value = |fit: &AccelerometerFit, k: usize| fit.fitted.parameters.get(both[k].0);
+    let values: Option<Vec<[f64; 2]>> =
+        (0..n).map(|k| Some([value(a, k)?, value(b, k)?])).collect();
+    let values = values?;
+    let change = DVector::from_fn(n, |k, _| values[k][1] - values[k][0]);
+    let times = |k: usize| change[k].abs() / covariance[(k, k)].sqrt();
+    // The largest of those that clearly differ.
+    let weight = |k: usize| times(k).min(2.0 * CHANCE) * (1.0 + change[k].abs() / scale);
+    let most = (0..n).max_by(|i, k| weight(*i).total_cmp(&weight(*k)))?;
+    let law = FisherSnedecor::new(n as f64, spare(a).min(spare(b))).ok()?;
+    let square = change.dot(&covariance.clone().cholesky()?.solve(&change));
+    let size = change[most].abs() / scale;
+    (size > NOTICED && times(most).is_finite()).then(|| BetweenFits {
+        size,
+        scale,
+        parameter: both[most].0.clone(),
+        values: values[most],
+        distance: times(most),
+        p_value: law.sf(square / n as f64),
+    })
 }

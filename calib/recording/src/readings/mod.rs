@@ -41,6 +41,7 @@ use sensor::Sensor;
 
 use self::motion::{hand, swing, turning, vibration};
 use self::of_sensor::OfSensor;
+pub use self::of_sensor::least_step;
 use crate::intervals::Segmentation;
 use crate::recording::Recording;
 

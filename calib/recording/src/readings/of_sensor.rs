@@ -60,7 +60,7 @@ pub(super) fn least_beside_zero(values: &[Vector3<f64>], axis: usize) -> Option<
 }
 
 /// The smallest difference of neighbouring values of an axis that differ; `None` where none do.
-pub(super) fn least_step(values: &[Vector3<f64>], axis: usize) -> Option<f64> {
+pub fn least_step(values: &[Vector3<f64>], axis: usize) -> Option<f64> {
     let steps = values
         .windows(2)
         .map(|pair| (pair[1][axis] - pair[0][axis]).abs());

@@ -2,23 +2,28 @@
 
 mod coning;
 mod coverage;
+mod cut_towards_zero;
 mod dead_axes;
 mod determined;
+mod linearity;
 mod norm;
 mod of_the_device;
 mod on_top;
 mod plausible;
 mod rests;
+mod same_rows;
 mod twice;
 mod unknowable;
 
 pub(super) use coning::too_fast;
 pub(crate) use coverage::few_directions;
 pub use coverage::not_in_one_plane;
+pub(super) use cut_towards_zero::cut_towards_zero;
 pub(super) use dead_axes::{dead_axes, say_dead_axes};
 pub(super) use determined::{
     ForceEvidence, RateEvidence, accelerometer_is_determined, gyroscope_is_determined,
 };
+pub(super) use linearity::untested_linearity;
 pub(super) use norm::the_norm_tells_them;
 pub use of_the_device::readings_of_the_device;
 pub use on_top::corrected_before;
@@ -27,6 +32,7 @@ pub(super) use plausible::none_is_turned;
 pub(super) use plausible::{ForceFit, RateFit, signed_axes, turned_field};
 pub use plausible::{Said, implausible, implausible_base};
 pub(super) use rests::{disagreeing_rests, long_turns, restless};
+pub(super) use same_rows::no_rows_come_again;
 pub(super) use twice::none_is_there_twice;
 pub use twice::without_copies;
 pub(super) use unknowable::{refuse_attitude, refuse_unknowable};

@@ -20,7 +20,7 @@ use super::checks;
 use super::cut::Cut;
 use super::outcome::Outcome;
 use super::request::Request;
-use super::same_device::{gyroscope_of_one_device, of_one_device};
+use super::same_device::{differences, of_one_device};
 use crate::calibration::Calibration;
 use crate::methods::earth::{self, on_the_earth};
 use crate::methods::joint::{JointRequest, STATIC_INTERVALS, fit_joint};
@@ -42,8 +42,7 @@ pub(super) fn calibrate(
     checks::enough_rests(&recordings.recordings, &recordings.choices, &means)?;
     checks::not_in_one_plane(&means)?;
     if !request.force_device {
-        let known = of_one_device(&recordings.recordings, &means, request.gravity)?;
-        warnings.extend(known);
+        of_one_device(&recordings.recordings, &means, request.gravity)?;
     }
     let whole = recordings.with_choices().chain(turning.with_choices());
     let parts = whole.flat_map(|(own, choice)| {
@@ -80,11 +79,7 @@ pub(super) fn calibrate(
     let chosen = recordings.choices.iter().chain(&turning.choices);
     let (of_parts, choices): (Vec<&Recording>, Vec<&Choice>) =
         parts.iter().map(|(own, choice)| (*own, choice)).unzip();
-    warnings.extend(gyroscope_of_one_device(
-        &fit,
-        &of_parts,
-        request.force_device,
-    )?);
+    let differ = differences(&fit, &of_parts, request.force_device)?;
     let account = Account {
         gravity: request.gravity,
         gravity_source: request.gravity_source,
@@ -93,13 +88,11 @@ pub(super) fn calibrate(
         frame: request.frame,
         names_what_is_missing: false,
     };
-    let calibration = written_down(&fit, &of_parts, &choices, &account, &mut warnings)?;
-    // What differs from recording to recording looks like an effect to the fit of all.
-    let differs =
-        |found: &Finding| matches!(found.kind, Kind::RecordingsDiffer | Kind::GyroscopeDiffers);
-    if warnings.iter().any(differs) {
-        warnings.retain(|found| found.kind != Kind::EffectMissing);
-    }
+    let mut calibration = written_down(&fit, &of_parts, &choices, &account, &mut warnings)?;
+    let differ = differ.beside(&warnings);
+    differ.enlarge(&mut calibration, &fit);
+    differ.withdraw_effects(&mut warnings);
+    warnings.extend(differ.findings());
     let mut calibration = Calibration {
         warnings,
         ..calibration

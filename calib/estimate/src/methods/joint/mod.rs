@@ -62,7 +62,7 @@ pub use noise::weights::{Component, ComponentKind, Form, NoiseLevel, White, Whit
 pub use orientation::interval::Oriented;
 pub use orientation::{Pattern, Shown, StaticNumbers};
 pub use request::{JointRequest, Known};
-pub use result::apart::Apart;
+pub use result::apart::{Apart, PartChange, Portion};
 pub use result::channel::Channel;
 pub use result::influence::Influence;
 pub use result::marginal::{columns, orthonormal, without};

@@ -28,15 +28,15 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             ..remark(0.0001)
         },
         Kind::RecordingsDiffer => Entry {
-            reason: "the parameters differ from recording to recording",
-            text: "the recordings {first} and {second} give different values of {parameter}: {one} and {two}, {distance} standard errors apart[, at {celsius}]. Perhaps it changes with the temperature",
-            remedies: vec![Remedy::Discover],
+            reason: "the {sensor} differs between {first} and {second}",
+            text: "{parameter} differs by {change} ± {error} between {first} and {second}[, at {celsius}]. Perhaps the temperature or the clock changed, or the data are of two devices[. The standard errors include {included} of the difference]",
+            advice: "calibrate each recording alone if its temperature, its clock or its device was another",
             ..care(0.05)
         },
-        Kind::GyroscopeDiffers => Entry {
-            reason: "the gyroscope of one recording differs from the others",
-            text: "the gyroscope's {parameter} (scale factor or misalignment) differs by {change} ± {error} from that in the other recordings, perhaps by temperature or clock. The program has enlarged the standard errors to cover the difference",
-            advice: "calibrate this recording alone if its temperature or its clock was another",
+        Kind::PartsDiffer => Entry {
+            reason: "the {sensor} changes within the recording",
+            text: "{parameter} differs by {change} ± {error} between the parts of the recording. Perhaps the temperature or the clock changed, or the rows are of two devices. The standard errors include half of the difference",
+            advice: "calibrate each part alone if its temperature, its clock or its device was another",
             ..care(0.05)
         },
         Kind::NoGyroscope => Entry {

@@ -19,6 +19,18 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             remedies: vec![Remedy::Discover],
             ..care(0.06)
         },
+        Kind::LinearityUntested => Entry {
+            reason: "the placements cannot show whether the {sensor} is linear",
+            text: "the placements cannot show whether the {sensor} is linear. An error like {effect} of the usual size would put {parameter} off by {times} times its standard error (readings by {size}) and hardly show. The standard errors hold for a linear sensor",
+            advice: "add placements on edges and corners",
+            ..care(0.1)
+        },
+        Kind::CutTowardsZero => Entry {
+            reason: "the {sensor} reads half a step of {step} too near zero",
+            text: "the {sensor} cuts its readings off towards zero, in steps of {step}, instead of rounding them: they are half a step too small. The standard errors do not cover that",
+            advice: "round the readings where they are made, and record again",
+            ..care(0.1)
+        },
         Kind::WeakParameter => Entry {
             reason: "{parameter} is known to {error} only",
             text: "{parameter} is known to {error} only[ ({evidence})]",

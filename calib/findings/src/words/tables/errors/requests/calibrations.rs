@@ -83,7 +83,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             vec![Remedy::set(OptionName::ForceDevice)],
         ),
         Kind::ReadingsTwice => error(
-            "this recording repeats readings of {other}: from {at} on they equal those from static interval {interval} (t = {time}) on. Counted twice they make the standard errors too small",
+            "this recording repeats readings of {other}: from {at} on they equal those from[ static interval {interval},] t = {time} on. Counted twice they make the standard errors too small",
             "leave one of the two out: a recording, or the rows that come again",
         ),
         Kind::AxesOfOtherTurned => error_with(
