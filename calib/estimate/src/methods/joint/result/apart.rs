@@ -84,33 +84,82 @@ impl JointFit {
         own.map(|(place, _)| place).collect()
     }
 
-    fn apart_in(&self, sensor: Sensor, part: Portion, taken: &Basis) -> Option<Apart> {
-        let there: Vec<usize> = match part {
+    fn rests_in(&self, part: Portion) -> Vec<usize> {
+        match part {
             Portion::Recording(k) => self.rests_of(k),
             Portion::SecondHalf(k) => {
                 let all = self.rests_of(k);
                 all[all.len() / 2..].to_vec()
             }
-        };
-        let names = &base_names(sensor)[..PLACES.len()];
-        let place = |name: &String| {
-            let place = self.parameters.index(name)?;
-            self.free.iter().position(|free| *free == place)
-        };
-        let own: Vec<&String> = names.iter().filter(|name| place(name).is_some()).collect();
-        let scales = own.iter().filter_map(|name| Some(vec![place(name)?]));
-        let biases = ["b_x", "b_y", "b_z"].map(|axis| {
+        }
+    }
+
+    fn apart_in(&self, sensor: Sensor, part: Portion, taken: &Basis) -> Option<Apart> {
+        let (names, scales) = self.scales_of(sensor);
+        let wanted: Vec<Vec<usize>> = scales.into_iter().chain(self.biases_of(sensor)).collect();
+        let columns = self.columns_in(&wanted, &self.rests_in(part));
+        let left = taken.without(&columns).to_dense();
+        let n = names.len();
+        let lengths = columns.norms();
+        let is_free = |k: &usize| left.col(*k).norm_l2() > DEPENDS * lengths[*k];
+        let biases: Vec<usize> = (n..wanted.len()).filter(is_free).collect();
+        let biases = Mat::from_fn(left.nrows(), biases.len(), |i, k| left[(i, biases[k])]);
+        let spare = self.residuals.len();
+        let spare = spare.checked_sub(taken.rank() + n + biases.ncols())?;
+        let residuals = Mat::from_fn(self.residuals.len(), 1, |i, _| self.residuals[i]);
+        let change = Change::of(
+            &without(&biases, &left.subcols(0, n).to_owned()),
+            &without(&biases, &residuals),
+            spare,
+        )?;
+        let (scales, angles): (Vec<usize>, Vec<usize>) =
+            (0..n).partition(|k| names[*k].contains(".s_"));
+        let chances = [scales, angles];
+        let chances = chances.iter().filter_map(|group| change.chance(group));
+        // Two groups were tried.
+        let p_value = chances.fold(1.0, |least: f64, p| least.min(2.0 * p));
+        let most = (0..n).max_by(|a, b| change.times(*a).total_cmp(&change.times(*b)))?;
+        let changes = names.into_iter().enumerate().map(|(k, name)| PartChange {
+            parameter: name,
+            size: change.size[k],
+            std: change.std(k),
+        });
+        Some(Apart {
+            sensor,
+            part,
+            changes: changes.collect(),
+            most,
+            p_value,
+        })
+    }
+
+    /// The scale factors and misalignments of a sensor that are free, with their columns.
+    fn scales_of(&self, sensor: Sensor) -> (Vec<String>, Vec<Vec<usize>>) {
+        let names = base_names(sensor).into_iter().take(PLACES.len());
+        let own = names.filter_map(|name| {
+            let place = self.parameters.index(&name)?;
+            let column = self.free.iter().position(|free| *free == place)?;
+            Some((name, vec![column]))
+        });
+        own.unzip()
+    }
+
+    /// The columns of a sensor's biases by axis, those of all recordings.
+    fn biases_of(&self, sensor: Sensor) -> [Vec<usize>; 3] {
+        ["b_x", "b_y", "b_z"].map(|axis| {
             let common = format!("{}.{axis}", sensor.prefix());
-            let names = self.parameters.names();
-            let is_it = |name: &str| {
-                let other = name.strip_prefix(&common);
+            let is_it = |place: usize| {
+                let other = self.parameters.names()[place].strip_prefix(&common);
                 other.is_some_and(|end| end.is_empty() || end.starts_with('['))
             };
             let all = self.free.iter().enumerate();
-            let all = all.filter(|(_, place)| is_it(&names[**place]));
-            all.map(|(k, _)| k).collect()
-        });
-        let wanted: Vec<Vec<usize>> = scales.chain(biases).collect();
+            let own = all.filter(|(_, place)| is_it(**place));
+            own.map(|(column, _)| column).collect()
+        })
+    }
+
+    /// The sums of such columns where a row is of these `rests`, whitened.
+    fn columns_in(&self, wanted: &[Vec<usize>], rests: &[usize]) -> Columns {
         let all: Vec<usize> = wanted.iter().flatten().copied().collect();
         let columns = self.white_jacobian.select(&all).to_dense();
         let ends = wanted.iter().scan(0, |end, own| {
@@ -120,61 +169,59 @@ impl JointFit {
         });
         let spans: Vec<_> = ends.collect();
         let there = Mat::from_fn(columns.nrows(), wanted.len(), |i, k| {
-            let is_there = there.binary_search(&self.rest_of_row[i]).is_ok();
             let all = spans[k].clone().map(|column| columns[(i, column)]);
-            if is_there { all.sum() } else { 0.0 }
+            match rests.binary_search(&self.rest_of_row[i]) {
+                Ok(_) => all.sum(),
+                Err(_) => 0.0,
+            }
         });
-        let whole = Columns::cut(&there, self.white_jacobian.groups());
-        let whole = self.whitening.finish_columns(whole);
-        let lengths = whole.norms();
-        let left = taken.without(&whole).to_dense();
-        let n = own.len();
-        let free_bias = |k: &usize| left.col(*k).norm_l2() > DEPENDS * lengths[*k];
-        let biases: Vec<usize> = (n..wanted.len()).filter(free_bias).collect();
-        let biases = Mat::from_fn(left.nrows(), biases.len(), |i, k| left[(i, biases[k])]);
-        let left = without(&biases, &left.subcols(0, n).to_owned());
-        let residuals = Mat::from_fn(self.residuals.len(), 1, |i, _| self.residuals[i]);
-        let residuals = without(&biases, &residuals);
-        let (gram, moved) = (left.transpose() * &left, left.transpose() * &residuals);
-        let inverse = DMatrix::from_fn(n, n, |i, k| gram[(i, k)])
-            .cholesky()?
-            .inverse();
-        let change = -(&inverse * DVector::from_fn(n, |i, _| moved[(i, 0)]));
-        let explained = -(0..n).map(|i| change[i] * moved[(i, 0)]).sum::<f64>();
-        let spare = self
-            .residuals
-            .len()
-            .saturating_sub(taken.rank() + n + biases.ncols());
-        let rest = residuals.squared_norm_l2() - explained;
-        if spare < 1 || rest <= 0.0 {
-            return None;
-        }
-        let of_rest = rest / spare as f64;
-        let (scales, angles): (Vec<usize>, Vec<usize>) =
-            (0..n).partition(|k| own[*k].contains(".s_"));
-        let both = [&scales, &angles].into_iter();
-        let chances = both.filter_map(|group| {
-            let covariance = inverse.select_rows(group).select_columns(group) * of_rest;
-            let change = change.select_rows(group);
-            let square = change.dot(&covariance.cholesky()?.solve(&change));
-            let law = FisherSnedecor::new(group.len() as f64, spare as f64).ok()?;
-            Some(2.0 * law.sf(square / group.len() as f64))
-        });
-        let p_value = chances.fold(1.0, f64::min);
-        let changes = own.into_iter().enumerate().map(|(k, name)| PartChange {
-            parameter: name.clone(),
-            size: change[k],
-            std: (inverse[(k, k)] * of_rest).sqrt(),
-        });
-        let changes: Vec<PartChange> = changes.collect();
-        let times = |k: &usize| (changes[*k].size / changes[*k].std).abs();
-        let most = (0..n).max_by(|a, b| times(a).total_cmp(&times(b)))?;
-        Some(Apart {
-            sensor,
-            part,
-            changes,
-            most,
-            p_value,
+        let there = Columns::cut(&there, self.white_jacobian.groups());
+        self.whitening.finish_columns(there)
+    }
+}
+
+/// Parameters that a part has beside those of all, `c = −(XᵀX)⁻¹ Xᵀ r`.
+struct Change {
+    size: DVector<f64>,
+    covariance: DMatrix<f64>,
+    spare: usize,
+}
+
+impl Change {
+    /// By columns `X` and residuals `r`, of which so many are beyond all parameters; `None` where the columns depend on each other.
+    fn of(columns: &Mat<f64>, residuals: &Mat<f64>, spare: usize) -> Option<Self> {
+        let n = columns.ncols();
+        let (gram, moved) = (
+            columns.transpose() * columns,
+            columns.transpose() * residuals,
+        );
+        let gram = DMatrix::from_fn(n, n, |i, k| gram[(i, k)]);
+        let inverse = gram.cholesky()?.inverse();
+        let moved = DVector::from_fn(n, |i, _| moved[(i, 0)]);
+        let size = -(&inverse * &moved);
+        let rest = residuals.squared_norm_l2() + size.dot(&moved);
+        (spare > 0 && rest > 0.0).then(|| Self {
+            size,
+            covariance: inverse * (rest / spare as f64),
+            spare,
         })
+    }
+
+    fn std(&self, k: usize) -> f64 {
+        self.covariance[(k, k)].sqrt()
+    }
+
+    /// The size in standard errors.
+    fn times(&self, k: usize) -> f64 {
+        (self.size[k] / self.std(k)).abs()
+    }
+
+    /// The chance of so large a change of a group of parameters, by an F test.
+    fn chance(&self, group: &[usize]) -> Option<f64> {
+        let covariance = self.covariance.select_rows(group).select_columns(group);
+        let size = self.size.select_rows(group);
+        let square = size.dot(&covariance.cholesky()?.solve(&size));
+        let law = FisherSnedecor::new(group.len() as f64, self.spare as f64).ok()?;
+        Some(law.sf(square / group.len() as f64))
     }
 }
