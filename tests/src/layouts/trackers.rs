@@ -168,6 +168,20 @@ pub(super) fn layouts(s: &Samples) -> Vec<Layout> {
             )
         },
     );
+    let whole = |values: Vector3<f64>, scale: f64| {
+        let [x, y, z]: [f64; 3] = (values / scale).into();
+        format!("{x:.0},{y:.0},{z:.0}")
+    };
+    let gyroflow = table(
+        s,
+        "GYROFLOW IMU LOG\nversion,1.3\nid,test\ntscale,0.000001\ngscale,0.0001\nascale,0.0001\nt,gx,gy,gz,ax,ay,az\n",
+        |t, f, w| {
+            let (rate, force) = (whole(*w, 1e-4), whole(f / G, 1e-4));
+            format!("{},{rate},{force}", (t * 1e6).round())
+        },
+    );
+    let mut gyroflow = Layout::text("Gyroflow", "log.gcsv", gyroflow).one_clock();
+    gyroflow.within = [1e-6, 6e-4, 6e-5];
     let one = |name, text| Layout::text(name, "imu.csv", text).one_clock();
     let mut vectornav = one("VectorNav", vectornav);
     vectornav.call.extend(["--rate", "100"]);
@@ -180,6 +194,7 @@ pub(super) fn layouts(s: &Samples) -> Vec<Layout> {
         one("Xsens DOT", dot),
         one("Shimmer", shimmer),
         one("x-io", xio),
+        gyroflow,
         vectornav,
         Layout::text("GetSensorData", "imu.csv", get_sensor_data),
         Layout::text("GnssLogger", "imu.csv", gnss),

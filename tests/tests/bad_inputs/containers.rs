@@ -216,25 +216,25 @@ fn case_042_phyphox_without_g_names_the_experiment() {
 
 #[test]
 fn case_043_phyphox_in_another_language_is_read_by_units() {
-    let dutch = [
-        "Tijd (s)",
-        "Versnelling x (m/s^2)",
-        "Versnelling y (m/s^2)",
-        "Versnelling z (m/s^2)",
+    let finnish = [
+        "Aika (s)",
+        "Kiihtyvyys x (m/s^2)",
+        "Kiihtyvyys y (m/s^2)",
+        "Kiihtyvyys z (m/s^2)",
     ];
     let [_, gyro] = tables();
     let archive = zip(&[
         (
-            "Versnelling.csv",
-            phyphox(&imu(), false, dutch).as_bytes(),
+            "Kiihtyvyys.csv",
+            phyphox(&imu(), false, finnish).as_bytes(),
             Packing::Deflated,
         ),
-        ("Gyroscoop.csv", gyro.as_bytes(), Packing::Deflated),
+        ("Gyroskooppi.csv", gyro.as_bytes(), Packing::Deflated),
     ]);
     calibrate("a.zip", archive, &[])
         .ends(0)
         .is_silent_on(&["gyroscope only", "accelerometer only"]);
-    let text = phyphox(&imu(), false, dutch);
+    let text = phyphox(&imu(), false, finnish);
     calibrate("a.csv", text, &[])
         .ends(0)
         .says(&["by their units"]);

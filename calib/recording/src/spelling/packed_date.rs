@@ -22,6 +22,9 @@ const YEARS: [std::ops::Range<u32>; 2] = [2001..2100, 10..60];
 /// The date that the digits of a cell are; `None` of any other number. Behind a day and a month, which may be each other, the time
 /// stands apart: for the reader to refuse.
 fn date(cell: &str) -> Option<String> {
+    if !cell.is_ascii() {
+        return None;
+    }
     year_first(cell).or_else(|| {
         let (date, rest) = cell.split_at_checked(8)?;
         let (begin, year) = date.split_at(4);

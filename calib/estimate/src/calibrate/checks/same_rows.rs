@@ -6,6 +6,8 @@ use findings::{Finding, Kind};
 use recording::{Error, Recording, Stream};
 use sensor::Sensor;
 
+use super::twice::without_copies;
+
 /// Steps from row to row that are compared at once, ...
 const STEPS: usize = 64;
 
@@ -27,7 +29,8 @@ const FACTOR: u64 = 0x9E37_79B9_7F4A_7C15;
 pub fn no_rows_come_again<'a>(
     recordings: impl IntoIterator<Item = &'a Recording>,
 ) -> Result<(), Error> {
-    let all: Vec<&Recording> = recordings.into_iter().collect();
+    // A long recording is there once for each of its parts.
+    let (all, _) = without_copies(recordings);
     for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
         let streams = all.iter().map(|recording| recording.stream(sensor));
         let streams: Vec<Option<&Stream>> = streams.collect();
@@ -68,17 +71,27 @@ fn same_readings(streams: &[Option<&Stream>]) -> Option<[(usize, usize); 2]> {
             if other == k && before + STEPS > row {
                 continue;
             }
-            let shift = (other, row.wrapping_sub(before));
-            let (count, [from, to]) = again.entry(shift).or_insert((0, [before, row]));
-            *count += 1;
             all += 1;
-            // A machine that shakes the device makes the same again and again, and so at any distance.
+            let shift = row.wrapping_sub(before);
+            // What comes a third time as far behind is one placement again and again, or what a machine shakes.
+            if other == k && is_again(&steps, row, shift) {
+                continue;
+            }
+            let (count, [from, to]) = again.entry((other, shift)).or_insert((0, [before, row]));
+            *count += 1;
+            // The same again and again is so at any distance.
             if *count >= RUNS && 2 * *count > all {
                 return Some([(other, *from), (k, *to)]);
             }
         }
     }
     None
+}
+
+/// Returns true if the steps from a row on are there once more so many rows behind.
+fn is_again(steps: &[(u8, u8)], row: usize, shift: usize) -> bool {
+    let from = |row: usize| steps.get(row..row + STEPS);
+    from(row).is_some_and(|own| from(row + shift) == Some(own))
 }
 
 /// The directions of the steps from row to row as numbers below 27, and on how many axes they turn back.
