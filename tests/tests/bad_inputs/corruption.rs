@@ -155,55 +155,6 @@ fn units_that_change_half_way() {
     let words = ["the unit of the gyroscope changes", "in rad/s", "in deg/s"];
     refused(&degrees, 3, &words);
     let start = good()[half()][0];
-    from_half(|row| row[0] = start + (row[0] - start) * rate)
-}
-
-/// One row in ten, without a pattern.
-fn is_chosen(k: usize) -> bool {
-    let mixed = (k as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32;
-    mixed % 10 == 3
-}
-
-fn quantised(columns: std::ops::Range<usize>, step: f64) -> Vec<Row> {
-    spoilt(|_, row| {
-        for v in &mut row[columns.clone()] {
-            *v = (*v / step).round() * step;
-        }
-    })
-}
-
-/// The axes of both sensors turned about z by this angle.
-fn turned(row: &mut Row, angle: f64) {
-    let (s, c) = angle.sin_cos();
-    for first in [1, 4] {
-        let (x, y) = (row[first], row[first + 1]);
-        row[first] = c * x - s * y;
-        row[first + 1] = s * x + c * y;
-    }
-}
-
-#[test]
-fn the_good_recording_draws_no_warning() {
-    let none = |run: &Run, command: &str| assert_eq!(run.stderr, "", "{command}");
-    assert_eq!(runs(good(), none), [false, false]);
-}
-
-#[test]
-fn units_that_change_half_way() {
-    let g = from_half(|row| row[1..4].iter_mut().for_each(|v| *v /= 9.80665));
-    refused(&g, 3, &["r.csv:8485", "from m/s² to g"]);
-    let degrees = from_half(|row| row[4..7].iter_mut().for_each(|v| *v = v.to_degrees()));
-    // Rests are found in both parts: the place is named, and what the stepwise method writes has failed its limits.
-    let refused_by = runs(&degrees, |run, command| {
-        names(
-            run,
-            "bias of the gyroscope on x jumps by",
-            Place::Around(half()),
-        );
-        assert!(command == "evaluate" || run.status == Some(1), "{run:#?}");
-    });
-    assert_eq!(refused_by, [false, true]);
-    let start = good()[half()][0];
     let milliseconds = from_half(|row| row[0] = start + (row[0] - start) * 1e3);
     refused(&milliseconds, 4, &["stamps"]);
 }
