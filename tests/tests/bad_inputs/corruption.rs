@@ -152,7 +152,7 @@ fn units_that_change_half_way() {
     let g = from_half(|row| row[1..4].iter_mut().for_each(|v| *v /= 9.80665));
     refused(&g, 3, &["r.csv:8485", "from m/s² to g"]);
     let degrees = from_half(|row| row[4..7].iter_mut().for_each(|v| *v = v.to_degrees()));
-    let words = ["the unit of the gyroscope changes", "in rad/s", "in deg/s"];
+    let words = ["in rad/s up to t = ", "in deg/s from t = "];
     refused(&degrees, 3, &words);
     let start = good()[half()][0];
     let milliseconds = from_half(|row| row[0] = start + (row[0] - start) * 1e3);
