@@ -36,7 +36,7 @@ const ANOTHER_GYROSCOPE: f64 = 3e-3;
 const PER_KELVIN: f64 = 5e-4;
 
 /// Refuses recordings whose scale factors or misalignments of the accelerometer differ by more than chance, misfit and their
-/// temperatures make, each fitted on its own; those too short for that are passed. What their temperatures may make is said.
+/// temperatures make, each fitted on its own; those too short for that are passed. Smaller [`differences`] are of the joint fit.
 ///
 /// # Errors
 /// The first two that differ, and in what.
@@ -44,7 +44,7 @@ pub fn of_one_device(
     recordings: &[&Recording],
     means: &[Vec<StaticMean>],
     gravity: f64,
-) -> Result<Option<Finding>, Error> {
+) -> Result<(), Error> {
     let celsius: Vec<Option<f64>> = recordings.iter().map(|r| celsius(r)).collect();
     let names: Vec<String> = recordings.iter().map(|r| r.name.clone()).collect();
     let request = AccelerometerRequest {
@@ -53,10 +53,10 @@ pub fn of_one_device(
         model: accelerometer::model(),
         gravity,
     };
-    same_accelerometer(&request, &celsius)
+    same_accelerometer(&request, &celsius).map(|_| ())
 }
 
-/// The same of static means, at the temperatures that are known, °C.
+/// The same of static means, at the temperatures that are known, °C; what these may make is said.
 pub(super) fn same_accelerometer(
     request: &AccelerometerRequest,
     celsius: &[Option<f64>],

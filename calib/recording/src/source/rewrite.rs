@@ -67,6 +67,16 @@ impl<F: FnMut(&[u8], &mut Vec<u8>)> Read for Rewritten<F> {
     }
 }
 
+/// The text that `change` makes of another.
+#[cfg(test)]
+pub(crate) fn changed_by(
+    change: impl FnOnce(Box<dyn Read + Send>) -> Box<dyn Read + Send>,
+    text: &str,
+) -> String {
+    let text = io::Cursor::new(text.to_owned());
+    io::read_to_string(change(Box::new(text))).unwrap()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

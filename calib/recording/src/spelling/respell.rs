@@ -24,8 +24,5 @@ pub(crate) struct Spelling {
 #[cfg(test)]
 pub(super) fn respelt(spelling: &Spelling, text: &str) -> Option<String> {
     let change = (spelling.change)(&Look::at(text.as_bytes()))?;
-    let mut changed = String::new();
-    let read = change(Box::new(std::io::Cursor::new(text.to_owned())));
-    { read }.read_to_string(&mut changed).ok()?;
-    Some(changed)
+    Some(crate::source::rewrite::changed_by(change, text))
 }

@@ -103,14 +103,11 @@ fn rows_of_blocks(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::source::rewrite::changed_by;
 
     fn rows(block: &'static str) -> String {
         assert!(blocks(&Look::at(block.as_bytes())).is_some(), "{block}");
-        let mut rows = String::new();
-        rows_of_blocks(Box::new(block.as_bytes()))
-            .read_to_string(&mut rows)
-            .unwrap();
-        rows.trim().to_owned()
+        changed_by(rows_of_blocks, block).trim().to_owned()
     }
 
     #[test]

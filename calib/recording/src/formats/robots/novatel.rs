@@ -74,15 +74,13 @@ fn change(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::source::rewrite::changed_by;
 
     #[test]
     fn the_counts_of_y_have_their_sign_turned() {
         let text = "#BESTPOSA,COM1,0;1,2*3\n%RAWIMUSA,2234,180000.010;2234,180000.010000000,00000077,1,-2,3,4,5,-6*ab12cd34\n";
         assert!(parts(&Look::at(text.as_bytes())).is_some());
-        let mut rows = String::new();
-        change(Box::new(std::io::Cursor::new(text)))
-            .read_to_string(&mut rows)
-            .unwrap();
+        let rows = changed_by(change, text);
         let expected = "# #BESTPOSA,COM1,0;1,2*3\n180000.010000000,3,2,1,-6,-5,4\n";
         assert_eq!(rows, expected);
         assert!(parts(&Look::at(b"#BESTPOSA,COM1,0;1,2*3\n")).is_none());

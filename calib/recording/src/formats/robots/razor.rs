@@ -173,13 +173,11 @@ fn rows(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::source::rewrite::changed_by;
 
     fn changed(text: &str) -> (Vec<Part>, String) {
         let parts = parts(&Look::at(text.as_bytes())).unwrap();
-        let source = Box::new(std::io::Cursor::new(text.to_owned()));
-        let mut rows = String::new();
-        let change = parts[0].change.unwrap();
-        change(source).read_to_string(&mut rows).unwrap();
+        let rows = changed_by(parts[0].change.unwrap(), text);
         (parts, rows)
     }
 

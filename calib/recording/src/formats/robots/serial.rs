@@ -336,6 +336,7 @@ fn row(found: &Numbers<'_>, clock: &mut TimeOfDay, out: &mut Vec<u8>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::source::rewrite::changed_by;
 
     #[test]
     fn a_table_with_a_word_in_its_rows_is_no_serial_log() {
@@ -362,11 +363,7 @@ mod tests {
         assert_eq!(parts[0].accel_unit, Some(AccelUnit::MetresPerSecondSquared));
         assert_eq!(parts[0].gyro_unit, Some(GyroUnit::RadiansPerSecond));
         assert_eq!(parts[0].time_unit, None);
-        let mut rows = String::new();
-        let text = Box::new(std::io::Cursor::new(log));
-        rows_of_numbers(text, begins)
-            .read_to_string(&mut rows)
-            .unwrap();
+        let rows = changed_by(|text| rows_of_numbers(text, begins), &log);
         let first = "10,-0.070,0.124,9.883,0.0111,-0.0001,0.0060,25.3";
         assert_eq!(rows.lines().next(), Some(first));
     }

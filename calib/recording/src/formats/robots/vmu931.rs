@@ -71,6 +71,7 @@ fn only(text: Box<dyn Read + Send>, wanted: &'static str) -> Box<dyn Read + Send
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::source::rewrite::changed_by;
 
     #[test]
     fn each_sensor_has_its_lines() {
@@ -79,11 +80,7 @@ mod tests {
                 .repeat(2);
         let found = parts(&Look::at(text.as_bytes())).unwrap();
         assert_eq!(found.len(), 2);
-        let mut rows = String::new();
-        let change = found[1].change.unwrap();
-        change(Box::new(std::io::Cursor::new(text)))
-            .read_to_string(&mut rows)
-            .unwrap();
+        let rows = changed_by(found[1].change.unwrap(), &text);
         assert_eq!(rows.split_whitespace().collect::<Vec<_>>(), ["2,1,2,3"; 2]);
         assert!(parts(&Look::at(b"[INFO] [17.5]: acc 1 2 3\n[12.5] started\n")).is_none());
     }

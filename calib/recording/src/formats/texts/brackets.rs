@@ -85,12 +85,10 @@ fn change(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::source::rewrite::changed_by;
 
-    fn changed(text: &'static str) -> String {
-        let mut rows = String::new();
-        let text = Box::new(std::io::Cursor::new(text));
-        change(text).read_to_string(&mut rows).unwrap();
-        rows
+    fn changed(text: &str) -> String {
+        changed_by(change, text)
     }
 
     #[test]

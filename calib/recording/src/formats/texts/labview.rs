@@ -188,13 +188,11 @@ fn change(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::source::rewrite::changed_by;
 
     fn changed(text: &str) -> Vec<String> {
         assert!(parts(&Look::at(text.as_bytes())).is_some());
-        let mut rows = String::new();
-        change(Box::new(std::io::Cursor::new(text.to_owned())))
-            .read_to_string(&mut rows)
-            .unwrap();
+        let rows = changed_by(change, text);
         assert_eq!(rows.lines().count(), text.lines().count());
         let rows = rows
             .lines()

@@ -30,6 +30,11 @@ pub(crate) fn places(line: &str) -> Vec<Range<usize>> {
         .collect()
 }
 
+/// The cells of a line.
+pub(crate) fn words(line: &str) -> Vec<&str> {
+    places(line).into_iter().map(|at| &line[at]).collect()
+}
+
 /// The line with another text in place of one.
 pub(crate) fn replaced(line: &str, place: &Range<usize>, text: &str) -> String {
     format!("{}{text}{}", &line[..place.start], &line[place.end..])

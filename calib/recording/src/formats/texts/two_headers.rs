@@ -3,7 +3,7 @@
 
 use std::io::Read;
 
-use super::places::{may_be_row, places};
+use super::places::{may_be_row, words};
 use super::text_format::TextFormat;
 use crate::header::look::Look;
 use crate::header::names::role_of;
@@ -22,16 +22,16 @@ pub(crate) static TWO_HEADERS: TextFormat = TextFormat {
 /// Rows of names: sensors, axes, and the name of the index below them.
 const MOST: usize = 3;
 
-/// The cells of a line.
-fn words(line: &str) -> Vec<&str> {
-    places(line).into_iter().map(|at| &line[at]).collect()
-}
-
 /// True for a line with a number in more than half of its cells.
 fn is_row(line: &str) -> bool {
     let cells = words(line);
     let is_number = |cell: &&&str| cell.parse::<f64>().is_ok();
     2 * cells.iter().filter(is_number).count() > cells.len()
+}
+
+fn has_time(names: &[String]) -> bool {
+    let mut roles = names.iter().map(|name| role_of(name, None));
+    roles.any(|role| role == Some(Role::Time))
 }
 
 /// The names of columns of a sensor and an axis, each in a row; an empty cell above goes on with the one before it.
@@ -53,9 +53,7 @@ fn joined<'a>(above: &'a str, below: &'a str) -> Vec<String> {
     };
     let mut names: Vec<String> = pairs.map(join).collect();
     // An index without a name of its own is the time, where nothing else is.
-    let has_time = names
-        .iter()
-        .any(|name| role_of(name, None) == Some(Role::Time));
+    let has_time = has_time(&names);
     if let Some(first) = names
         .first_mut()
         .filter(|first| first.is_empty() || *first == "axis")
@@ -83,11 +81,6 @@ fn names(above: &str, below: &str) -> Option<Vec<String>> {
     let joined = joined(above, below);
     let as_wide = words(above).len() == words(below).len();
     // Names below a time that stands above are not whole.
-    let has_time = |names: &[String]| {
-        names
-            .iter()
-            .any(|name| role_of(name, None) == Some(Role::Time))
-    };
     let is_whole = names_a_sensor(&own(below)) && (has_time(&own(below)) || !has_time(&joined));
     let alone = names_a_sensor(&own(above)) || is_whole;
     (as_wide && !alone && names_a_sensor(&joined)).then_some(joined)
@@ -152,6 +145,7 @@ fn change(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::source::rewrite::changed_by;
 
     #[test]
     fn names_in_two_rows_are_one() {
@@ -170,11 +164,7 @@ mod tests {
             ),
         ] {
             assert!(parts(&Look::at(text.as_bytes())).is_some(), "{text}");
-            let mut rows = String::new();
-            change(Box::new(text.as_bytes()))
-                .read_to_string(&mut rows)
-                .unwrap();
-            assert_eq!(rows, expected);
+            assert_eq!(changed_by(change, text), expected);
         }
     }
 

@@ -4,7 +4,7 @@ use std::io::Read;
 use std::ops::Range;
 
 use crate::clock::time_of_day::TimeOfDay;
-use crate::formats::texts::places::{may_be_row, places, replaced, whole_rows};
+use crate::formats::texts::places::{may_be_row, places, replaced, whole_rows, words};
 use crate::formats::texts::text_format::TextFormat;
 use crate::header::look::Look;
 use crate::header::names::{compact, role_of};
@@ -38,6 +38,7 @@ const FIELDS: [(&[&str], f64); 6] = [
         1e-9,
     ),
 ];
+
 /// A field's column and its seconds.
 type Field = (usize, f64);
 
@@ -46,7 +47,7 @@ const MINUTE: usize = 1;
 
 /// The fields by their columns, the minutes and the seconds among them.
 fn fields(header: &str) -> Option<Vec<Field>> {
-    let names: Vec<&str> = places(header).into_iter().map(|at| &header[at]).collect();
+    let names = words(header);
     let field = |name: &str| {
         let word = compact(name);
         FIELDS
@@ -197,6 +198,7 @@ fn stamped(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::source::rewrite::changed_by;
 
     #[test]
     fn fields_of_a_clock_become_one_stamp() {
@@ -211,11 +213,7 @@ mod tests {
             ),
         ] {
             assert!(parts(&Look::at(text.as_bytes())).is_some(), "{text}");
-            let mut rows = String::new();
-            change(Box::new(text.as_bytes()))
-                .read_to_string(&mut rows)
-                .unwrap();
-            assert_eq!(rows, expected);
+            assert_eq!(changed_by(change, text), expected);
         }
     }
 

@@ -80,6 +80,7 @@ fn change(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::source::rewrite::changed_by;
 
     #[test]
     fn date_and_time_become_one_cell() {
@@ -97,10 +98,7 @@ mod tests {
                 "time\tax\n5/13/2026 12:00:00\t1\n",
             ),
         ] {
-            let mut rows = String::new();
-            let input = Box::new(std::io::Cursor::new(text));
-            change(input).read_to_string(&mut rows).unwrap();
-            assert_eq!(rows, expected);
+            assert_eq!(changed_by(change, text), expected);
         }
         assert!(
             parts(&Look::at(

@@ -3,7 +3,7 @@
 use std::io::Read;
 use std::ops::Range;
 
-use crate::formats::texts::places::{may_be_row, places, replaced, whole_rows};
+use crate::formats::texts::places::{may_be_row, places, replaced, whole_rows, words};
 use crate::formats::texts::text_format::TextFormat;
 use crate::header::look::Look;
 use crate::header::names::{compact, is_like_time, role_of, stated_unit, take_apart};
@@ -45,7 +45,7 @@ struct Stamp<'a> {
 impl Columns {
     /// Those of a header.
     fn of(header: &str) -> Option<Self> {
-        let names: Vec<&str> = places(header).into_iter().map(|at| &header[at]).collect();
+        let names = words(header);
         let wholes: Vec<usize> = (0..names.len()).filter(|&at| is_whole(names[at])).collect();
         let mut parts = (0..names.len()).filter_map(|at| Some((at, digits(names[at])?)));
         let (part, digits) =
@@ -184,14 +184,11 @@ fn change(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::source::rewrite::changed_by;
 
     fn changed(text: &'static str) -> Option<String> {
         parts(&Look::at(text.as_bytes()))?;
-        let mut rows = String::new();
-        change(Box::new(std::io::Cursor::new(text)))
-            .read_to_string(&mut rows)
-            .unwrap();
-        Some(rows)
+        Some(changed_by(change, text))
     }
 
     #[test]

@@ -77,14 +77,13 @@ fn change(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::source::rewrite::changed_by;
 
     #[test]
     fn stamps_follow_from_the_start_and_the_rate() {
         let text = "1690000000.0, 1690000000.0, 1690000000.0\n32.0, 32.0, 32.0\n1,-1,68\n1,-2,67\n2,-1,68\n";
         assert!(parts(&Look::at(text.as_bytes())).is_some());
-        let mut rows = String::new();
-        let input = Box::new(std::io::Cursor::new(text));
-        change(input).read_to_string(&mut rows).unwrap();
+        let rows = changed_by(change, text);
         assert_eq!(
             rows.trim(),
             "0.000000,1,-1,68\n0.031250,1,-2,67\n0.062500,2,-1,68"

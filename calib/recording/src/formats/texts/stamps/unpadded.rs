@@ -118,14 +118,11 @@ fn padded(text: Box<dyn Read + Send>, digits: usize) -> Box<dyn Read + Send> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::source::rewrite::changed_by;
 
     fn changed(text: &str) -> Option<String> {
         let part = parts(&Look::at(text.as_bytes()))?.remove(0);
-        let mut rows = String::new();
-        part.change.unwrap()(Box::new(std::io::Cursor::new(text.to_owned())))
-            .read_to_string(&mut rows)
-            .unwrap();
-        Some(rows)
+        Some(changed_by(part.change.unwrap(), text))
     }
 
     /// A stamp per row, each `step` counts after the one before, `per` counts in a second.
