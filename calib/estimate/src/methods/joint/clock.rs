@@ -7,6 +7,7 @@
 pub(crate) mod coning;
 mod decided;
 pub(crate) mod fit;
+mod instants;
 mod left;
 pub(crate) mod sampling;
 pub(crate) mod undersampled;
@@ -68,8 +69,7 @@ pub struct SourceClock {
     pub lost: u64,
     /// `χ²` per degree of freedom of the turns' directions with this clock; `None` where nothing was fitted.
     pub misfit: Option<f64>,
-    /// True if the samples are instantaneous values, and not means over their windows; the two are told apart at slow
-    /// rates only.
+    /// True if the samples are instantaneous values, and not means over their windows; means where the turns do not tell.
     pub instants: bool,
     /// Share of the jumps between samples that is missing in the angles.
     pub sampling: Share,

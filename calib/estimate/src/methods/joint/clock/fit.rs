@@ -42,11 +42,9 @@ const GRID: i32 = 64;
 /// A share with a larger standard error says nothing.
 const UNKNOWN: f64 = 0.35;
 
-/// Steps beyond which means over windows and samples at instants are told apart, s.
-const SLOW: f64 = 0.015;
-
-/// Log-likelihood that samples at instants have to gain over means.
-const EVIDENT: f64 = 4.0;
+/// Log-likelihood that samples at instants have to gain over means, in units of what the turns miss by usually (`χ²` per degree of
+/// freedom): what something else makes of the turns may look like a little of either.
+const EVIDENT: f64 = 2.0;
 
 /// First value of the sampling share: the usual part of the jumps that is missing between instantaneous samples.
 const USUAL: f64 = 0.25;
@@ -78,17 +76,15 @@ pub(crate) fn settle_clock(
         }
         fit.rounds()?
     } else {
-        let is_slow = |source: &Source| source.gyroscope.is_some_and(|n| n.interval > SLOW);
-        let all = 0..data.sources.len();
-        let slow: Vec<usize> = all.clone().filter(|&k| is_slow(&data.sources[k])).collect();
-        let jumps = all.clone().any(|k| data.jumps(k));
+        let either = fit.run.tell_instants(fit.point.as_ref());
+        let jumps = (0..data.sources.len()).any(|k| data.jumps(k));
         if request.clock == ClockMode::Auto {
             fit.open = data.with_scatter();
         }
-        if fit.open.is_empty() && slow.is_empty() && !jumps {
+        if fit.open.is_empty() && either.is_empty() && !jumps {
             return Ok(None);
         }
-        let left = fit.choose(&slow)?;
+        let left = fit.choose(&either)?;
         match request.disturbances {
             true => left,
             false => fit.with_the_whole_scatter(left)?,
@@ -145,9 +141,9 @@ struct ClockFit<'a, 'b> {
 }
 
 impl ClockFit<'_, '_> {
-    /// The likeliest clocks: the shares from two starts, then what is behind the stamps, then what the samples of the `slow`
-    /// recordings are.
-    fn choose(&mut self, slow: &[usize]) -> Result<Left, Error> {
+    /// The likeliest clocks: the shares from two starts, then what is behind the stamps, then what the samples of the
+    /// recordings are that may have `either`.
+    fn choose(&mut self, either: &[usize]) -> Result<Left, Error> {
         let mut left = self.rounds()?;
         let scatters = |source: &Source| source.clock.floor > 0.0;
         if self.run.data.sources.iter().any(scatters) {
@@ -166,13 +162,13 @@ impl ClockFit<'_, '_> {
                 left = self.rounds()?;
             }
         }
-        for &k in slow {
-            let likelihood = left.likelihood;
+        for &k in either {
+            let needed = left.likelihood + EVIDENT * left.misfit(&self.run.data, k).max(1.0);
             let (before, point) = (self.run.data.decided_clocks(), self.point.clone());
             self.run.data.sources[k].clock.instants = true;
             left = self.rounds()?;
             // Of all rows and under their own noise: a scatter that is allowed for makes any residual small.
-            if left.likelihood < likelihood + EVIDENT {
+            if left.likelihood < needed {
                 // The last point may lie elsewhere: what is judged is judged at the one that stays.
                 self.run.data.go_by(&before);
                 self.point = point;
@@ -433,24 +429,34 @@ mod tests {
     }
 
     #[test]
-    fn exact_stamps_of_smooth_motion_cost_no_fit() {
-        let clock = clock_of(&tactical(4));
+    fn exact_stamps_of_slow_turns_cost_no_fit() {
+        let mut spec = tactical(4);
+        if let simulate::Motion::HandHeld(motion) = &mut spec.motion {
+            (motion.turn, motion.tremor) = ([6.0, 8.0], 0.0);
+        }
+        let clock = clock_of(&spec);
         assert_eq!((clock.state, clock.misfit), (ClockState::Exact, None));
         assert_eq!(clock.sampling.value, 0.0);
     }
 
     /// A scatter that is fitted beside one of the two makes its residuals small, and is no evidence for it.
     #[test]
-    fn means_and_instants_are_told_apart_at_a_low_rate() {
-        for (sampling, instants) in [(Sampling::Average, false), (Sampling::Point, true)] {
-            for seed in 0..3 {
-                let mut spec = tactical(seed);
-                (spec.rate, spec.sampling) = (25.0, sampling);
-                if let simulate::Motion::HandHeld(motion) = &mut spec.motion {
-                    (motion.turn, motion.tremor, motion.shock) = ([1.0, 2.5], 0.0, 0.0);
+    fn means_and_instants_are_told_apart_where_the_turns_tell_them() {
+        let quick = [(25.0, [1.0, 2.5]), (100.0, [0.6, 1.0])];
+        for (rate, turn) in quick {
+            for (sampling, instants) in [(Sampling::Average, false), (Sampling::Point, true)] {
+                for seed in 0..3 {
+                    let mut spec = tactical(seed);
+                    (spec.rate, spec.sampling) = (rate, sampling);
+                    if let simulate::Motion::HandHeld(motion) = &mut spec.motion {
+                        (motion.turn, motion.tremor, motion.shock) = (turn, 0.0, 0.0);
+                    }
+                    let clock = clock_of(&spec);
+                    assert_eq!(
+                        clock.instants, instants,
+                        "{rate} Hz, {sampling:?}, {seed}: {clock:?}"
+                    );
                 }
-                let clock = clock_of(&spec);
-                assert_eq!(clock.instants, instants, "{sampling:?} {seed}: {clock:?}");
             }
         }
     }

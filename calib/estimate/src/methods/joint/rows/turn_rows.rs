@@ -4,7 +4,7 @@ use nalgebra::{Matrix2x3, Matrix3, Vector2, Vector3};
 use sensor::{BASE_PARAMETERS, Base, PLACES, Sensor, inverse};
 
 use super::slopes::ModelSlopes;
-use super::turn::{Carried, carry};
+use super::turn::{Carried, carry, rotation};
 use crate::methods::joint::blocks::columns::Part;
 use crate::methods::joint::clock::coning::Coning;
 use crate::methods::joint::data::TurnSamples;
@@ -85,6 +85,16 @@ impl Rows<'_> {
     pub(crate) fn coning(&self, turn: &TurnSamples) -> &Coning {
         let instants = self.data.sources[turn.recording].clock.instants;
         &self.conings[usize::from(instants)]
+    }
+
+    /// Change of the two rows of a turn at `x` where its samples are values at instants and not means over windows.
+    pub(crate) fn by_instants(&self, x: &[f64], turn: &TurnSamples) -> Vector2<f64> {
+        let p = self.local(x, Sensor::Gyroscope, turn.from);
+        let rates = self.rates(turn, &p);
+        let under = |coning: &Coning| rotation(coning, &rates, &turn.lengths);
+        let [means, instants] = self.conings.each_ref().map(under);
+        let moved = (instants - means) * self.direction(x, turn.from);
+        self.charts[turn.from + 1].across.transpose() * moved
     }
 
     /// `∂r/∂λ` of the two rows of a turn by the share of the scatter that its clock has: a window's angle grows by
