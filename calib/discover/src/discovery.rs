@@ -25,6 +25,7 @@ use super::findings::named;
 use super::findings::room::described;
 use super::request::{Request, Session};
 use super::search::Search;
+use super::search::samples::other_samples;
 use super::state::State;
 
 /// The findings with the models behind them, for pictures.
@@ -59,6 +60,7 @@ pub fn discover<R: Borrow<Recording>>(
 /// Finds what the base models lack in a session, which knows its clocks, its latitude and whether its biases flicker afterwards.
 pub(super) fn discover_in(session: &mut Session<'_>) -> Result<Discovery, Error> {
     let mut doubts = Vec::new();
+    let mut samples_are_known = false;
     let (mut faults, explained) = loop {
         let base = base(session)?;
         let faults = integrity(session, &base);
@@ -67,7 +69,18 @@ pub(super) fn discover_in(session: &mut Session<'_>) -> Result<Discovery, Error>
             false => explained(session, base)?,
         };
         let Some((doubt, name)) = &explained.latitude else {
-            break (faults, explained);
+            let asked = std::mem::replace(&mut samples_are_known, true);
+            let other = match asked {
+                true => None,
+                false => other_samples(session, &explained.search.last)?,
+            };
+            let Some(clocks) = other else {
+                break (faults, explained);
+            };
+            // Once more, with the samples for what they are.
+            session.clocks = Some(clocks);
+            session.base = None;
+            continue;
         };
         // Once more, at the latitude that the recordings show.
         doubts.push(doubt.finding().detail("instead", name.as_str()));

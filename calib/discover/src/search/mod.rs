@@ -8,6 +8,7 @@ mod outlying_turns;
 mod pairs;
 mod ranking;
 mod review;
+pub(super) mod samples;
 mod two_together;
 
 use std::cell::{Cell, RefCell};
