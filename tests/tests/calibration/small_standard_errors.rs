@@ -61,6 +61,25 @@ fn faces_alone_do_not_show_a_cubic_accelerometer_and_all_directions_do() {
     assert!(said(&[of(&around)], &around).is_empty());
 }
 
+/// What a search says of the same kinds, and the names that it finds.
+fn said_by_a_search(recording: Recording, spec: &Spec) -> (Findings, Vec<String>) {
+    let request = calib::discover::Request::new(spec.gravity);
+    let found = calib::discover::discover(&[recording], &request).unwrap();
+    let mut said = found.findings.calibration.warnings;
+    said.retain(|found| KINDS.contains(&found.kind));
+    let names = found.findings.effects.into_iter().map(|e| e.name);
+    (said, names.collect())
+}
+
+#[test]
+fn a_search_says_too_that_faces_alone_do_not_show_a_cubic_accelerometer() {
+    let faces = six_faces(3).with_effect("accel_cubic", 1.0);
+    let (said, _) = said_by_a_search(of(&faces), &faces);
+    assert!(said.has(Kind::LinearityUntested));
+    let around = Spec::hand_held(3);
+    assert!(said_by_a_search(of(&around), &around).0.is_empty());
+}
+
 /// The readings in steps, each rounded by `round`.
 fn in_steps(mut recording: Recording, step: f64, round: fn(f64) -> f64) -> Recording {
     let readings = recording.accelerometer.as_mut().unwrap();
@@ -76,6 +95,15 @@ fn readings_cut_off_towards_zero_are_told_from_rounded_ones() {
     assert!(said(&[cut], &spec).has(Kind::CutTowardsZero));
     let rounded = in_steps(of(&spec), 0.02, f64::round);
     assert!(said(&[rounded], &spec).is_empty());
+}
+
+#[test]
+fn a_search_names_no_effect_of_readings_that_are_cut_off_towards_zero() {
+    let spec = Spec::hand_held(5);
+    let cut = in_steps(of(&spec), 0.02, f64::trunc);
+    let (said, names) = said_by_a_search(cut, &spec);
+    assert!(said.has(Kind::CutTowardsZero));
+    assert!(names.is_empty(), "{names:?}");
 }
 
 /// The rows of two sessions in one file.

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use ::findings::{Finding, Kind};
-use estimate::calibrate::{changes_part_way, late_clock};
+use estimate::calibrate::{changes_part_way, cut_towards_zero, late_clock};
 use estimate::methods::joint::SensorNoise;
 use recording::intervals::{Rails, Segmentation, Span};
 use recording::readings::{Symptom, altered_bias};
@@ -31,7 +31,7 @@ const REGULAR: f64 = 0.2;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Integrity {
     /// `saturation`, `quantisation`, `dead_zone`, `rezeroing`, `lost_samples`, `outlying_turn`, `undersampled_motion`, `mount_slip` or
-    /// `disturbed_interval`, `scale_change`, `clock_offset`; `time_offset` where it is another in every recording.
+    /// `disturbed_interval`, `scale_change`, `clock_offset`, `cut_towards_zero`; `time_offset` where it is another in every recording.
     pub name: Cow<'static, str>,
     /// The recording.
     pub recording: String,
@@ -100,6 +100,7 @@ impl Integrity {
         matches!(
             self.finding.kind,
             Kind::Quantised
+                | Kind::CutTowardsZero
                 | Kind::DeadZone
                 | Kind::Rezeroed
                 | Kind::ScaleChange
@@ -110,7 +111,7 @@ impl Integrity {
 
 /// Saturation, coarse steps, altered biases and lost samples of all recordings.
 pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
-    let mut all = Vec::new();
+    let mut all: Vec<Integrity> = cut_off(session).into_iter().collect();
     for ((recording, choice), source) in session.recordings.iter().zip(&base.fit.data.sources) {
         let sensors = [
             (
@@ -158,6 +159,15 @@ pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
         }
     }
     all
+}
+
+/// Readings of the accelerometer that are cut off towards zero: sizes, squares and cubes of force would make up for it.
+fn cut_off(session: &Session<'_>) -> Option<Integrity> {
+    let cut = session.recordings.iter();
+    let cut = cut.map(|(recording, choice)| (recording.as_ref(), &choice.segmentation));
+    let found = cut_towards_zero(cut, session.request.gravity)?;
+    let recording = found.place.recording.clone().unwrap_or_default();
+    Some(Integrity::of("cut_towards_zero", &recording, found))
 }
 
 /// A scale factor of the accelerometer that changes part of the way: no law of the sensor follows a range that is switched.

@@ -1,6 +1,7 @@
 //! All that was found, as it is written to findings.json.
 
 use ::findings::{Finding, Kind};
+use estimate::calibrate::untested_linearity;
 use estimate::calibration::Calibration;
 use estimate::methods::joint::SensorNoise;
 
@@ -59,6 +60,9 @@ impl Found {
             remainder.for_each(|found| found.consequence.clear());
         }
         calibration.warnings.extend(said);
+        let untested = untested_linearity(&calibration);
+        let is_cut = calibration.warnings.has(Kind::CutTowardsZero);
+        calibration.warnings.extend(untested.filter(|_| !is_cut));
         let ranking = search.first_ranking.iter();
         Findings {
             schema: FINDINGS_SCHEMA,

@@ -67,10 +67,7 @@ impl Fit<'_> {
         if cut.is_some() {
             warnings.retain(|found| found.kind != Kind::EffectMissing);
         }
-        // A misfit shows what the placements would hide.
-        let said = [Kind::PlacementsMissing, Kind::Misfit, Kind::EffectMissing];
-        let is_said = cut.is_some() || said.iter().any(|kind| warnings.has(*kind));
-        warnings.extend(untested.filter(|_| !is_said));
+        warnings.extend(untested.filter(|_| cut.is_none()));
         warnings.extend(cut);
         outcome
     }

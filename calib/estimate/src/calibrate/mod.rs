@@ -31,8 +31,8 @@ mod unusable_turns;
 pub use bias::count_motion;
 pub(crate) use checks::few_directions;
 pub use checks::{
-    Said, corrected_before, implausible, implausible_base, not_in_one_plane, of_the_detector,
-    readings_of_the_device, without_copies,
+    Said, corrected_before, cut_towards_zero, implausible, implausible_base, not_in_one_plane,
+    of_the_detector, readings_of_the_device, untested_linearity, without_copies,
 };
 pub use cut::of_one_recording_each;
 pub use joint::{Account, LatitudeDoubt, refuse_unobservable, written_down};

@@ -16,9 +16,9 @@ const BETTER: f64 = 9.2;
 /// Fewest placements beyond the parameters.
 const SPARE: usize = 4;
 
-/// Says that readings are cut off towards zero, where static means that are half a step larger fit gravity far better: nothing is fitted,
+/// Says that readings are cut off towards zero, where readings that are half a step larger fit gravity far better: nothing is fitted,
 /// so that chance does not make it.
-pub(in crate::calibrate) fn cut_towards_zero<'a>(
+pub fn cut_towards_zero<'a>(
     cut: impl Iterator<Item = (&'a Recording, &'a Segmentation)> + Clone,
     gravity: f64,
 ) -> Option<Finding> {
@@ -35,12 +35,9 @@ pub(in crate::calibrate) fn cut_towards_zero<'a>(
         gravity,
     };
     let mut longer = as_read.clone();
-    for (means, step) in longer.recordings.iter_mut().zip(&steps) {
-        for mean in means {
-            let half = mean
-                .raw
-                .zip_map(step, |raw, step| 0.5 * step * raw.signum());
-            mean.raw += half;
+    for ((means, step), (own, at)) in longer.recordings.iter_mut().zip(&steps).zip(cut.clone()) {
+        for (mean, sign) in means.iter_mut().zip(signs(own, at)) {
+            mean.raw += sign.component_mul(step) * 0.5;
         }
     }
     let left = |request: &AccelerometerRequest| {
@@ -61,4 +58,50 @@ pub(in crate::calibrate) fn cut_towards_zero<'a>(
             .number("step", step, "m/s^2")
             .affects("corrected_reading", 0.5 * step, "m/s^2")
     })
+}
+
+/// The mean sign of the readings in every static interval of the accelerometer. What is cut to zero lies on either side of it: of an axis
+/// that is level, some readings are longer, some shorter, and some are right.
+fn signs(recording: &Recording, segmentation: &Segmentation) -> Vec<Vector3<f64>> {
+    let Some(stream) = recording.accelerometer.as_ref() else {
+        return Vec::new();
+    };
+    let statics = segmentation.statics.iter();
+    let of_force = statics.filter(|rest| rest.accelerometer.is_some());
+    of_force
+        .map(|rest| {
+            let own = &stream.values[stream.between(rest.span.from, rest.span.to)];
+            let sign = |v: f64| if v == 0.0 { 0.0 } else { v.signum() };
+            let sum: Vector3<f64> = own.iter().map(|v| v.map(sign)).sum();
+            sum / own.len().max(1) as f64
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use recording::Stream;
+    use recording::intervals::Span;
+
+    use super::*;
+
+    #[test]
+    fn of_an_axis_that_is_level_only_the_readings_beside_zero_are_too_short() {
+        let values = [
+            [9.8, -0.01, 0.0],
+            [9.8, -0.01, 0.0],
+            [9.8, 0.0, 0.01],
+            [9.8, -0.01, -0.01],
+        ];
+        let recording = Recording {
+            accelerometer: Some(Stream {
+                t: (0..4).map(f64::from).collect(),
+                values: values.map(Vector3::from).to_vec(),
+            }),
+            ..Recording::default()
+        };
+        let span = Span { from: 0.0, to: 4.0 };
+        let cut = Segmentation::from_spans(&recording, &[span], 1.0);
+        assert_eq!(signs(&recording, &cut), [Vector3::new(1.0, -0.75, 0.0)]);
+    }
 }

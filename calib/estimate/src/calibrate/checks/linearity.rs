@@ -12,9 +12,18 @@ const WORTH: f64 = 9e-3;
 /// The standard errors count an error that is no larger than so many of them.
 const COUNTED: f64 = 4.0;
 
+/// Half of such an effect is said where it is so many standard errors: faces that are tilted a little, again and again, leave that.
+/// Placements all around leave up to 6e-3 m/s² as well where the noise is large, and are six standard errors off at most.
+const HALF: f64 = 5.2e-3;
+const MANY: f64 = 12.0;
+
 /// The parameter that is most off by an effect that the accelerometer may have and that these placements hardly show: with one face up
-/// every time, a cubic error is a scale factor, whatever its size, and leaves no misfit.
-pub(in crate::calibrate) fn untested_linearity(calibration: &Calibration) -> Option<Finding> {
+/// every time, a cubic error is a scale factor, whatever its size, and leaves no misfit. `None` where the calibration says
+/// something of the kind already.
+pub fn untested_linearity(calibration: &Calibration) -> Option<Finding> {
+    if calibration.warnings.iter().any(says_it) {
+        return None;
+    }
     let triad = calibration.accelerometer.as_ref()?;
     let scale = triad.base().t.trace() / 3.0;
     let prefix = Sensor::Accelerometer.prefix();
@@ -22,7 +31,7 @@ pub(in crate::calibrate) fn untested_linearity(calibration: &Calibration) -> Opt
     worst_first
         .filter(|enlarged| enlarged.by.parameter.starts_with(prefix))
         .find_map(|enlarged| {
-            let own = enlarged.by;
+            let (own, times) = (enlarged.by, enlarged.ratio());
             let off = match own.parameter.contains(".b_") {
                 true => own.std_added * scale,
                 false => own.std_added / scale * calibration.gravity,
@@ -32,8 +41,18 @@ pub(in crate::calibrate) fn untested_linearity(calibration: &Calibration) -> Opt
                 .detail("effect", own.effect.clone())
                 .detail("parameter", own.parameter.clone())
                 .number("size", off, "m/s^2")
-                .number("times", enlarged.ratio(), "1")
+                .number("times", times, "1")
                 .affects("corrected_reading", off, "m/s^2");
-            (off > WORTH).then_some(found)
+            (off > WORTH || off > HALF && times > MANY).then_some(found)
         })
+}
+
+/// Returns true if a finding says that something is missing, or that the placements are too few to say: a misfit of the accelerometer
+/// shows what they would hide, and one of the turns does not.
+fn says_it(found: &Finding) -> bool {
+    match found.kind {
+        Kind::PlacementsMissing | Kind::EffectMissing => true,
+        Kind::Misfit => found.place.sensor != Some(Sensor::Gyroscope),
+        _ => false,
+    }
 }

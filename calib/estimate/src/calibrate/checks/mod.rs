@@ -18,12 +18,12 @@ mod unknowable;
 pub(super) use coning::too_fast;
 pub(crate) use coverage::few_directions;
 pub use coverage::not_in_one_plane;
-pub(super) use cut_towards_zero::cut_towards_zero;
+pub use cut_towards_zero::cut_towards_zero;
 pub(super) use dead_axes::{dead_axes, say_dead_axes};
 pub(super) use determined::{
     ForceEvidence, RateEvidence, accelerometer_is_determined, gyroscope_is_determined,
 };
-pub(super) use linearity::untested_linearity;
+pub use linearity::untested_linearity;
 pub(super) use norm::the_norm_tells_them;
 pub use of_the_device::readings_of_the_device;
 pub use on_top::corrected_before;
