@@ -174,10 +174,6 @@ fn wrong_calls_say_what_is_wrong() {
             "--multiplier",
         ),
         (
-            &["evaluate", "good.csv", "--calibration", "cal.json"],
-            "NAME=FILE",
-        ),
-        (
             &[
                 "calibrate",
                 "good.csv",

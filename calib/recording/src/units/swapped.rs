@@ -16,11 +16,18 @@ use crate::source::place::in_file;
 /// The mean direction of readings is no longer than this where they turn.
 const TURNED: f64 = 0.9;
 
-/// The length of gravity that readings of several directions keep.
+/// Readings whose length differs from the usual one by less than this share of it keep it.
+const KEEPS: f64 = 0.1;
+
+/// The length of gravity that readings of several directions keep. A gyroscope at rest keeps that of its bias, in the bias's direction:
+/// the directions it takes while it turns are of other lengths.
 fn turning_gravity(values: &[Vector3<f64>]) -> Option<f64> {
-    let directions = values.iter().filter_map(|value| value.try_normalize(0.0));
-    let mean = directions.sum::<Vector3<f64>>() / values.len().max(1) as f64;
-    length_of_gravity(values).filter(|_| mean.norm() < TURNED)
+    let length = length_of_gravity(values)?;
+    let keeps = |value: &&Vector3<f64>| (value.norm() - length).abs() < KEEPS * length;
+    let directions = values.iter().filter(keeps);
+    let directions: Vec<Vector3<f64>> = directions.map(|value| value / value.norm()).collect();
+    let mean = directions.iter().sum::<Vector3<f64>>() / directions.len().max(1) as f64;
+    (mean.norm() < TURNED).then_some(length)
 }
 
 /// Refuses a gyroscope whose readings keep the length of gravity in several directions, in no unit that anybody says: they are an
@@ -137,5 +144,26 @@ mod tests {
         };
         assert!(read("t,gx,gy,gz", &rates).is_ok());
         assert!(read("t,gx (g),gy (g),gz (g)", &untold).is_ok());
+    }
+
+    #[test]
+    fn a_bias_of_the_length_of_gravity_is_no_gravity() {
+        for length in [1.0, 1.19, 9.8] {
+            let bias = Vector3::new(0.6, -0.64, 0.48) * length;
+            // Rests of 3.2 s and turns of 0.8 s about other axes, at 100 Hz.
+            let value = |k: usize| {
+                let (phase, turn) = (k % 400, k / 400);
+                let axis = Vector3::ith(turn % 3, if turn % 2 == 0 { 60.0 } else { -60.0 });
+                let rate = if phase < 320 {
+                    0.0
+                } else {
+                    0.02 * (phase - 320) as f64
+                };
+                let noise = 0.02 * (k as f64 * 1.7).sin();
+                bias + axis * rate + Vector3::repeat(noise)
+            };
+            let values: Vec<Vector3<f64>> = (0..8000).map(value).collect();
+            assert_eq!(turning_gravity(&values), None, "{length}");
+        }
     }
 }
