@@ -61,8 +61,13 @@ fn wraps(rows: &[(u64, f64)], origin: f64) -> Vec<(u64, f64)> {
     };
     let largest = rows.iter().map(|(_, t)| t + origin).fold(0.0, f64::max);
     let least = rows.iter().map(|(_, t)| t + origin).fold(0.0, f64::min);
+    // A counter with a sign goes from the middle of its range to its beginning.
+    let fits = |modulus: f64| match least >= 0.0 {
+        true => largest < modulus,
+        false => least >= -0.5 * modulus && largest < 0.5 * modulus,
+    };
     let ranges: Vec<f64> = moduli()
-        .filter(|modulus| usual < PART * modulus && largest < *modulus && least >= 0.0)
+        .filter(|modulus| usual < PART * modulus && fits(*modulus))
         .collect();
     let jumps = rows.windows(2).filter(|pair| pair[1].1 < pair[0].1);
     let wrap = |pair: &[(u64, f64)]| {
@@ -104,6 +109,10 @@ mod tests {
         }
         // Microseconds of 32 bits, written as seconds.
         let rows = counted(4_294_900_000, 10_000, 1 << 32, 50, 1e-6);
+        assert_eq!(wraps(&rows, 0.0).len(), 1);
+        // Microseconds with a sign.
+        let mut rows = counted(4_294_900_000, 10_000, 1 << 32, 50, 1.0);
+        rows.iter_mut().for_each(|(_, t)| *t -= 2f64.powi(31));
         assert_eq!(wraps(&rows, 0.0).len(), 1);
         // Seconds of the day.
         let rows = counted(8_639_990, 1, 8_640_000, 50, 1e-2);
