@@ -154,6 +154,22 @@ fn names_of_loggers_are_understood() {
     ] {
         is_it(&read(&text), &s, 1e-4);
     }
+    // A unit with a word of the time in it is no stamp of the gyroscope's own.
+    let text = table(
+        "Sample,Time,XGYRO_OUT (Deg/sec),YGYRO_OUT (Deg/sec),ZGYRO_OUT (Deg/sec),XACCL_OUT (mg),YACCL_OUT (mg),ZACCL_OUT (mg)",
+        |k| {
+            let (rate, force) = (xyz(&s.rate[k], degrees), xyz(&s.force[k], 1e3 / G));
+            format!("{k},{:.4},{rate},{force}", s.t[k])
+        },
+    );
+    is_it(&read(&text), &s, 1e-4);
+    // A week that ends within the recording is no device.
+    let text = table("GPSWeek,GPSTime,ax,ay,az,gx,gy,gz", |k| {
+        let tow = 604_790.0 + s.t[k];
+        let week = 2395 + u32::from(tow >= 604_800.0);
+        format!("{week},{:.3},{}", tow % 604_800.0, row(k))
+    });
+    is_it(&read(&text), &s, 1e-4);
     // A day without a time is no stamp.
     let days = table("date,ax,ay,az,gx,gy,gz", |k| {
         format!("2026-05-01,{}", row(k))

@@ -209,6 +209,8 @@ fn a_part_of_the_second_that_goes_on_or_is_there_twice_is_told() {
         let both = |ms: u64| format!("{},{}", ms / 1000, ms * per);
         is_it(&read(&stamped(header, &s, both)), &s, 1e-4);
     }
+    let both = |ms: u64| format!("{},{}", after_noon(ms, ""), ms + 4567);
+    is_it(&read(&stamped("time,millis", &s, both)), &s, 1e-4);
 }
 
 #[test]

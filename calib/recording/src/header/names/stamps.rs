@@ -145,7 +145,9 @@ pub(crate) fn stamps_of(name: &str) -> Option<Sensor> {
         (false, true) => Some(Sensor::Gyroscope),
         _ => None,
     };
-    let words = || name.split(|c: char| !c.is_alphanumeric());
+    // The unit of a reading has a word of the time: `XGYRO_OUT (deg/sec)`.
+    let own = name.split(OPENING).next().unwrap_or(name);
+    let words = || own.split(|c: char| !c.is_alphanumeric());
     let is = |wanted: &[&str]| words().any(|word| wanted.contains(&word.to_lowercase().as_str()));
     // `gyro_x_deg_per_sec` is a reading.
     of_one
@@ -266,6 +268,7 @@ mod tests {
         }
         assert_eq!(
             stamps_of("gyro_x")
+                .or(stamps_of("XGYRO_OUT (deg/sec)"))
                 .or(stamps_of("acc_count"))
                 .or(stamps_of("time")),
             None
