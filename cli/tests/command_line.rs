@@ -151,7 +151,7 @@ fn a_folder_or_a_device_is_no_output() {
 #[test]
 fn wrong_calls_say_what_is_wrong() {
     let (_dir, folder) = folder();
-    let cases: [(&[&str], &str); 8] = [
+    let cases: [(&[&str], &str); 7] = [
         (&["calibrate"], "no recording"),
         (
             &["calibrate", "good.csv", "--gravity", "98.1"],
@@ -172,10 +172,6 @@ fn wrong_calls_say_what_is_wrong() {
         (
             &["calibrate", "good.csv", "--multiplier=-1"],
             "--multiplier",
-        ),
-        (
-            &["evaluate", "good.csv", "--calibration", "cal.json"],
-            "NAME=FILE",
         ),
         (
             &[

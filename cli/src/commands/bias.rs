@@ -17,11 +17,12 @@ use calib::methods::online_bias::{
 use calib::readings::symptoms;
 
 use crate::commands::shared::first_screen::{Screen, Step, wrote};
-use crate::commands::shared::inputs::{DetectorArgs, DeviceArgs, load, read_for};
+use crate::commands::shared::inputs::{DetectorArgs, DeviceArgs, gates_of, load, read_for};
 use crate::commands::shared::names::Names;
 use crate::commands::shared::pictures::{PictureArgs, named};
 use crate::exit::Failure;
 use crate::output::{Output, Replace};
+use crate::pages::evaluation::doubted;
 use crate::read_args::ReadArgs;
 use crate::show;
 use crate::show::command_line;
@@ -96,7 +97,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     if args.accelerometer {
         new = update_accelerometer(&new, &recording, &segmentation)?;
     }
-    args.device.check(&new, &[&recording])?;
+    let doubts = args.device.doubts(&new, &[&recording])?;
+    remarks.extend(gates_of(&new));
+    remarks.extend(doubts.iter().cloned());
     let json = show::json(&new)?;
     Output::write_given(output, &json)?;
     if pictures.wanted() {
@@ -118,11 +121,17 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         return show::print(&json);
     }
     let names = Names::of([&recording]);
-    screen(args, &new, &names.all_short(&remarks)).show(|| text(&new, &stretches))
+    let remarks = names.all_short(&remarks);
+    screen(args, &new, doubted(&doubts), &remarks).show(|| text(&new, &stretches))
 }
 
-/// The first screen: how far the biases moved, then each of them.
-fn screen(args: &Args, new: &Calibration, remarks: &[String]) -> Screen {
+/// The first screen: how far the biases moved and whether that is of this device, then each of them.
+fn screen(
+    args: &Args,
+    new: &Calibration,
+    doubt: Option<(&str, Option<String>)>,
+    remarks: &[String],
+) -> Screen {
     let moved = |sensor: &str, factor: f64, unit: &str| {
         let update = new
             .history
@@ -149,8 +158,11 @@ fn screen(args: &Args, new: &Calibration, remarks: &[String]) -> Screen {
             ),
         ),
     };
+    let (why, advice) = doubt.unzip();
+    let next = advice.flatten().map_or(next, Step::words);
+    let moved = format!("The {}.", moved.join("; the "));
     Screen {
-        verdict: vec![format!("The {}.", moved.join("; the "))],
+        verdict: why.map(str::to_owned).into_iter().chain([moved]).collect(),
         tables: vec![updates::brief(new)],
         next: vec![next],
         written: wrote(args.output.as_deref(), ""),

@@ -39,8 +39,8 @@ pub struct Args {
     /// File or folder; `-` reads standard input
     #[arg(value_name = "RECORDING")]
     recording: PathBuf,
-    /// A calibration and what to call it
-    #[arg(long, value_name = "NAME=FILE")]
+    /// A calibration and what to call it; without a name it is called as its file
+    #[arg(long, value_name = "[NAME=]FILE")]
     calibration: Vec<String>,
     /// Local gravity, m/s², that all are compared with [default: that of each calibration, of raw readings that of the first]
     #[arg(long, value_name = "M/S²")]
@@ -66,13 +66,13 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<(), Failure> {
     let (mut files, mut calibrations) = (Vec::new(), Vec::new());
     for named in &args.calibration {
-        let (name, path) = named_file(named)?;
+        let (name, path) = named_file(named);
+        calibrations.push((name.clone(), load(path)?));
         files.push((name, path));
-        calibrations.push((name.to_owned(), load(path)?));
     }
     let limits = args.limits.read()?;
     if limits.is_some() && calibrations.is_empty() {
-        let why = "--limits: there is no calibration to judge; add --calibration NAME=FILE";
+        let why = "--limits: there is no calibration to judge; add --calibration FILE";
         return Err(Failure::usage(why));
     }
     args.gravity.map_or(Ok(()), check_gravity)?;
@@ -194,11 +194,11 @@ pub fn run(args: &Args) -> Result<(), Failure> {
 }
 
 /// The commands behind what comes next.
-fn steps(args: &Args, files: &[(&str, &Path)], next: &[Next]) -> Vec<Step> {
+fn steps(args: &Args, files: &[(String, &Path)], next: &[Next]) -> Vec<Step> {
     let recording = command_line(&args.recording) + &args.read.command_line();
     let step = |next: &Next| match next {
         Next::NameCalibration => {
-            let command = format!("stillpoint evaluate {recording} --calibration cal=cal.json");
+            let command = format!("stillpoint evaluate {recording} --calibration cal.json");
             Some(Step::new("name a calibration", command))
         }
         Next::RecordAtRest => Some(Step::words(evaluation::RECORD_AT_REST)),
@@ -281,7 +281,9 @@ fn cells(rows: &[(String, Evaluation)]) -> Vec<Vec<String>> {
             number(e.direction_rms, 4),
             e.static_rate.map_or("-".into(), |rate| {
                 let [x, y, z] = rate.map(f64::to_degrees);
-                format!("{x:.4} {y:.4} {z:.4}")
+                // Three rates fit beside the other columns.
+                let digits = if x.hypot(y).hypot(z) < 0.1 { 4 } else { 3 };
+                format!("{x:.digits$} {y:.digits$} {z:.digits$}")
             }),
         ]
     };

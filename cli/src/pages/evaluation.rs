@@ -42,7 +42,7 @@ impl Next {
     fn text(&self, calibrations: &[Named<'_>]) -> String {
         match self {
             Self::NameCalibration => {
-                "Name a calibration: stillpoint evaluate RECORDING --calibration cal=cal.json".into()
+                "Name a calibration: stillpoint evaluate RECORDING --calibration cal.json".into()
             }
             Self::RecordAtRest => RECORD_AT_REST.into(),
             Self::CalibrateThis => CALIBRATE_THIS.into(),
@@ -235,28 +235,10 @@ pub fn judged(
         return (Level::Bad, bad, vec![Next::CalibrateThis]);
     }
     // What is doubted is neither used nor given another bias.
-    let own = doubts.get(best);
-    let doubt = own.into_iter().flatten().find(|found| {
-        matches!(
-            found.kind,
-            Kind::DirectionOff | Kind::FieldOff | Kind::NormGrown | Kind::NormOff
-        )
-    });
-    if let Some(found) = doubt {
-        let why = match found.kind {
-            Kind::FieldOff => "The corrected magnetic field is another in each placement.",
-            Kind::NormGrown => {
-                "In its own recordings it left far less: the sensor has changed since."
-            }
-            _ => "It may be of another device.",
-        };
-        let next = found.advice(Front::CommandLine);
-        let next = next.map(|advice| Next::Advice(show::capital(&advice) + "."));
-        return (
-            Level::Care,
-            format!("{sentence} {why}"),
-            next.into_iter().collect(),
-        );
+    if let Some((why, advice)) = doubts.get(best).and_then(|own| doubted(own)) {
+        let next = advice.map(Next::Advice);
+        let sentence = format!("{sentence} {why}");
+        return (Level::Care, sentence, next.into_iter().collect());
     }
     let mut next = vec![Next::Use(best)];
     let mut rests = segmentation.statics.iter();
@@ -269,6 +251,23 @@ pub fn judged(
         Level::Care
     };
     (level, sentence, next)
+}
+
+/// The doubt about a calibration on a recording that says most, and what it advises.
+pub fn doubted(doubts: &[Finding]) -> Option<(&'static str, Option<String>)> {
+    let found = doubts.iter().find(|found| {
+        matches!(
+            found.kind,
+            Kind::DirectionOff | Kind::FieldOff | Kind::NormGrown | Kind::NormOff
+        )
+    })?;
+    let why = match found.kind {
+        Kind::FieldOff => "The corrected magnetic field is another in each placement.",
+        Kind::NormGrown => "In its own recordings it left far less: the sensor has changed since.",
+        _ => "The recording may be of another device.",
+    };
+    let advice = found.advice(Front::CommandLine);
+    Some((why, advice.map(|advice| show::capital(&advice) + ".")))
 }
 
 /// Size of a mean rate at rest; 0 where none is known.

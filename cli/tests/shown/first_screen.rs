@@ -70,7 +70,7 @@ fn every_command(folder: &Path, recordings: &[&str]) {
         .collect();
     assert!(verdict.len() <= 30, "{} words: {said}", verdict.len());
     assert!(levels.iter().any(|level| said.starts_with(level)), "{said}");
-    on_one_screen(folder, &["evaluate", one, "--calibration", "cal=cal.json"]);
+    on_one_screen(folder, &["evaluate", one, "--calibration", "cal.json"]);
     on_one_screen(folder, &["bias", "cal.json", one, "-o", "today.json"]);
     on_one_screen(folder, &["segment", one]);
     on_one_screen(folder, &["info", one]);
@@ -180,7 +180,7 @@ fn every_command_fills_one_screen_on_the_phones_recordings() {
     every_command(dir.path(), &["rec_1", "rec_2"]);
     on_one_screen(
         dir.path(),
-        &["evaluate", "rec_3", "--calibration", "cal=cal.json"],
+        &["evaluate", "rec_3", "--calibration", "cal.json"],
     );
     on_one_screen(dir.path(), &["allan", "rec_2"]);
 }

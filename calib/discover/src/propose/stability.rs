@@ -105,18 +105,16 @@ impl<'a> Halves<'a> {
         let Some(problem) = self.problem(rests) else {
             return path;
         };
-        let (mut lambda, mut active) = (STEP * problem.largest(), Vec::new());
+        let mut beta = vec![0.0; self.seen.ncols() - 1];
+        let mut lambda = STEP * problem.largest();
         while lambda > floor {
-            if problem.solve(lambda, &mut active).is_none() || active.len() > MOST {
+            let active = problem.solve(lambda, &mut beta);
+            if active.len() > MOST {
                 break;
             }
-            path.extend(
-                active
-                    .iter()
-                    .filter(|g| !path.contains(g))
-                    .copied()
-                    .collect::<Vec<_>>(),
-            );
+            let new = active.into_iter().filter(|g| !path.contains(g));
+            let new: Vec<usize> = new.collect();
+            path.extend(new);
             lambda *= STEP;
         }
         path
@@ -137,10 +135,7 @@ impl<'a> Halves<'a> {
         let p = own.ncols() - 1;
         let x = own.subcols(0, p);
         let moved = x.transpose() * own.subcols(p, 1);
-        Some(GroupLasso {
-            gram: x.transpose() * x,
-            moved: moved.col(0).iter().copied().collect(),
-            groups: self.groups.clone(),
-        })
+        let moved = moved.col(0).iter().copied().collect();
+        GroupLasso::new(x.transpose() * x, moved, &self.groups)
     }
 }

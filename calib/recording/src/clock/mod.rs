@@ -222,13 +222,15 @@ fn unmistakable(text: &str) -> Option<jiff::Timestamp> {
     let of_the_day = twelve_hours::of_the_day(text.trim());
     let text = of_the_day.as_ref();
     let text = text.strip_suffix(" UTC").unwrap_or(text);
-    const PATTERNS: [&str; 6] = [
+    const PATTERNS: [&str; 8] = [
         "%d-%b-%Y %H:%M:%S%.f",
         "%d %b %Y %H:%M:%S%.f",
         "%b %d, %Y %H:%M:%S%.f",
         "%b %d %Y %H:%M:%S%.f",
         "%a %b %d %H:%M:%S%.f %Y",
         "%Y-%m-%dT%H:%M:%S%.f%z",
+        "%Y-%m-%d %H:%M:%S%.f %z",
+        "%Y-%m-%d %H:%M:%S%.f %:z",
     ];
     let by_pattern = |pattern: &&str| {
         let parsed = jiff::fmt::strtime::parse(pattern, text).ok()?;
@@ -341,6 +343,8 @@ mod tests {
             "May 01, 2026 12:00:00.25",
             "Fri May 01 12:00:00.25 2026",
             "2026-05-01 12:00:00.25 UTC",
+            "2026-05-01 14:00:00.25 +0200",
+            "2026-05-01 13:00:00.25 +01:00",
         ] {
             assert_eq!(iso(text), expected, "{text}");
         }

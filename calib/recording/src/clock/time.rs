@@ -2,7 +2,7 @@
 
 use crate::Error;
 use crate::header::affine::Affine;
-use crate::header::names::{is_of_ticks, says_unknown_unit};
+use crate::header::names::{is_of_ticks, per_second, says_unknown_unit};
 use crate::recording::options::{ReadOptions, Role};
 use crate::rows::table::Table;
 use crate::shown::{figure, shown, significant};
@@ -201,10 +201,10 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
     let unknown = |(role, name): &&(Role, String)| *role == Role::Time && says_unknown_unit(name);
     if let Some((_, column)) = columns.find(unknown) {
         let found = Finding::of(Kind::TimeUnitOpen).detail("column", shown(column));
-        return Err(in_file(
-            &table.name,
-            found.only_remedies([Remedy::such_as(OptionName::TimeUnit, "ms")]),
-        ));
+        // Any unit that the option takes would be another.
+        let count = per_second(column).map_or_else(|| "100".to_owned(), |count| count.to_string());
+        let scaled = Remedy::such_as(OptionName::Columns, format!("t={column}/{count}"));
+        return Err(in_file(&table.name, found.only_remedies([scaled])));
     }
     let Some(step) = step else {
         return Ok(TimeUnit::Seconds);
@@ -221,6 +221,13 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
         return Ok(unit);
     }
     if step == 1.0 {
+        // Whole seconds, which several rows share.
+        let rate = rows_per_stamp(table);
+        if rate >= SHARED {
+            let seconds = decided(table, TimeUnit::Seconds);
+            warnings.push(seconds.number("rate", rate.round(), "Hz"));
+            return Ok(TimeUnit::Seconds);
+        }
         return unit_of_ones(table, warnings);
     }
     let is_open = may_be_minutes(table, step);
@@ -281,6 +288,10 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
         }
     }
 }
+
+/// Rows with one stamp, on average, from which stamps that go up by 1 are seconds: in milliseconds the rate would be that of no
+/// recording by hand.
+const SHARED: f64 = 5.0;
 
 /// The unit of stamps that go up by 1: milliseconds, seconds by contract, or none where they count the rows.
 fn unit_of_ones(table: &Table, warnings: &mut Findings) -> Result<TimeUnit, Error> {

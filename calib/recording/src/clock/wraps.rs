@@ -1,4 +1,4 @@
-//! Counters of 16, 24 and 32 bits, and clocks of a day or week, that start again: counted on.
+//! Counters of 16, 24 and 32 bits, and clocks of a minute, an hour, a day or a week, that start again: counted on.
 
 use crate::order_statistic::nth_smallest;
 use crate::rows::table::Table;
@@ -7,6 +7,8 @@ use crate::rows::table::Table;
 const BITS: [i32; 3] = [16, 24, 32];
 /// Seconds after which clocks start again: a day, a week.
 const PERIODS: [f64; 2] = [86_400.0, 604_800.0];
+/// Seconds after which fields of a clock start again: those of a minute, of an hour.
+const FIELDS: [f64; 2] = [60.0, 3_600.0];
 /// Ratios of units that are tried: the same unit, and ms and µs to seconds.
 const UNITS: [f64; 3] = [1.0, 1e-3, 1e-6];
 /// Steps that may be lost where a counter starts again.
@@ -61,8 +63,20 @@ fn wraps(rows: &[(u64, f64)], origin: f64) -> Vec<(u64, f64)> {
     };
     let largest = rows.iter().map(|(_, t)| t + origin).fold(0.0, f64::max);
     let least = rows.iter().map(|(_, t)| t + origin).fold(0.0, f64::min);
+    // A counter with a sign goes from the middle of its range to its beginning.
+    let fits = |modulus: f64| match least >= 0.0 {
+        true => largest < modulus,
+        false => least >= -0.5 * modulus && largest < 0.5 * modulus,
+    };
+    // Recordings of a minute each begin at zero, and a clock at any second.
+    let first = rows.first().map_or(0.0, |(_, t)| t + origin);
+    let fields = UNITS
+        .into_iter()
+        .flat_map(|unit| FIELDS.map(|field| field / unit))
+        .filter(|_| first > LOST * usual);
     let ranges: Vec<f64> = moduli()
-        .filter(|modulus| usual < PART * modulus && largest < *modulus && least >= 0.0)
+        .chain(fields)
+        .filter(|modulus| usual < PART * modulus && fits(*modulus))
         .collect();
     let jumps = rows.windows(2).filter(|pair| pair[1].1 < pair[0].1);
     let wrap = |pair: &[(u64, f64)]| {
@@ -105,6 +119,16 @@ mod tests {
         // Microseconds of 32 bits, written as seconds.
         let rows = counted(4_294_900_000, 10_000, 1 << 32, 50, 1e-6);
         assert_eq!(wraps(&rows, 0.0).len(), 1);
+        // Microseconds with a sign.
+        let mut rows = counted(4_294_900_000, 10_000, 1 << 32, 50, 1.0);
+        rows.iter_mut().for_each(|(_, t)| *t -= 2f64.powi(31));
+        assert_eq!(wraps(&rows, 0.0).len(), 1);
+        // Seconds of the minute, whose minutes are in another column.
+        let mut rows = counted(5_000, 1, 6_000, 1_900, 1e-2);
+        assert_eq!(wraps(&rows, 0.0).len(), 1);
+        // Two recordings of a minute each.
+        rows = counted(0, 1, 6_000, 12_000, 1e-2);
+        assert!(wraps(&rows, 0.0).is_empty());
         // Seconds of the day.
         let rows = counted(8_639_990, 1, 8_640_000, 50, 1e-2);
         assert_eq!(wraps(&rows, 0.0).len(), 1);

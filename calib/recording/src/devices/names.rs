@@ -73,7 +73,7 @@ const NUMBERS: [&str; 21] = [
 ];
 
 /// Words of what changes from row to row of one device, or from one placement of it to another.
-const OTHERS: [&str; 104] = [
+const OTHERS: [&str; 107] = [
     "status",
     "state",
     "flag",
@@ -121,6 +121,9 @@ const OTHERS: [&str; 104] = [
     "date",
     "day",
     "week",
+    "gpsweek",
+    "doy",
+    "hhmm",
     "month",
     "year",
     "time",
@@ -273,6 +276,8 @@ mod tests {
             "device_state",
             "min",
             "week",
+            "GPSWeek",
+            "HHMM",
         ];
         all(&others, Class::Other);
     }

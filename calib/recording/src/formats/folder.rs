@@ -16,7 +16,7 @@ use crate::source::files::Files;
 #[derive(Debug)]
 pub(crate) struct Folder;
 
-const ACCEL: [&str; 3] = ["acc", "accel", "accelerometer"];
+const ACCEL: [&str; 4] = ["acc", "acce", "accel", "accelerometer"];
 const GYRO: [&str; 3] = ["gyro", "gyr", "gyroscope"];
 const THERMOMETER: [&str; 3] = ["temp", "temperature", "thermometer"];
 const EXTENSIONS: [&str; 6] = ["csv", "txt", "tsv", "dat", "parquet", "json"];

@@ -218,7 +218,9 @@ impl Finder<'_> {
         let words = words(&line.bytes, self.dialect);
         let is_begun = |word: &&String| {
             let digits = word.trim_start_matches(['+', '-', '.']);
-            digits.starts_with(|c: char| c.is_ascii_digit())
+            // A channel may be called after the number of its device: `6251.12345:scaledAccelX`.
+            let letters = word.chars().filter(|c| c.is_alphabetic()).count();
+            digits.starts_with(|c: char| c.is_ascii_digit()) && 2 * letters <= word.len()
         };
         2 * words.iter().filter(is_begun).count() > words.len()
     }

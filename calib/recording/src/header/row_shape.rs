@@ -89,8 +89,8 @@ pub(super) fn stands_still(rows: &[&Kept], dialect: Dialect, column: usize) -> b
     rows.len() >= FEWEST_STANDING && rows.iter().all(|row| cell(row) == first)
 }
 
-/// True if most rows have the cell of the row before them in the column `time`, which changes more than once, and a larger
-/// number than that row in the column `other`.
+/// True if most rows have the cell of the row before them in the column `time`, which changes, and a larger number than that row in
+/// the column `other`.
 pub(super) fn is_finer(rows: &[&Kept], dialect: Dialect, other: usize, time: usize) -> bool {
     let cell = |row: &Kept, column: usize| {
         let own = cells(&row.bytes, dialect).get(column)?.clone();
@@ -104,5 +104,5 @@ pub(super) fn is_finer(rows: &[&Kept], dialect: Dialect, other: usize, time: usi
     let changes = pairs().filter(|(a, b)| cell(a, time) != cell(b, time));
     let changes = changes.count();
     let goes_on = |(a, b)| matches!((number(a), number(b)), (Some(a), Some(b)) if a < b);
-    changes > 1 && 2 * changes < rows.len() && pairs().all(goes_on)
+    changes > 0 && 2 * changes < rows.len() && pairs().all(goes_on)
 }

@@ -14,6 +14,7 @@ use super::row_shape::{
     usual_width,
 };
 use super::suggest::suggestion;
+use super::time_column::is_date;
 use super::unit_row;
 use super::unnamed::{Unnamed, likely};
 use crate::Error;
@@ -302,8 +303,17 @@ impl Start {
             let is_finer = |other, time| is_finer(rows, self.dialect, other, time);
             self.layout.take_finer_time(is_finer);
         }
-        // Stamps that a logger did not have.
-        let has_none = |time: &usize| is_empty(rows, self.dialect, *time);
+        // Stamps that a logger did not have, and days without a time.
+        let has_none = |time: &usize| {
+            let is_day = self
+                .layout
+                .names
+                .get(*time)
+                .is_some_and(|name| is_date(name))
+                && !options.columns.names(Role::Time)
+                && stands_still(rows, self.dialect, *time);
+            is_day || is_empty(rows, self.dialect, *time)
+        };
         if self.layout.time.is_some_and(|time| has_none(&time)) {
             self.layout.time = None;
             self.layout.stated.time = None;

@@ -1,8 +1,8 @@
 //! The choice of the column that is the time, where several may be.
 
 use super::names::{
-    is_like_time, is_message_stamp, is_of_ticks, is_sampling_stamp, is_temperature_beside, role_of,
-    take_apart,
+    compact, is_like_time, is_message_stamp, is_of_ticks, is_sampling_stamp, is_temperature_beside,
+    role_of, take_apart,
 };
 use crate::recording::options::{ColumnMap, Role};
 use crate::units::TimeUnit;
@@ -99,6 +99,12 @@ fn take_better_time(
     }
 }
 
+/// True for a column of dates, which have the time of day with them where no other column has it: `date`, `ts.$date`.
+pub(super) fn is_date(name: &str) -> bool {
+    let last = name.split(['.', '/', ' ']).next_back();
+    last.is_some_and(|word| compact(word) == "date")
+}
+
 /// True for a time whose name ends with something in brackets that is no unit.
 fn strange_unit(name: &str) -> bool {
     let unit = take_apart(name).1;
@@ -111,8 +117,14 @@ pub(super) fn likely(names: &[String], roles: &[(Role, usize)]) -> Vec<usize> {
         return Vec::new();
     }
     let free = |at: &usize| roles.iter().all(|(_, column)| column != at);
-    let like = |at: &usize| is_like_time(&names[*at]);
-    let mut times: Vec<usize> = (0..names.len()).filter(free).filter(like).collect();
+    let called = |like: fn(&str) -> bool| -> Vec<usize> {
+        let all = (0..names.len()).filter(free);
+        all.filter(|at| like(&names[*at])).collect()
+    };
+    let mut times = called(is_like_time);
+    if times.is_empty() {
+        times = called(is_date);
+    }
     // Ticks and counters have units that nobody states.
     times.sort_by_key(|&at| !names[at].to_lowercase().contains("time"));
     // `Phone timestamp` beside `sensor timestamp [ns]` is the arrival's.

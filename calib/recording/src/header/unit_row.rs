@@ -32,7 +32,7 @@ fn is_blank(cell: &str) -> bool {
 fn is_unitless(cell: &str) -> bool {
     matches!(
         bare(cell).to_lowercase().as_str(),
-        "no_units" | "no units" | "unitless" | "local_flux" | "n/a" | "na" | "none"
+        "no_units" | "no units" | "unitless" | "local_flux" | "n/a" | "na" | "none" | "ts" | "rn"
     )
 }
 
@@ -162,6 +162,8 @@ mod tests {
         assert_eq!(time("unix time"), Some(Some(TimeUnit::Seconds)));
         assert_eq!(time("yyyy/mm/dd hh:mm:ss.000"), Some(None));
         assert_eq!(time("(na)"), Some(None));
+        // A stamp, and the number of a record.
+        assert_eq!((time("TS"), time("RN")), (Some(None), Some(None)));
         assert_eq!(time("furlong"), None);
     }
 }

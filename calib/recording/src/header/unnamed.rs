@@ -4,7 +4,7 @@ use sensor::Sensor;
 
 use super::dialect::{Cell, Dialect};
 use super::preface::{Kept, cells};
-use super::row_shape::{stands_still, usual_width};
+use super::row_shape::{ends_empty, stands_still, usual_width};
 use crate::averages::median;
 use crate::recording::options::Role;
 use crate::rows::number::{self, Dialects};
@@ -23,7 +23,11 @@ impl Unnamed {
     /// Looks at `rows`.
     pub fn of(rows: &[&Kept], dialect: Dialect) -> Self {
         let width = usual_width(rows, dialect).unwrap_or(0);
-        let columns = without_labels(rows, dialect, width);
+        let mut columns = without_labels(rows, dialect, width);
+        // A separator at the end of the rows makes no column.
+        if ends_empty(rows, dialect) && columns.last() == Some(&width.saturating_sub(1)) {
+            columns.pop();
+        }
         let mut table = numbers(rows, dialect, width, &columns);
         let width = columns.len();
         let goes_up = |column: usize| {
@@ -326,6 +330,7 @@ mod tests {
             [1, 2, 3, 4, 5, 6, 7]
         );
         assert_eq!(width(|k| format!("{},{axes}", k % 2)), [1, 2, 3, 4, 5, 6]);
+        assert_eq!(width(|_| format!("{axes},")), [0, 1, 2, 3, 4, 5]);
         // Time, six axes and a temperature.
         assert_eq!(width(|k| format!("{},{axes},25.1", 20 * k)).len(), 8);
         assert_eq!(width(|k| format!("{},{axes}", 20 * k)).len(), 7);

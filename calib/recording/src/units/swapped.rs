@@ -4,7 +4,7 @@ use findings::{Finding, Kind, OptionName, Remedy};
 use nalgebra::Vector3;
 
 use super::decide::length_of_gravity;
-use super::{GyroUnit, rests};
+use super::{GyroUnit, STANDARD_GRAVITY, rests};
 use crate::Error;
 use crate::recording::Stream;
 use crate::recording::options::{ReadOptions, Role};
@@ -16,18 +16,46 @@ use crate::source::place::in_file;
 /// The mean direction of readings is no longer than this where they turn.
 const TURNED: f64 = 0.9;
 
-/// The length of gravity that readings of several directions keep.
+/// Readings whose length differs from the usual one by less than this share of it keep it.
+const KEEPS: f64 = 0.1;
+
+/// The length of gravity that readings of several directions keep. A gyroscope at rest keeps that of its bias, in the bias's direction:
+/// the directions it takes while it turns are of other lengths.
 fn turning_gravity(values: &[Vector3<f64>]) -> Option<f64> {
-    let directions = values.iter().filter_map(|value| value.try_normalize(0.0));
-    let mean = directions.sum::<Vector3<f64>>() / values.len().max(1) as f64;
-    length_of_gravity(values).filter(|_| mean.norm() < TURNED)
+    let length = length_of_gravity(values)?;
+    let keeps = |value: &&Vector3<f64>| (value.norm() - length).abs() < KEEPS * length;
+    let directions = values.iter().filter(keeps);
+    let directions: Vec<Vector3<f64>> = directions.map(|value| value / value.norm()).collect();
+    let mean = directions.iter().sum::<Vector3<f64>>() / directions.len().max(1) as f64;
+    (mean.norm() < TURNED).then_some(length)
+}
+
+/// Largest part by which the length of readings at rest differs from that of gravity: biases and scale factors of an accelerometer
+/// that nobody has calibrated make less.
+const NEAR: f64 = 0.08;
+
+/// The length of gravity in m/s² or in g, near to which all readings are.
+fn resting_gravity(values: &[Vector3<f64>]) -> Option<f64> {
+    let mean = values.iter().sum::<Vector3<f64>>().norm() / values.len().max(1) as f64;
+    let lengths = [1.0, STANDARD_GRAVITY].into_iter();
+    let length =
+        lengths.min_by(|a, b| (mean / a - 1.0).abs().total_cmp(&(mean / b - 1.0).abs()))?;
+    let is_near = |v: f64| (v / length - 1.0).abs() < NEAR;
+    let far = values.iter().filter(|v| !is_near(v.norm())).count();
+    (is_near(mean) && 20 * far < values.len()).then_some(mean)
 }
 
 /// Refuses a gyroscope whose readings keep the length of gravity in several directions, in no unit that anybody says: they are an
 /// accelerometer's, or gravity beside it.
 fn refuse_force(table: &Table, is_alone: bool, options: &ReadOptions) -> Result<(), Error> {
     let said = options.gyro_unit.or(table.stated.gyro);
-    let Some(length) = turning_gravity(&table.gyro.values).filter(|_| said.is_none()) else {
+    let values = &table.gyro.values;
+    // Alone and at rest no rate is as long as gravity but by chance.
+    let length = match is_alone {
+        true => turning_gravity(values).or_else(|| resting_gravity(values)),
+        false => turning_gravity(values),
+    };
+    let Some(length) = length.filter(|_| said.is_none()) else {
         return Ok(());
     };
     let force = Finding::of(Kind::ForceAsRate).detail("length", significant(length, 3));
@@ -137,5 +165,40 @@ mod tests {
         };
         assert!(read("t,gx,gy,gz", &rates).is_ok());
         assert!(read("t,gx (g),gy (g),gz (g)", &untold).is_ok());
+        // At rest in one placement, in m/s² and as a rate of another length.
+        let at_rest = |up: f64| {
+            let noise = |k: u32| 1e-4 * f64::from(k * k * 31 % 101);
+            let row = |k: u32| {
+                let (t, x, y, z) = (0.01 * f64::from(k), noise(k), noise(k + 7), noise(k + 31));
+                format!("{t},{x},{y},{}\n", up + z)
+            };
+            let rows: String = (0..500).map(row).collect();
+            Recording::from_bytes("a.csv", format!("t,gx,gy,gz\n{rows}").as_bytes(), &untold)
+        };
+        let refused =
+            |up| matches!(at_rest(up), Err(error) if error.finding().kind == Kind::ForceAsRate);
+        assert!(refused(9.81) && refused(0.95));
+        assert!(at_rest(2.5).is_ok() && at_rest(0.02).is_ok());
+    }
+
+    #[test]
+    fn a_bias_of_the_length_of_gravity_is_no_gravity() {
+        for length in [1.0, 1.19, 9.8] {
+            let bias = Vector3::new(0.6, -0.64, 0.48) * length;
+            // Rests of 3.2 s and turns of 0.8 s about other axes, at 100 Hz.
+            let value = |k: usize| {
+                let (phase, turn) = (k % 400, k / 400);
+                let axis = Vector3::ith(turn % 3, if turn % 2 == 0 { 60.0 } else { -60.0 });
+                let rate = if phase < 320 {
+                    0.0
+                } else {
+                    0.02 * (phase - 320) as f64
+                };
+                let noise = 0.02 * (k as f64 * 1.7).sin();
+                bias + axis * rate + Vector3::repeat(noise)
+            };
+            let values: Vec<Vector3<f64>> = (0..8000).map(value).collect();
+            assert_eq!(turning_gravity(&values), None, "{length}");
+        }
     }
 }

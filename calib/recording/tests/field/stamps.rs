@@ -177,3 +177,83 @@ fn minutes_and_seconds_of_a_spreadsheet_are_a_time() {
     });
     is_it(&read(&text), &s, 1e-4);
 }
+
+#[test]
+fn a_part_of_the_second_that_goes_on_or_is_there_twice_is_told() {
+    let s = session();
+    // Half a minute before the minute ends.
+    let clock = |ms: u64| ((ms + 47_000) / 60_000, (ms + 47_000) % 60_000);
+    let goes_on = |ms: u64| {
+        let (minute, rest) = clock(ms);
+        format!("{minute},{},{}", rest / 1000, ms + 4567)
+    };
+    let twice = |ms: u64| {
+        let (minute, rest) = clock(ms);
+        format!("{minute},{:.3},{}", rest as f64 / 1e3, rest % 1000)
+    };
+    let letters = |ms: u64| {
+        let (minute, rest) = clock(ms);
+        format!("12,{minute},{:.3}", rest as f64 / 1e3)
+    };
+    for text in [
+        stamped("min,sec,millis", &s, goes_on),
+        stamped("min,sec,ms", &s, twice),
+        stamped("h,m,s", &s, letters),
+    ] {
+        let found = read(&text);
+        is_it(&found, &s, 1e-4);
+        assert_eq!(found.description.format, "clock_columns");
+    }
+    // Whole seconds beside a count of milliseconds or microseconds.
+    for (header, per) in [("sec,ms", 1), ("sec,micros", 1000)] {
+        let both = |ms: u64| format!("{},{}", ms / 1000, ms * per);
+        is_it(&read(&stamped(header, &s, both)), &s, 1e-4);
+    }
+    let both = |ms: u64| format!("{},{}", after_noon(ms, ""), ms + 4567);
+    is_it(&read(&stamped("time,millis", &s, both)), &s, 1e-4);
+}
+
+#[test]
+fn whole_seconds_are_no_milliseconds() {
+    let s = session();
+    let rate = |text: &str| {
+        let found = read(text).accelerometer.unwrap();
+        found.usual_step().unwrap().recip().round()
+    };
+    for header in ["time", "sec"] {
+        assert_eq!(
+            rate(&stamped(header, &s, |ms| format!("{}", ms / 1000 + 77))),
+            50.0
+        );
+    }
+}
+
+#[test]
+fn a_counter_with_a_sign_goes_on_behind_its_end() {
+    let s = session();
+    let wrapped = |ms: u64| {
+        let micros = (ms * 1000 + (1 << 31) - 9_000_000) as u32;
+        format!("{}", micros as i32)
+    };
+    is_it(&read(&stamped("us", &s, wrapped)), &s, 1e-4);
+}
+
+#[test]
+fn a_unit_with_a_factor_is_refused_with_what_makes_seconds_of_it() {
+    let s = session();
+    let text = stamped("time (10 ms)", &s, |ms| format!("{}", ms / 10 + 54_321));
+    let words = refused(&text);
+    assert!(words.contains("t=time (10 ms)/100"), "{words}");
+    let options = ReadOptions {
+        columns: "t=time (10 ms)/100".parse().unwrap(),
+        ..ReadOptions::default()
+    };
+    is_it(&read_as(&text, &options).unwrap(), &s, 1e-4);
+    is_it(
+        &read(&stamped("Time (GPS seconds)", &s, |ms| {
+            format!("{}", ms as f64 / 1e3)
+        })),
+        &s,
+        1e-4,
+    );
+}

@@ -37,8 +37,8 @@ pub struct Args {
     /// Files or folders, one motion each
     #[arg(value_name = "RECORDING", required = true)]
     recordings: Vec<PathBuf>,
-    /// A calibration and what to call it; the raw readings are always there as `raw`
-    #[arg(long, value_name = "NAME=FILE")]
+    /// A calibration and what to call it; without a name it is called as its file. The raw readings are always there as `raw`
+    #[arg(long, value_name = "[NAME=]FILE")]
     calibration: Vec<String>,
     /// Where the attitude comes from [default: full]
     #[arg(long, value_enum)]
@@ -184,10 +184,8 @@ enum AxisArg {
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
     refuse_other_procedure(args)?;
-    let files = args.calibration.iter();
-    let files = files.filter_map(|named| named_file(named).ok());
     let mut inputs = as_paths(&args.recordings);
-    inputs.extend(files.map(|(_, file)| file));
+    inputs.extend(args.calibration.iter().map(|named| named_file(named).1));
     let output = Output::claim_given(args.output.as_deref(), args.replace, &inputs)?;
     let names = show_runs::plot_names(&args.recordings);
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
@@ -291,7 +289,7 @@ fn calibrations(args: &Args) -> Result<Vec<Named>, Failure> {
         all.extend(Named::authors());
     }
     for named in &args.calibration {
-        let (name, path) = named_file(named)?;
+        let (name, path) = named_file(named);
         if all.iter().any(|other| other.name == name) {
             return Err(Failure::usage(format!(
                 "--calibration {named}: there is a \"{name}\" already; choose another name"
@@ -309,7 +307,7 @@ fn calibrations(args: &Args) -> Result<Vec<Named>, Failure> {
                 ),
             ));
         }
-        all.push(Named::file(name, calibration));
+        all.push(Named::file(&name, calibration));
     }
     Ok(all)
 }

@@ -419,12 +419,16 @@ pub fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
         .ok_or_else(|| format!("{N} numbers separated by commas expected"))
 }
 
-/// Name and file of a `--calibration NAME=FILE`.
-pub fn named_file(named: &str) -> Result<(&str, &Path), Failure> {
-    let pair = named
-        .split_once('=')
-        .map(|(name, file)| (name, Path::new(file)));
-    pair.ok_or_else(|| Failure::usage(format!("--calibration {named}: NAME=FILE expected")))
+/// Name and file of a `--calibration [NAME=]FILE`: without a name, that of the file.
+pub fn named_file(named: &str) -> (String, &Path) {
+    match named.split_once('=') {
+        Some((name, file)) => (name.to_owned(), Path::new(file)),
+        None => {
+            let path = Path::new(named);
+            let stem = path.file_stem().unwrap_or(path.as_os_str());
+            (stem.to_string_lossy().into_owned(), path)
+        }
+    }
 }
 
 /// The effect that `--effects` names, of the catalogue or of `own`.

@@ -4,6 +4,7 @@ use crate::formats::texts::TextFormat;
 use crate::header::look::Look;
 use crate::recording::options::Role;
 use crate::rows::parts::Part;
+use crate::units::field::FieldUnit;
 use crate::units::{AccelUnit, GyroUnit};
 
 /// Gyroflow's `.gcsv`, whose scales make s, rad/s and g of its numbers (Gyroflow documentation, "GCSV log format").
@@ -20,12 +21,15 @@ const MARK: &str = "GYROFLOW IMU LOG";
 const OF_RATE: &str = "gscale";
 /// The scale of the accelerometer, to g.
 const OF_FORCE: &str = "ascale";
+/// The scale of the magnetometer, to gauss.
+const OF_FIELD: &str = "mscale";
 
 /// A scale that a log states, with the columns that it is of.
-const SCALES: [(&str, &[Role]); 3] = [
+const SCALES: [(&str, &[Role]); 4] = [
     ("tscale", &[Role::Time]),
     (OF_RATE, &[Role::Gyro(0), Role::Gyro(1), Role::Gyro(2)]),
     (OF_FORCE, &[Role::Accel(0), Role::Accel(1), Role::Accel(2)]),
+    (OF_FIELD, &[Role::Field(0), Role::Field(1), Role::Field(2)]),
 ];
 
 fn parts(look: &Look) -> Option<Vec<Part>> {
@@ -49,6 +53,7 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
     Some(vec![Part {
         columns,
         accel_unit: stated(OF_FORCE).map(|_| AccelUnit::G),
+        field_unit: stated(OF_FIELD).map(|_| FieldUnit::Gauss),
         gyro_unit: stated(OF_RATE).map(|_| GyroUnit::RadiansPerSecond),
         ..Part::default()
     }])

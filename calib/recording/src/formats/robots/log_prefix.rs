@@ -39,9 +39,51 @@ pub(super) fn by_terminal(line: &str) -> Option<(Stamp, &str)> {
     if let Some((stamp, rest)) = split(line).filter(|_| line.contains("->")) {
         return Some((Stamp::OfDay(seconds(stamp)?), rest));
     }
-    let (stamp, rest) = line.trim_start().strip_prefix('[')?.split_once(']')?;
-    let time = stamp.trim().rsplit([' ', 'T']).next()?;
-    Some((Stamp::OfDay(seconds(time)?), rest.trim_start()))
+    if let Some((stamp, rest)) = line
+        .trim_start()
+        .strip_prefix('[')
+        .and_then(|rest| rest.split_once(']'))
+    {
+        let time = stamp.trim().rsplit([' ', 'T']).next()?;
+        return Some((Stamp::OfDay(seconds(time)?), rest.trim_start()));
+    }
+    behind_date(line)
+}
+
+/// The same of a date and a time of day alone: `2026-05-01 22:13:01.123 1,2,3`, `2026-05-01 22:13:01.12: IMU {AccX : 1, ..`. A row
+/// of a table whose first cell is a date has no names, and no separator that its other cells lack.
+fn behind_date(line: &str) -> Option<(Stamp, &str)> {
+    let (date, rest) = line.trim_start().split_at_checked("2026-05-01".len())?;
+    let is_of_date = |(at, byte): (usize, u8)| match at {
+        4 | 7 => matches!(byte, b'-' | b'/' | b'.'),
+        _ => byte.is_ascii_digit(),
+    };
+    let is_date = date.bytes().enumerate().all(is_of_date);
+    let rest = rest.strip_prefix([' ', 'T']).filter(|_| is_date)?;
+    let (time, message) = rest.split_once([' ', ','])?;
+    let by_comma = rest[time.len()..].starts_with(',');
+    let time = time.trim_end_matches([':', 'Z']);
+    let begins = |c: char| c.is_alphanumeric() || matches!(c, '-' | '.' | '{' | '$');
+    let is_name = |word: &str| word.len() > 1 && word.starts_with(char::is_alphabetic);
+    let has_names = || message.split([' ', ',', ':', '=', '"']).any(is_name);
+    let is_message = match by_comma {
+        true => has_names(),
+        false => message.contains([',', ';', '\t']) || has_names(),
+    };
+    // Half a day and a zone of the earth belong to the time.
+    let first = message.split([' ', ',', ';', '\t']).next()?;
+    let of_time = ["AM", "PM", "am", "pm", "UTC", "GMT"].contains(&first);
+    let may_be = is_message && message.starts_with(begins) && !of_time;
+    let stamp = seconds(time).filter(|_| may_be && time.matches(':').count() == 2)?;
+    Some((Stamp::OfDay(stamp), message))
+}
+
+/// A sentence of NMEA without its mark and its checksum; any other line as it is.
+pub(super) fn without_checksum(line: &str) -> &str {
+    match line.trim_start().strip_prefix('$') {
+        Some(sentence) => sentence.split('*').next().unwrap_or(sentence),
+        None => line,
+    }
 }
 
 /// The message of a line that has such a beginning.
@@ -201,6 +243,31 @@ fn glog(rest: &str) -> Option<(&str, &str)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_date_before_a_message_is_its_stamp_and_that_of_a_row_is_not() {
+        let stamp = Stamp::OfDay(79_981.123);
+        for (line, message) in [
+            ("2026-05-01 22:13:01.123 1,2,3", "1,2,3"),
+            ("2026/05/01 22:13:01.123 -1\t2\t3", "-1\t2\t3"),
+            ("2026-05-01T22:13:01.123Z {\"ax\": 1}", "{\"ax\": 1}"),
+            ("2026-05-01 22:13:01.123: IMU {AccX : 1}", "IMU {AccX : 1}"),
+            ("2026-05-01T22:13:01.123,FE,xacc,1", "FE,xacc,1"),
+        ] {
+            assert_eq!(by_terminal(line), Some((stamp, message)), "{line}");
+        }
+        for row in [
+            "2026-05-01 22:13:01.123,1,2,3",
+            "2026-05-01 22:13:01.123 1 2 3",
+            "2026-05-01 22:13:01.123 PM,1,2,3",
+            "2026-05-01 22:13:01.123 +0100,1,2,3",
+            "2026-05-01 22:13 1,2,3",
+            "2026-05-01ä22:13:01.123 1,2,3",
+        ] {
+            assert_eq!(by_terminal(row), None, "{row}");
+        }
+        assert_eq!(without_checksum("$PIMU,1,2*5A"), "PIMU,1,2");
+    }
 
     #[test]
     fn loggers_are_known_by_what_they_write_before_a_message() {

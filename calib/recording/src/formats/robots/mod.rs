@@ -5,6 +5,7 @@ pub(crate) mod ardupilot_text;
 pub(crate) mod betaflight;
 pub(crate) mod gyroflow;
 pub(crate) mod kalibr;
+mod labelled_numbers;
 mod log_prefix;
 pub(crate) mod novatel;
 pub(crate) mod px4_text;

@@ -5,15 +5,14 @@ use std::io::Read;
 
 use sensor::Sensor;
 
-use super::log_prefix::{Stamp, by_terminal, logged};
+use super::labelled_numbers::{Numbers, numbers};
+use super::log_prefix::logged;
 use crate::clock::time_of_day::TimeOfDay;
 use crate::formats::texts::TextFormat;
 use crate::header::look::{Look, cells};
-use crate::header::names::{compact, is_field, role_of, sensor_of, stated_unit};
 use crate::recording::options::Role;
 use crate::rows::parts::{Change, Part};
 use crate::source::rewrite::rewritten;
-use crate::units::{AccelUnit, GyroUnit, TimeUnit};
 
 /// Numbers behind names or a label.
 pub(crate) static SERIAL: TextFormat = TextFormat {
@@ -25,175 +24,9 @@ pub(crate) static SERIAL: TextFormat = TextFormat {
 /// Lines looked at from the first row on.
 const LINES: usize = 60;
 
-/// A line as the names and the numbers in it.
-#[derive(Debug, PartialEq)]
-struct Numbers<'a> {
-    stamp: Option<Stamp>,
-    /// Part of the program that wrote it.
-    tag: Option<&'a str>,
-    pairs: Vec<(&'a str, &'a str)>,
-    /// The sensor that was named last before each number; the `Accel` of `Accel: X=1 Y=2`.
-    sensors: Vec<Option<Sensor>>,
-    /// Units behind the numbers.
-    accel_unit: Option<AccelUnit>,
-    gyro_unit: Option<GyroUnit>,
-}
-
-impl Numbers<'_> {
-    /// Returns the names of the numbers.
-    fn names(&self) -> impl Iterator<Item = &str> {
-        self.pairs.iter().map(|(name, _)| *name)
-    }
-
-    /// The roles of the numbers by their names; of `acc: 1, 2, 3` all three.
-    fn roles(&self) -> Vec<Option<Role>> {
-        let role = |(name, sensor): (&str, &Option<Sensor>)| {
-            // An axis alone is that of the sensor before it.
-            let is_axis = matches!(name, "x" | "y" | "z" | "X" | "Y" | "Z");
-            role_of(name, sensor.filter(|_| is_axis))
-        };
-        let mut roles: Vec<Option<Role>> = self.names().zip(&self.sensors).map(role).collect();
-        let name = |at: usize| self.pairs.get(at).map(|(name, _)| *name);
-        for at in 0..roles.len() {
-            let is_triad =
-                [1, 2].iter().all(|next| name(at + next) == Some("")) && name(at + 3) != Some("");
-            let stem = name(at).map(compact).unwrap_or_default();
-            let sensor = match is_field(&stem) {
-                true => Some(Sensor::Magnetometer),
-                false => sensor_of(&stem),
-            };
-            if let Some(sensor) = sensor.filter(|_| is_triad) {
-                for axis in 0..3 {
-                    roles[at + axis] = Some(Role::axis(sensor, axis));
-                }
-            }
-        }
-        roles
-    }
-
-    /// The unit of the stamp, or that of a number that is called after one.
-    fn time_unit(&self) -> Option<TimeUnit> {
-        let is_time = |name: &&str| role_of(name, None) == Some(Role::Time);
-        match self.stamp {
-            Some(_) => Some(TimeUnit::Seconds),
-            None => self.names().find(is_time).and_then(stated_unit),
-        }
-    }
-
-    fn names_a(&self, sensor: Sensor) -> bool {
-        let wanted = [0, 1, 2].map(|axis| Some(Role::axis(sensor, axis)));
-        let roles = self.roles();
-        wanted.iter().all(|role| roles.contains(role))
-    }
-
-    fn is_of_one(&self, sensor: Sensor) -> bool {
-        let other = match sensor {
-            Sensor::Accelerometer => Sensor::Gyroscope,
-            _ => Sensor::Accelerometer,
-        };
-        self.names_a(sensor) && !self.names_a(other)
-    }
-
-    /// Columns by their roles, numbered from 1, the stamp before the numbers.
-    fn columns(&self) -> Vec<(Role, String)> {
-        let stamped = usize::from(self.stamp.is_some());
-        let mut columns: Vec<(Role, String)> = Vec::new();
-        for (at, role) in self.roles().into_iter().enumerate() {
-            let role = role.filter(|role| columns.iter().all(|(other, _)| other != role));
-            columns.extend(role.map(|role| (role, (at + 1 + stamped).to_string())));
-        }
-        columns
-    }
-}
-
 /// True for what may be the first row: the table of partitions that a device starts with is none.
 fn begins(row: &Numbers<'_>) -> bool {
     !row.tag.is_some_and(|tag| tag.starts_with("boot"))
-}
-
-/// The numbers of a line of which at least one has a name or a label; `None` for any other line.
-fn numbers(line: &str) -> Option<Numbers<'_>> {
-    let logged = logged(line);
-    let (stamp, rest) = match (logged, by_terminal(line)) {
-        (Some(logged), _) => (Some(logged.stamp), logged.message),
-        (None, Some((stamp, rest))) => (Some(stamp), rest),
-        _ => (None, line),
-    };
-    let mut pairs = Vec::new();
-    let mut sensors = Vec::new();
-    let in_brackets = in_brackets(rest).filter(|_| stamp.is_none());
-    let is_in_brackets = in_brackets.is_some();
-    let rest = in_brackets.map_or(rest, |(number, rest)| {
-        pairs.push(("time", number));
-        sensors.push(None);
-        rest
-    });
-    // The topic of a message may stand before it: `imu/data {"ax": ..}`.
-    let is_topic = |text: &str| {
-        text.trim().starts_with(char::is_alphabetic) && !text.trim().contains([' ', ',', '\t'])
-    };
-    let record = rest.find("{\"").filter(|at| is_topic(&rest[..*at]));
-    let rest = record.map_or(rest, |at| &rest[at..]);
-    let is_json = rest.trim_start().starts_with('{');
-    let separates = |c: char| {
-        matches!(
-            c,
-            ',' | ';' | ' ' | '\t' | ':' | '=' | '|' | '(' | ')' | '[' | ']'
-        ) || (is_json && matches!(c, '{' | '}' | '"'))
-    };
-    // The unit of the numbers that follow, as in `Acc (mg) [ 1, 2, 3 ]`.
-    let stands_in_parentheses = |word: &str| {
-        let begin = word.as_ptr() as usize - rest.as_ptr() as usize;
-        rest[..begin].ends_with('(') && rest[begin + word.len()..].starts_with(')')
-    };
-    let (mut name, mut sensor) = ("", None);
-    let (mut accel_unit, mut gyro_unit) = (None, None);
-    for word in rest.split(separates).filter(|word| !word.is_empty()) {
-        match word.parse::<f64>() {
-            Ok(value) if value.is_finite() => {
-                pairs.push((std::mem::take(&mut name), word));
-                sensors.push(sensor);
-            }
-            _ if !pairs.is_empty() && word.contains('/') && word.parse::<AccelUnit>().is_ok() => {
-                accel_unit = word.parse().ok();
-            }
-            _ if !pairs.is_empty() && word.contains('/') && word.parse::<GyroUnit>().is_ok() => {
-                gyro_unit = word.parse().ok();
-            }
-            _ if stands_in_parentheses(word) && !name.is_empty() => match sensor {
-                Some(Sensor::Accelerometer) => accel_unit = word.parse().ok().or(accel_unit),
-                Some(Sensor::Gyroscope) => gyro_unit = word.parse().ok().or(gyro_unit),
-                _ => {}
-            },
-            // Dates and torn numbers are no names.
-            _ if word.starts_with(char::is_alphabetic) => {
-                name = word;
-                sensor = sensor_of(&compact(word)).or(sensor);
-            }
-            _ => return None,
-        }
-    }
-    // A stamp in brackets alone names no numbers.
-    let mut named = pairs.iter().skip(usize::from(is_in_brackets));
-    let is_bracketed = logged.is_none() && line.trim_start().starts_with('[');
-    let is_stamped = stamp.is_some() && !is_bracketed;
-    let is_named = is_stamped || named.any(|(name, _)| !name.is_empty());
-    let tag = logged.map(|logged| logged.tag);
-    (pairs.len() >= 3 && is_named).then_some(Numbers {
-        stamp,
-        tag,
-        pairs,
-        sensors,
-        accel_unit,
-        gyro_unit,
-    })
-}
-
-/// The number in brackets that a line begins with, `[12] ..`, and what follows.
-fn in_brackets(line: &str) -> Option<(&str, &str)> {
-    let (stamp, rest) = line.trim_start().strip_prefix('[')?.split_once(']')?;
-    let is_number = stamp.trim().parse::<f64>().is_ok_and(f64::is_finite);
-    is_number.then_some((stamp.trim(), rest))
 }
 
 /// True for a table with names above its rows, one of whose cells is a word.
@@ -229,15 +62,18 @@ fn labelled(look: &Look) -> Option<Vec<Part>> {
         let of = |sensor: Sensor| rows.iter().filter(move |row| row.is_of_one(sensor));
         let (force, rate) = (of(Sensor::Accelerometer), of(Sensor::Gyroscope));
         let [accel, gyro] = [force.clone().count(), rate.clone().count()];
-        if accel.min(gyro) < 2 || 4 * (accel + gyro) < 3 * lines.len().saturating_sub(5) {
+        // Where as many are of the one as of the other, lines of other sensors and rules between the blocks may be more.
+        let are_blocks = accel.abs_diff(gyro) <= 1 && 4 * (accel + gyro) >= lines.len();
+        let are_most = 4 * (accel + gyro) >= 3 * lines.len().saturating_sub(5);
+        if accel.min(gyro) < 2 || !(are_blocks || are_most) {
             return None;
         }
         return Some(vec![
             of_one(force.clone().next()?, Sensor::Accelerometer, |text| {
-                rows_of_numbers(text, |row| row.is_of_one(Sensor::Accelerometer))
+                rows_by_turns(text, |row| row.is_of_one(Sensor::Accelerometer))
             }),
             of_one(rate.clone().next()?, Sensor::Gyroscope, |text| {
-                rows_of_numbers(text, |row| row.is_of_one(Sensor::Gyroscope))
+                rows_by_turns(text, |row| row.is_of_one(Sensor::Gyroscope))
             }),
         ]);
     }
@@ -249,7 +85,7 @@ fn labelled(look: &Look) -> Option<Vec<Part>> {
     if !one || (!both && unknown >= 3) {
         // One label before all of them, or names that are not understood: which is which is told by the data.
         columns.clear();
-    } else if first.stamp.is_some() {
+    } else if first.goes_by_stamp() {
         columns.retain(|(role, _)| *role != Role::Time);
         columns.push((Role::Time, "1".to_owned()));
     }
@@ -266,7 +102,7 @@ fn labelled(look: &Look) -> Option<Vec<Part>> {
 /// The rows of one sensor among those of several, as its `row` is.
 fn of_one(row: &Numbers<'_>, sensor: Sensor, change: Change) -> Part {
     let mut columns = row.columns();
-    if row.stamp.is_some() {
+    if row.goes_by_stamp() {
         columns.retain(|(role, _)| *role != Role::Time);
         columns.push((Role::Time, "1".to_owned()));
     }
@@ -285,6 +121,25 @@ fn of_one(row: &Numbers<'_>, sensor: Sensor, change: Change) -> Part {
 fn rows_of_numbers(
     text: Box<dyn Read + Send>,
     takes: fn(&Numbers<'_>) -> bool,
+) -> Box<dyn Read + Send> {
+    rows_but(text, takes, |_, _| false)
+}
+
+/// The same where lines that have none of the names stand between the rows.
+fn rows_by_turns(
+    text: Box<dyn Read + Send>,
+    takes: fn(&Numbers<'_>) -> bool,
+) -> Box<dyn Read + Send> {
+    rows_but(text, takes, |line, names| {
+        let mut named = names.iter().filter(|name| name.len() > 1);
+        !named.any(|name| line.contains(name.as_str()))
+    })
+}
+
+fn rows_but(
+    text: Box<dyn Read + Send>,
+    takes: fn(&Numbers<'_>) -> bool,
+    passes: fn(&str, &[String]) -> bool,
 ) -> Box<dyn Read + Send> {
     let mut clock = TimeOfDay::default();
     // Who wrote the first row, and what its numbers are called.
@@ -309,6 +164,7 @@ fn rows_of_numbers(
         match found {
             // A message among the rows.
             _ if is_said => {}
+            None if passes(text, names) => {}
             // A broken row is for the reader to refuse.
             None => out.extend_from_slice(line),
             Some(found) if !takes(&found) => {}
@@ -337,6 +193,7 @@ fn row(found: &Numbers<'_>, clock: &mut TimeOfDay, out: &mut Vec<u8>) {
 mod tests {
     use super::*;
     use crate::source::rewrite::changed_by;
+    use crate::units::{AccelUnit, GyroUnit};
 
     #[test]
     fn a_table_with_a_word_in_its_rows_is_no_serial_log() {
@@ -344,6 +201,23 @@ mod tests {
         assert!(labelled(&Look::at(table.as_bytes())).is_none());
         let log = "ax:1,ay:2,az:3,gx:4\nax:1,ay:2,az:3,gx:4\nax:1,ay:2,az:3,gx:4\n";
         assert!(labelled(&Look::at(log.as_bytes())).is_some());
+    }
+
+    #[test]
+    fn blocks_with_rules_and_other_sensors_between_are_rows_of_both() {
+        let block = "temp : 25.1\naccX : 0.1\taccY : 0.2\taccZ : 1.0\ngyroX : 1\tgyroY : 2\tgyroZ : 3\n=====\n";
+        let log = block.repeat(20);
+        let parts = labelled(&Look::at(log.as_bytes())).unwrap();
+        let [accel, gyro] = &parts[..] else {
+            panic!("{parts:?}")
+        };
+        let rows = |part: &Part| -> Vec<String> {
+            let text = changed_by(part.change.unwrap(), &log);
+            let rows = text.lines().filter(|line| !line.is_empty());
+            rows.map(str::to_owned).collect()
+        };
+        assert_eq!(rows(accel), ["0.1,0.2,1.0"; 20]);
+        assert_eq!(rows(gyro), ["1,2,3"; 20]);
     }
 
     #[test]
@@ -366,60 +240,5 @@ mod tests {
         let rows = changed_by(|text| rows_of_numbers(text, begins), &log);
         let first = "10,-0.070,0.124,9.883,0.0111,-0.0001,0.0060,25.3";
         assert_eq!(rows.lines().next(), Some(first));
-    }
-
-    #[test]
-    fn numbers_in_brackets_belong_to_the_name_before_them_and_its_unit() {
-        for line in [
-            "Scaled. Acc (mg) [ -00018.99, -00032.07,  00982.16 ], Gyr (DPS) [ -1.4,  0.1,  1.5 ], Mag (uT) [ 2.7, -4.4, -3.0 ], Tmp (C) [ 24.0 ]",
-            "Acc = (-18.99, -32.07, 982.16) m/s^2  Gyr = (-1.4, 0.1, 1.5) deg/s",
-        ] {
-            let found = numbers(line).unwrap();
-            let roles: Vec<Role> = found.roles().into_iter().flatten().collect();
-            let axes = [0, 1, 2]
-                .map(Role::Accel)
-                .into_iter()
-                .chain([0, 1, 2].map(Role::Gyro));
-            assert!(
-                roles
-                    .iter()
-                    .copied()
-                    .zip(axes)
-                    .all(|(own, axis)| own == axis),
-                "{line}"
-            );
-            assert_eq!(found.gyro_unit, Some(GyroUnit::DegreesPerSecond), "{line}");
-        }
-        let found = numbers("Acc (mg) [ -18.99, -32.07, 982.16 ]").unwrap();
-        assert_eq!(found.accel_unit, "mg".parse().ok());
-    }
-
-    #[test]
-    fn bars_and_equals_signs_separate() {
-        let found =
-            numbers("AcX = -500 | AcY = 280 | AcZ = 16000 | Tmp = 25.35 | GyX = 3").unwrap();
-        let names: Vec<&str> = found.names().collect();
-        assert_eq!(names, ["AcX", "AcY", "AcZ", "Tmp", "GyX"]);
-    }
-
-    #[test]
-    fn numbers_are_found_behind_names_labels_and_times() {
-        let found = |line| numbers(line).map(|n| (n.stamp, n.pairs));
-        let pairs = vec![("ax", "-9"), ("ay", "1.5"), ("az", "3")];
-        assert_eq!(found("ax:-9\tay:1.5\taz:3"), Some((None, pairs)));
-        let (stamp, pairs) = found("22:13:01.234 -> -9,-65,16346").unwrap();
-        assert_eq!((stamp, pairs.len()), (Some(Stamp::OfDay(79_981.234)), 3));
-        assert_eq!(found("a/g:\t1\t2\t3").unwrap().1[0], ("a/g", "1"));
-        let (stamp, pairs) = found("[2026-05-01 22:13:01.234] ax:-9 ay:1.5 az:3").unwrap();
-        assert_eq!(
-            (stamp, pairs[0]),
-            (Some(Stamp::OfDay(79_981.234)), ("ax", "-9"))
-        );
-        let (_, pairs) = found("22:13:01.234 -> {\"acc\": [1, 2, 3], \"gyr\": [4, 5, 6]}").unwrap();
-        assert_eq!((pairs[0], pairs[3]), (("acc", "1"), ("gyr", "4")));
-        assert_eq!(found("1,2,3,4"), None);
-        assert_eq!(found("[12.5] 1 2 3"), None);
-        assert_eq!(found("[2026-05-01 22:13:01.234] 1 2 3"), None);
-        assert_eq!(found("MPU6050 connection successful"), None);
     }
 }

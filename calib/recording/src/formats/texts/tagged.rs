@@ -81,7 +81,9 @@ fn gnss_logger(look: &Look) -> Option<Vec<Part>> {
             TimeUnit::Nanoseconds,
         ));
     }
-    begins(look, &["# Accel,", "Accel,"]).then(|| {
+    // Two stamps stand before the axes.
+    let is_whole = |line: &str| line.starts_with("Accel,") && line.split(',').count() >= 6;
+    (begins(look, &["# Accel,"]) || look.lines().any(is_whole)).then(|| {
         stamped(
             |text| only(text, b"Accel,"),
             |text| only(text, b"Gyro,"),

@@ -7,11 +7,11 @@ mod words;
 
 use sensor::Sensor;
 
-use self::parts::{LONGEST, OPENING, behind_label};
+use self::parts::{LONGEST, OPENING, behind_label, last_bracket};
 pub(crate) use self::parts::{compact, take_apart};
 pub(crate) use self::stamps::{
     is_like_time, is_message_stamp, is_of_ticks, is_sampling_stamp, is_temperature_beside,
-    says_unknown_unit, stamps_of, stated_unit,
+    per_second, says_unknown_unit, stamps_of, stated_unit,
 };
 use self::words::{TEMPERATURE, TIME};
 pub(crate) use self::words::{is_field, sensor_of};
@@ -36,9 +36,9 @@ pub(crate) fn role_of(name: &str, only: Option<Sensor>) -> Option<Role> {
     if let Some(own) = behind_label(name) {
         return role_of(&own, only);
     }
-    let bracket = name.find(OPENING).unwrap_or(name.len());
+    let bracket = last_bracket(name).unwrap_or(name.len());
     let ends = name[..bracket]
-        .match_indices(['.', '/'])
+        .match_indices(['.', '/', ':'])
         .map(|(at, _)| &name[at + 1..]);
     let is_word = |end: &&str| {
         let word = end.split(OPENING).next().unwrap_or_default();
@@ -59,7 +59,9 @@ fn role_of_word(name: &str, only: Option<Sensor>) -> Option<Role> {
     let (word, unit) = take_apart(name);
     if TIME.contains(&word.as_str()) {
         // `T (°C)` is no time.
-        let is_warm = unit.is_some_and(|unit| unit.parse::<TemperatureUnit>().is_ok());
+        let is_warm = unit.is_some_and(|unit| {
+            unit.starts_with(['°', 'º', '℃']) || unit.parse::<TemperatureUnit>().is_ok()
+        });
         return Some(match word == "t" && is_warm {
             true => Role::Temperature,
             false => Role::Time,
@@ -162,7 +164,17 @@ mod tests {
             ("温度(°C)", Some(Role::Temperature)),
             ("T (°C)", Some(Role::Temperature)),
             ("T [degC]", Some(Role::Temperature)),
+            ("T (°)", Some(Role::Temperature)),
             ("T [ms]", Some(Role::Time)),
+            ("6251.12345:scaledAccelX", Some(Role::Accel(0))),
+            ("IMU_ATTI(0):gyroY", Some(Role::Gyro(1))),
+            ("uncompGyro2", None),
+            ("ZGYRO_OUT (deg/s)", Some(Role::Gyro(2))),
+            ("CorrectedAccelY", Some(Role::Accel(1))),
+            ("acce_x", Some(Role::Accel(0))),
+            ("GForceZ", Some(Role::Accel(2))),
+            ("gFx", None),
+            ("pqr[1]", Some(Role::Gyro(1))),
             ("Avanti sensor 2: GYRO.Y 2 (deg/s)", Some(Role::Gyro(1))),
             ("IM sensor 12: ACC.Z 12", Some(Role::Accel(2))),
             ("sensor 1: ACC.Z 2", None),

@@ -59,7 +59,7 @@ fn is_run(label: &str) -> bool {
 }
 
 /// Returns the index of the brackets at the end of a name, as in `accel(0):X[g]`; `None` if more of the name follows them.
-fn last_bracket(name: &str) -> Option<usize> {
+pub(super) fn last_bracket(name: &str) -> Option<usize> {
     let (mut depth, mut begin, mut end) = (0_usize, None, None);
     for (at, c) in name.char_indices() {
         match c {

@@ -17,7 +17,7 @@ const NO_TIME: [&str; 22] = [
 /// Endings of names that count a time.
 const COUNTS: [&str; 4] = ["minutes", "minuten", "hours", "stunden"];
 /// Endings of the names of time columns, with their units.
-const UNITS_OF_TIME: [(&str, TimeUnit); 24] = [
+const UNITS_OF_TIME: [(&str, TimeUnit); 26] = [
     ("millis", TimeUnit::Milliseconds),
     ("millisec", TimeUnit::Milliseconds),
     ("milliseconds", TimeUnit::Milliseconds),
@@ -37,6 +37,8 @@ const UNITS_OF_TIME: [(&str, TimeUnit); 24] = [
     ("nsecs", TimeUnit::Nanoseconds),
     ("ns", TimeUnit::Nanoseconds),
     ("seconds", TimeUnit::Seconds),
+    ("secs", TimeUnit::Seconds),
+    ("sec", TimeUnit::Seconds),
     ("minutes", TimeUnit::Minutes),
     ("minuten", TimeUnit::Minutes),
     ("mins", TimeUnit::Minutes),
@@ -76,15 +78,48 @@ pub(crate) fn stated_unit(name: &str) -> Option<TimeUnit> {
     let unit = take_apart(name).1;
     let first = || unit?.split_whitespace().next()?.parse().ok();
     let whole = unit.and_then(|unit| unit.parse().ok());
-    whole.or_else(first).or_else(|| unit_of_time(name))
+    // `GPS seconds`, but not `10 ms`.
+    let last = || {
+        let (before, last) = unit?.rsplit_once(char::is_whitespace)?;
+        let has_number = before.contains(|c: char| c.is_ascii_digit() || "/*^".contains(c));
+        last.parse().ok().filter(|_| !has_number)
+    };
+    whole
+        .or_else(first)
+        .or_else(last)
+        .or_else(|| unit_of_time(name))
 }
 
 /// True if the name of a time column says a unit that is not known: `time (ticks)`.
 pub(crate) fn says_unknown_unit(name: &str) -> bool {
     let unit = take_apart(name).1.unwrap_or_default().to_lowercase();
-    let is_one =
-        matches!(unit.as_str(), "cs" | "ds") || IN_UNITS.iter().any(|part| unit.contains(part));
+    let is_one = matches!(unit.as_str(), "cs" | "ds")
+        || IN_UNITS.iter().any(|part| unit.contains(part))
+        || per_second(name).is_some();
     is_one && stated_unit(name).is_none()
+}
+
+/// The number in a second of a unit that has a factor: 100 of `t (10 ms)`, 60 of `Time (1/60 sec)`.
+pub(crate) fn per_second(name: &str) -> Option<f64> {
+    let unit = take_apart(name).1?.trim();
+    match unit {
+        "cs" => return Some(100.0),
+        "ds" => return Some(10.0),
+        _ => {}
+    }
+    let is_factor = |c: char| c.is_ascii_digit() || ".*/^ x".contains(c);
+    let at = unit.find(|c| !is_factor(c))?;
+    let (factor, unit) = unit.split_at(at);
+    let factor = factor.trim_matches([' ', '*', 'x']);
+    let factor: f64 = match factor.split_once('/') {
+        Some((one, parts)) => one.trim().parse::<f64>().ok()? / parts.trim().parse::<f64>().ok()?,
+        None => factor.parse().ok()?,
+    };
+    let unit: TimeUnit = unit.parse().ok()?;
+    let count = unit.per_second() / factor;
+    // To the digits of a factor that is no power of two.
+    let count = (count * 1e6).round() / 1e6;
+    (count.is_finite() && count > 0.0).then_some(count)
 }
 
 /// The unit of the time that a name says without brackets: `millis`, `timeMs`.
@@ -110,7 +145,9 @@ pub(crate) fn stamps_of(name: &str) -> Option<Sensor> {
         (false, true) => Some(Sensor::Gyroscope),
         _ => None,
     };
-    let words = || name.split(|c: char| !c.is_alphanumeric());
+    // The unit of a reading has a word of the time: `XGYRO_OUT (deg/sec)`.
+    let own = name.split(OPENING).next().unwrap_or(name);
+    let words = || own.split(|c: char| !c.is_alphanumeric());
     let is = |wanted: &[&str]| words().any(|word| wanted.contains(&word.to_lowercase().as_str()));
     // `gyro_x_deg_per_sec` is a reading.
     of_one
@@ -178,6 +215,7 @@ mod tests {
             ("timeMs", Some(TimeUnit::Milliseconds)),
             ("uptimeMillis", Some(TimeUnit::Milliseconds)),
             ("seconds", Some(TimeUnit::Seconds)),
+            ("sec", Some(TimeUnit::Seconds)),
             ("timestamps", None),
             ("t", None),
             ("items", None),
@@ -197,6 +235,18 @@ mod tests {
         assert_eq!(since, Some(TimeUnit::Seconds));
         assert!(says_unknown_unit("t [cs]") && says_unknown_unit("Time (1/60 sec)"));
         assert!(!says_unknown_unit("time (UTC)") && !says_unknown_unit("t (min)"));
+        assert!(says_unknown_unit("t (10 ms)") && !says_unknown_unit("t (100us)"));
+        assert_eq!(stated_unit("t (GPS seconds)"), Some(TimeUnit::Seconds));
+        for (name, count) in [
+            ("t (10 ms)", Some(100.0)),
+            ("Time (1/60 sec)", Some(60.0)),
+            ("t [cs]", Some(100.0)),
+            ("t (0.5 ms)", Some(2000.0)),
+            ("t (jiffies)", None),
+            ("t (µs)", None),
+        ] {
+            assert_eq!(per_second(name), count, "{name}");
+        }
         assert!(
             !is_like_time("dt[ms]") && !is_like_time("loop time (us)") && !is_like_time("speed_ms")
         );
@@ -218,6 +268,7 @@ mod tests {
         }
         assert_eq!(
             stamps_of("gyro_x")
+                .or(stamps_of("XGYRO_OUT (deg/sec)"))
                 .or(stamps_of("acc_count"))
                 .or(stamps_of("time")),
             None

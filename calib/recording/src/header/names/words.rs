@@ -79,6 +79,8 @@ pub(super) const TIME: &[&str] = &[
 pub(super) const ACCEL: &[&str] = &[
     "a",
     "acc",
+    "acce",
+    "gforce",
     "accel",
     "accelerometer",
     "acceleration",
@@ -167,6 +169,7 @@ pub(super) const GYRO: &[&str] = &[
     "açısalhız",
     "angrate",
     "turnrate",
+    "pqr",
 ];
 /// Names of magnetometer columns without their axis.
 pub(super) const FIELD: &[&str] = &[
@@ -218,7 +221,16 @@ pub(super) const TEMPERATURE: &[&str] = &[
 ];
 
 /// Words around that of a sensor which say nothing more.
-const AROUND: [&str; 4] = ["imu", "raw", "array", BODY];
+const AROUND: [&str; 8] = [
+    "imu",
+    "raw",
+    "array",
+    "out",
+    "scaled",
+    "uncomp",
+    "corrected",
+    BODY,
+];
 
 /// The one beside which a letter may be a force, a moment or gravity in the axes of the body.
 const BODY: &str = "body";

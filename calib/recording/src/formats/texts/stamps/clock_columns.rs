@@ -9,7 +9,7 @@ use crate::formats::texts::text_format::TextFormat;
 use crate::header::look::Look;
 use crate::header::names::{compact, role_of};
 use crate::recording::options::Role;
-use crate::rows::parts::Part;
+use crate::rows::parts::{Change, Part};
 use crate::source::rewrite::rewritten;
 use crate::units::TimeUnit;
 
@@ -23,8 +23,8 @@ pub(crate) static CLOCK_COLUMNS: TextFormat = TextFormat {
 /// Names of the fields and their seconds.
 const FIELDS: [(&[&str], f64); 6] = [
     (&["hour", "hours", "hh", "hr", "h"], 3600.0),
-    (&["minute", "minutes", "min", "mins", "mm"], 60.0),
-    (&["second", "seconds", "sec", "secs", "ss"], 1.0),
+    (&["minute", "minutes", "min", "mins", "mm", "m"], 60.0),
+    (&["second", "seconds", "sec", "secs", "ss", "s"], 1.0),
     (
         &["millisecond", "milliseconds", "millis", "msec", "ms"],
         1e-3,
@@ -69,8 +69,10 @@ fn fields(header: &str) -> Option<Vec<Field>> {
     let others = (0..names.len()).filter(|at| !(first..=last).contains(at));
     let has_seconds = last > minutes && found[minutes + 1] == Some(MINUTE + 1);
     let is_only = has_seconds && !{ others }.any(is_time);
+    // `m` alone may be a mass or a distance.
+    let is_letter = names[minutes].trim().len() == 1 && first == minutes;
     let columns = (first..=last).filter_map(|at| Some((at, FIELDS[found[at]?].1)));
-    is_only.then(|| columns.collect())
+    (is_only && !is_letter).then(|| columns.collect())
 }
 
 /// The seconds since midnight, or since the hour, of a row; `None` where a field counts more than one of the field before it, or has
@@ -129,22 +131,89 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
     let mut lines = whole_rows(look).into_iter();
     let fields = fields(lines.next()?)?;
     let lines: Vec<&str> = lines.collect();
-    let is_clock = lines.iter().all(|row| seconds(row, &fields).is_some());
-    (lines.len() > 1 && is_clock).then(|| {
+    let all = |stamp: Stamp| lines.iter().all(|row| stamp(row, &fields).is_some());
+    let change: Change = match () {
+        () if all(seconds) && counts_less(&lines, &fields) => unreadable,
+        () if all(seconds) => change,
+        () if all(without_part) => without_its_part,
+        () if goes_on(&lines, &fields) => counted,
+        () => return None,
+    };
+    (lines.len() > 1).then(|| {
         vec![Part {
             time_unit: Some(TimeUnit::Seconds),
-            change: Some(match counts_less(&lines, &fields) {
-                true => unreadable,
-                false => change,
-            }),
+            change: Some(change),
             ..Part::default()
         }]
     })
 }
 
+/// The stamp that the fields of a row make, s.
+type Stamp = fn(&str, &[Field]) -> Option<f64>;
+
+/// The number in the column of a field.
+fn number_of(row: &str, (column, _): Field) -> Option<f64> {
+    let cell = row.get(places(row).get(column)?.clone())?;
+    cell.replace(',', ".")
+        .parse()
+        .ok()
+        .filter(|n: &f64| n.is_finite())
+}
+
+/// The same of seconds with decimals, of which the last field holds the part once more: `0,1.25,250`.
+fn without_part(row: &str, fields: &[Field]) -> Option<f64> {
+    let [before @ .., last @ (_, unit)] = fields else {
+        return None;
+    };
+    let whole = before.last().filter(|(_, unit)| *unit == 1.0)?;
+    let part = number_of(row, *last)? * unit;
+    let is_same = (number_of(row, *whole)?.fract() - part).abs() < 2.0 * unit;
+    seconds(row, before).filter(|_| is_same)
+}
+
+/// The count in the last field, s.
+fn count(row: &str, fields: &[Field]) -> Option<f64> {
+    let last = fields.last()?;
+    Some(number_of(row, *last)? * last.1)
+}
+
+/// True where the last field goes on past the one before it and counts as the clock of the others does: it is a clock of its own,
+/// as `millis` behind the minutes and the seconds of another are.
+fn goes_on(rows: &[&str], fields: &[Field]) -> bool {
+    let Some(([.., larger], last)) = fields.split_last().map(|(last, before)| (before, last))
+    else {
+        return false;
+    };
+    let before = &fields[..fields.len() - 1];
+    let both = |row: &&str| Some((seconds(row, before)?, count(row, fields)?));
+    let Some(pairs) = rows.iter().map(both).collect::<Option<Vec<_>>>() else {
+        return false;
+    };
+    let steps = || pairs.windows(2);
+    let ascends = steps().all(|pair| pair[1].1 > pair[0].1);
+    let passed = pairs.first().zip(pairs.last());
+    // The clock of the others may have begun another hour or day.
+    let agree = passed.is_some_and(|(first, last)| {
+        let (clock, count) = (last.0 - first.0, last.1 - first.1);
+        clock < 0.0 || (clock - count).abs() < 1.5 * larger.1
+    });
+    let is_past = pairs.iter().any(|(_, count)| *count >= larger.1);
+    ascends && agree && is_past && last.1 < 1.0
+}
+
 /// The rows with the time in the column of the minutes, and the header with other names for the fields.
 fn change(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
     stamped(text, seconds)
+}
+
+/// The same where the last field holds the part of the seconds once more.
+fn without_its_part(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
+    stamped(text, without_part)
+}
+
+/// The rows with the count of the last field, which is a clock of its own.
+fn counted(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
+    rewritten_by(text, count, |seconds| format!("{seconds:.9}"))
 }
 
 /// The same with stamps that are no numbers, for the reader to refuse.
@@ -158,12 +227,20 @@ fn replaced_in(row: &str, (column, _): &Field, with: &str) -> String {
     place.map_or_else(|| row.to_owned(), |place| replaced(row, &place, with))
 }
 
-fn stamped(
+/// The rows with the time of a clock that begins again after an hour or a day.
+fn stamped(text: Box<dyn Read + Send>, seconds: Stamp) -> Box<dyn Read + Send> {
+    let mut clock = TimeOfDay::default();
+    rewritten_by(text, seconds, move |seconds| {
+        format!("{:.9}", clock.count_on(seconds))
+    })
+}
+
+fn rewritten_by(
     text: Box<dyn Read + Send>,
-    seconds: fn(&str, &[Field]) -> Option<f64>,
+    seconds: Stamp,
+    mut written: impl FnMut(f64) -> String + Send + 'static,
 ) -> Box<dyn Read + Send> {
     let mut known: Option<Vec<Field>> = None;
-    let mut clock = TimeOfDay::default();
     rewritten(text, move |line, out| {
         let text = std::str::from_utf8(line).unwrap_or_default();
         let Some(fields) = &known else {
@@ -182,7 +259,7 @@ fn stamped(
             return out.extend_from_slice(line);
         };
         let stamp = match seconds(text, fields) {
-            Some(seconds) => format!("{:.9}", clock.count_on(seconds)),
+            Some(seconds) => written(seconds),
             // No number, for the reader to refuse.
             None => {
                 let cells = places(text);
@@ -218,13 +295,37 @@ mod tests {
     }
 
     #[test]
+    fn a_part_that_is_there_twice_or_counts_by_itself_is_told() {
+        for (text, expected) in [
+            (
+                "min,sec,ms,ax\n0,59.990,990,3\n1,0.000,0,3\n",
+                "time,part,part,ax\n59.990000000,59.990,990,3\n60.000000000,0.000,0,3\n",
+            ),
+            (
+                "min,sec,millis,ax\n59,59,67990,3\n0,0,68000,3\n",
+                "time,part,part,ax\n67.990000000,59,67990,3\n68.000000000,0,68000,3\n",
+            ),
+            (
+                "h,m,s,ax\n1,0,2.25,7\n1,0,2.26,7\n",
+                "part,time,part,ax\n1,3602.250000000,2.25,7\n1,3602.260000000,2.26,7\n",
+            ),
+        ] {
+            let parts = parts(&Look::at(text.as_bytes())).unwrap();
+            assert_eq!(changed_by(parts[0].change.unwrap(), text), expected);
+        }
+    }
+
+    #[test]
     fn minutes_alone_and_fields_beside_another_time_are_left_alone() {
         for text in [
             "min,max,ax\n1,2,3\n1,2,3\n",
             "time,min,sec,ax\n1,2,3,4\n2,2,4,4\n",
             "min,sec,ax\n70,80,3\n71,80,3\n",
-            // The same part of a second twice.
-            "min,sec,ms,ax\n0,1.25,250,3\n0,1.26,260,3\n",
+            // A part that is another than that of the seconds, and letters that may be anything.
+            "min,sec,ms,ax\n0,1.25,750,3\n0,1.26,760,3\n",
+            "m,s,ax\n1,2,3\n1,3,3\n",
+            // A count that goes on otherwise than the clock.
+            "min,sec,ms,ax\n0,1,5000,3\n0,2,90000,3\n",
             "hour,min,sec,ax\n0.5,30,1800,3\n0.5,30,1801,3\n",
         ] {
             assert!(parts(&Look::at(text.as_bytes())).is_none(), "{text}");

@@ -6,6 +6,8 @@ use crate::clock::time_of_day::{TimeOfDay, seconds};
 use crate::clock::twelve_hours::length_of_half;
 use crate::formats::texts::text_format::TextFormat;
 use crate::header::look::Look;
+use crate::header::names::{role_of, stated_unit};
+use crate::recording::options::Role;
 use crate::rows::parts::Part;
 use crate::source::rewrite::rewritten;
 use crate::units::TimeUnit;
@@ -19,13 +21,24 @@ pub(crate) static TIME_OF_DAY: TextFormat = TextFormat {
 
 fn parts(look: &Look) -> Option<Vec<Part>> {
     let rows = look.lines().filter(|line| split(line).is_some()).count();
-    (2 * rows > look.lines().count()).then(|| {
+    (2 * rows > look.lines().count() && !has_finer(look)).then(|| {
         vec![Part {
             time_unit: Some(TimeUnit::Seconds),
             change: Some(change),
             ..Part::default()
         }]
     })
+}
+
+/// True for times of whole seconds beside a column that says it is a finer time: `time,millis,..`.
+fn has_finer(look: &Look) -> bool {
+    let mut clocks = look.lines().filter_map(split).map(|(time, _)| time);
+    let is_whole = |time: &str| time.matches(':').count() == 2 && !time.contains(['.', ',']);
+    let is_finer = |name: &String| {
+        let unit = stated_unit(name).filter(|_| role_of(name, None) == Some(Role::Time));
+        unit.is_some_and(|unit| unit.per_second() > 1.0)
+    };
+    clocks.all(is_whole) && look.first().iter().skip(1).any(is_finer)
 }
 
 /// A time of day at the beginning of a line, and what follows it and its separator.

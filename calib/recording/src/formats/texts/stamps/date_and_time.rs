@@ -2,6 +2,7 @@
 
 use std::io::Read;
 
+use crate::clock::time_of_day::seconds;
 use crate::formats::texts::text_format::TextFormat;
 use crate::header::look::{Look, cells};
 use crate::header::names::role_of;
@@ -55,14 +56,47 @@ fn joined(line: &str) -> Option<(String, &str)> {
     Some((format!("{date} {}", time.replace(',', ".")), rest))
 }
 
+/// Days that a date which stands still is behind: one more wherever the time of day begins again under it.
+#[derive(Default)]
+struct Days {
+    before: Option<(String, f64)>,
+    passed: i64,
+}
+
+impl Days {
+    /// The date and time of a row on the day that it is, where the year comes first.
+    fn counted(&mut self, stamp: String) -> String {
+        let Some((date, time)) = stamp.split_once(' ') else {
+            return stamp;
+        };
+        let now = seconds(time).unwrap_or_default();
+        match &self.before {
+            Some((before, _)) if before != date => self.passed = 0,
+            Some((_, last)) if now + HALF_A_DAY < *last => self.passed += 1,
+            _ => {}
+        }
+        self.before = Some((date.to_owned(), now));
+        let day = date.parse::<jiff::civil::Date>().ok();
+        let day = day.filter(|_| self.passed > 0).and_then(|day| {
+            let passed = jiff::Span::new().try_days(self.passed).ok()?;
+            day.checked_add(passed).ok()
+        });
+        day.map_or_else(|| stamp.clone(), |day| format!("{day} {time}"))
+    }
+}
+
+/// A time of day that goes back by more has passed midnight, s.
+const HALF_A_DAY: f64 = 43_200.0;
+
 /// The rows with date and time in one cell, the header without the name of the date.
 fn change(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
     let mut begun = false;
+    let mut days = Days::default();
     rewritten(text, move |line, out| {
         let text = std::str::from_utf8(line).unwrap_or_default();
         if let Some((stamp, rest)) = joined(text) {
             begun = true;
-            out.extend_from_slice(stamp.as_bytes());
+            out.extend_from_slice(days.counted(stamp).as_bytes());
             return out.extend_from_slice(rest.as_bytes());
         }
         let is_header = !begun
@@ -92,6 +126,11 @@ mod tests {
             (
                 "Datum;Uhrzeit;ax\n1.5.2026;12:00:00,5;0,1\n",
                 "Uhrzeit;ax\n1.5.2026 12:00:00.5;0,1\n",
+            ),
+            // The day on which the logger was started.
+            (
+                "Date,Time,ax\n2026-04-30,23:59:59.9,1\n2026-04-30,00:00:00.1,1\n",
+                "Time,ax\n2026-04-30 23:59:59.9,1\n2026-05-01 00:00:00.1,1\n",
             ),
             (
                 "date\ttime\tax\n5/13/2026\t12:00:00\t1\n",

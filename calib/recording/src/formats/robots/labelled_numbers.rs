@@ -1,0 +1,296 @@
+//! A line of a serial log as the names and the numbers in it: `ax:-9 ay:..`, `Accel: X=-9 Y=.. m/s^2`, `IMU {AccX : -9, ..}`.
+
+use sensor::Sensor;
+
+use super::log_prefix::{Stamp, by_terminal, logged, without_checksum};
+use crate::header::names::{compact, is_field, role_of, sensor_of, stated_unit};
+use crate::recording::options::Role;
+use crate::units::{AccelUnit, GyroUnit, TimeUnit};
+
+/// A line as the names and the numbers in it.
+#[derive(Debug, PartialEq)]
+pub(super) struct Numbers<'a> {
+    pub stamp: Option<Stamp>,
+    /// Part of the program that wrote it.
+    pub tag: Option<&'a str>,
+    pub pairs: Vec<(&'a str, &'a str)>,
+    /// The sensor that was named last before each number; the `Accel` of `Accel: X=1 Y=2`.
+    pub sensors: Vec<Option<Sensor>>,
+    /// Units behind the numbers.
+    pub accel_unit: Option<AccelUnit>,
+    pub gyro_unit: Option<GyroUnit>,
+}
+
+impl Numbers<'_> {
+    /// Returns the names of the numbers.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.pairs.iter().map(|(name, _)| *name)
+    }
+
+    /// The roles of the numbers by their names; of `acc: 1, 2, 3` all three.
+    fn roles(&self) -> Vec<Option<Role>> {
+        let role = |(name, sensor): (&str, &Option<Sensor>)| {
+            // An axis alone is that of the sensor before it.
+            let is_axis = matches!(name, "x" | "y" | "z" | "X" | "Y" | "Z");
+            role_of(name, sensor.filter(|_| is_axis))
+        };
+        let mut roles: Vec<Option<Role>> = self.names().zip(&self.sensors).map(role).collect();
+        let name = |at: usize| self.pairs.get(at).map(|(name, _)| *name);
+        for at in 0..roles.len() {
+            let is_triad =
+                [1, 2].iter().all(|next| name(at + next) == Some("")) && name(at + 3) != Some("");
+            let stem = name(at).map(compact).unwrap_or_default();
+            let sensor = match is_field(&stem) {
+                true => Some(Sensor::Magnetometer),
+                false => sensor_of(&stem),
+            };
+            if let Some(sensor) = sensor.filter(|_| is_triad) {
+                for axis in 0..3 {
+                    roles[at + axis] = Some(Role::axis(sensor, axis));
+                }
+            }
+        }
+        roles
+    }
+
+    /// The unit of a number that is called after a time.
+    fn own_time_unit(&self) -> Option<TimeUnit> {
+        let is_time = |name: &&str| role_of(name, None) == Some(Role::Time);
+        self.names().find(is_time).and_then(stated_unit)
+    }
+
+    /// True where the stamp is the time: the clock of a terminal is not, where the device says its own with its unit.
+    pub fn goes_by_stamp(&self) -> bool {
+        let has_own = self.tag.is_none() && self.own_time_unit().is_some();
+        self.stamp.is_some() && !has_own
+    }
+
+    /// The unit of the stamp, or that of a number that is called after one.
+    pub fn time_unit(&self) -> Option<TimeUnit> {
+        match self.goes_by_stamp() {
+            true => Some(TimeUnit::Seconds),
+            false => self.own_time_unit(),
+        }
+    }
+
+    fn names_a(&self, sensor: Sensor) -> bool {
+        let wanted = [0, 1, 2].map(|axis| Some(Role::axis(sensor, axis)));
+        let roles = self.roles();
+        wanted.iter().all(|role| roles.contains(role))
+    }
+
+    pub fn is_of_one(&self, sensor: Sensor) -> bool {
+        let other = match sensor {
+            Sensor::Accelerometer => Sensor::Gyroscope,
+            _ => Sensor::Accelerometer,
+        };
+        self.names_a(sensor) && !self.names_a(other)
+    }
+
+    /// Columns by their roles, numbered from 1, the stamp before the numbers.
+    pub fn columns(&self) -> Vec<(Role, String)> {
+        let stamped = usize::from(self.stamp.is_some());
+        let mut columns: Vec<(Role, String)> = Vec::new();
+        for (at, role) in self.roles().into_iter().enumerate() {
+            let role = role.filter(|role| columns.iter().all(|(other, _)| other != role));
+            columns.extend(role.map(|role| (role, (at + 1 + stamped).to_string())));
+        }
+        columns
+    }
+}
+
+/// The numbers of a line of which at least one has a name or a label; `None` for any other line.
+pub(super) fn numbers(line: &str) -> Option<Numbers<'_>> {
+    let logged = logged(line);
+    let (stamp, rest) = match (logged, by_terminal(line)) {
+        (Some(logged), _) => (Some(logged.stamp), logged.message),
+        (None, Some((stamp, rest))) => (Some(stamp), rest),
+        _ => (None, line),
+    };
+    let rest = without_checksum(rest);
+    let mut pairs = Vec::new();
+    let mut sensors = Vec::new();
+    let in_brackets = in_brackets(rest).filter(|_| stamp.is_none());
+    let is_in_brackets = in_brackets.is_some();
+    let rest = in_brackets.map_or(rest, |(number, rest)| {
+        pairs.push(("time", number));
+        sensors.push(None);
+        rest
+    });
+    // The topic of a message may stand before it: `imu/data {"ax": ..}`.
+    let is_topic = |text: &str| {
+        text.trim().starts_with(char::is_alphabetic) && !text.trim().contains([' ', ',', '\t'])
+    };
+    let record = rest.find("{\"").filter(|at| is_topic(&rest[..*at]));
+    let rest = record.map_or(rest, |at| &rest[at..]);
+    let is_json = rest.trim_start().starts_with('{');
+    // `IMU {AccX : 1, ..}`, `Accel: {'x': 1, ..}`.
+    let is_in_braces = is_json || (rest.contains('{') && rest.trim_end().ends_with('}'));
+    let separates = |c: char| {
+        matches!(
+            c,
+            ',' | ';' | ' ' | '\t' | ':' | '=' | '|' | '(' | ')' | '[' | ']'
+        ) || (is_in_braces && matches!(c, '{' | '}' | '"' | '\''))
+    };
+    // The unit of the numbers that follow, as in `Acc (mg) [ 1, 2, 3 ]`.
+    let stands_in_parentheses = |word: &str| {
+        let begin = word.as_ptr() as usize - rest.as_ptr() as usize;
+        rest[..begin].ends_with('(') && rest[begin + word.len()..].starts_with(')')
+    };
+    let (mut name, mut sensor) = ("", None);
+    let (mut accel_unit, mut gyro_unit) = (None, None);
+    for word in rest.split(separates).filter(|word| !word.is_empty()) {
+        match word.parse::<f64>() {
+            Ok(value) if value.is_finite() => {
+                pairs.push((std::mem::take(&mut name), word));
+                sensors.push(sensor);
+            }
+            _ if !pairs.is_empty() && word.contains('/') && word.parse::<AccelUnit>().is_ok() => {
+                accel_unit = word.parse().ok();
+            }
+            _ if !pairs.is_empty() && word.contains('/') && word.parse::<GyroUnit>().is_ok() => {
+                gyro_unit = word.parse().ok();
+            }
+            _ if stands_in_parentheses(word) && !name.is_empty() => match sensor {
+                Some(Sensor::Accelerometer) => accel_unit = word.parse().ok().or(accel_unit),
+                Some(Sensor::Gyroscope) => gyro_unit = word.parse().ok().or(gyro_unit),
+                _ => {}
+            },
+            // Dates and torn numbers are no names.
+            _ if word.starts_with(char::is_alphabetic) => {
+                name = word;
+                sensor = sensor_of(&compact(word)).or(sensor);
+            }
+            _ => return None,
+        }
+    }
+    // A stamp in brackets alone names no numbers.
+    let mut named = pairs.iter().skip(usize::from(is_in_brackets));
+    let is_bracketed = logged.is_none() && line.trim_start().starts_with('[');
+    let is_stamped = stamp.is_some() && !is_bracketed;
+    let is_named = is_stamped || named.any(|(name, _)| !name.is_empty());
+    let tag = logged.map(|logged| logged.tag);
+    let mut found = Numbers {
+        stamp,
+        tag,
+        pairs,
+        sensors,
+        accel_unit,
+        gyro_unit,
+    };
+    // A unit that ends the line is that of its numbers.
+    if !name.is_empty() && rest.trim_end().ends_with(name) {
+        match () {
+            () if found.is_of_one(Sensor::Accelerometer) && accel_unit.is_none() => {
+                found.accel_unit = name.parse().ok();
+            }
+            () if found.is_of_one(Sensor::Gyroscope) && gyro_unit.is_none() => {
+                found.gyro_unit = name.parse().ok();
+            }
+            () => {}
+        }
+    }
+    (found.pairs.len() >= 3 && is_named).then_some(found)
+}
+
+/// The number in brackets that a line begins with, `[12] ..`, and what follows.
+fn in_brackets(line: &str) -> Option<(&str, &str)> {
+    let (stamp, rest) = line.trim_start().strip_prefix('[')?.split_once(']')?;
+    let is_number = stamp.trim().parse::<f64>().is_ok_and(f64::is_finite);
+    is_number.then_some((stamp.trim(), rest))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_in_brackets_belong_to_the_name_before_them_and_its_unit() {
+        for line in [
+            "Scaled. Acc (mg) [ -00018.99, -00032.07,  00982.16 ], Gyr (DPS) [ -1.4,  0.1,  1.5 ], Mag (uT) [ 2.7, -4.4, -3.0 ], Tmp (C) [ 24.0 ]",
+            "Acc = (-18.99, -32.07, 982.16) m/s^2  Gyr = (-1.4, 0.1, 1.5) deg/s",
+        ] {
+            let found = numbers(line).unwrap();
+            let roles: Vec<Role> = found.roles().into_iter().flatten().collect();
+            let axes = [0, 1, 2]
+                .map(Role::Accel)
+                .into_iter()
+                .chain([0, 1, 2].map(Role::Gyro));
+            assert!(
+                roles
+                    .iter()
+                    .copied()
+                    .zip(axes)
+                    .all(|(own, axis)| own == axis),
+                "{line}"
+            );
+            assert_eq!(found.gyro_unit, Some(GyroUnit::DegreesPerSecond), "{line}");
+        }
+        let found = numbers("Acc (mg) [ -18.99, -32.07, 982.16 ]").unwrap();
+        assert_eq!(found.accel_unit, "mg".parse().ok());
+    }
+
+    #[test]
+    fn braces_checksums_and_units_at_the_end_are_no_part_of_the_numbers() {
+        let line =
+            "2026-05-01 22:13:01.12: IMU {TimeUS : 5000, I : 0, AccX : 1, AccY : 2, AccZ : 3}";
+        let found = numbers(line).unwrap();
+        assert!(!found.goes_by_stamp());
+        assert_eq!(found.time_unit(), Some(TimeUnit::Microseconds));
+        let names: Vec<&str> = found.names().collect();
+        assert_eq!(names, ["TimeUS", "I", "AccX", "AccY", "AccZ"]);
+        let found = numbers("$PIMU,10,1,2,3,4,5,6*5A").unwrap();
+        assert_eq!(found.pairs[0], ("PIMU", "10"));
+        assert_eq!(found.pairs[6], ("", "6"));
+        let found =
+            numbers("12.5 Accel: {'x': 0.1, 'y': 0.2, 'z': 1.0} Gyro: {'x': 1, 'y': 2, 'z': 3}");
+        let roles = found.unwrap().roles();
+        assert_eq!(
+            (roles[1], roles[6]),
+            (Some(Role::Accel(0)), Some(Role::Gyro(2)))
+        );
+        for (line, units) in [
+            (
+                "ax = 14.0 ay = -23.1 az = 1036 mg",
+                (Some(AccelUnit::MilliG), None),
+            ),
+            (
+                "G: 0.1, 0.2, 0.3 dps",
+                (None, Some(GyroUnit::DegreesPerSecond)),
+            ),
+            ("G: 0.1, 0.2, 0.3", (None, None)),
+        ] {
+            let found = numbers(line).unwrap();
+            assert_eq!((found.accel_unit, found.gyro_unit), units, "{line}");
+        }
+    }
+
+    #[test]
+    fn bars_and_equals_signs_separate() {
+        let found =
+            numbers("AcX = -500 | AcY = 280 | AcZ = 16000 | Tmp = 25.35 | GyX = 3").unwrap();
+        let names: Vec<&str> = found.names().collect();
+        assert_eq!(names, ["AcX", "AcY", "AcZ", "Tmp", "GyX"]);
+    }
+
+    #[test]
+    fn numbers_are_found_behind_names_labels_and_times() {
+        let found = |line| numbers(line).map(|n| (n.stamp, n.pairs));
+        let pairs = vec![("ax", "-9"), ("ay", "1.5"), ("az", "3")];
+        assert_eq!(found("ax:-9\tay:1.5\taz:3"), Some((None, pairs)));
+        let (stamp, pairs) = found("22:13:01.234 -> -9,-65,16346").unwrap();
+        assert_eq!((stamp, pairs.len()), (Some(Stamp::OfDay(79_981.234)), 3));
+        assert_eq!(found("a/g:\t1\t2\t3").unwrap().1[0], ("a/g", "1"));
+        let (stamp, pairs) = found("[2026-05-01 22:13:01.234] ax:-9 ay:1.5 az:3").unwrap();
+        assert_eq!(
+            (stamp, pairs[0]),
+            (Some(Stamp::OfDay(79_981.234)), ("ax", "-9"))
+        );
+        let (_, pairs) = found("22:13:01.234 -> {\"acc\": [1, 2, 3], \"gyr\": [4, 5, 6]}").unwrap();
+        assert_eq!((pairs[0], pairs[3]), (("acc", "1"), ("gyr", "4")));
+        assert_eq!(found("1,2,3,4"), None);
+        assert_eq!(found("[12.5] 1 2 3"), None);
+        assert_eq!(found("[2026-05-01 22:13:01.234] 1 2 3"), None);
+        assert_eq!(found("MPU6050 connection successful"), None);
+    }
+}
