@@ -24,20 +24,20 @@ pub(crate) fn other_samples(
     let beside_names = fit_joint(&JointRequest {
         clocks: None,
         compared: false,
-        before: None,
-        from_its_minimum: false,
+        before: Some(&*last.fit),
+        from_its_minimum: true,
         ..joint_request(session, &last.extension)
     })?;
     let anew = beside_names.data.decided_clocks();
-    let merged: Vec<SourceClock> = decided
-        .iter()
-        .zip(&anew)
-        .map(|(clock, anew)| SourceClock {
-            instants: anew.instants,
-            ..*clock
-        })
-        .collect();
-    Ok((merged != *decided).then_some(merged))
+    let pairs = || decided.iter().zip(&anew);
+    if pairs().all(|(clock, anew)| clock.instants == anew.instants) {
+        return Ok(None);
+    }
+    let merged = pairs().map(|(clock, anew)| SourceClock {
+        instants: anew.instants,
+        ..*clock
+    });
+    Ok(Some(merged.collect()))
 }
 
 #[cfg(test)]
