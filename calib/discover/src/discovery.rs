@@ -68,23 +68,19 @@ pub(super) fn discover_in(session: &mut Session<'_>) -> Result<Discovery, Error>
             true => Explained::of(Search::of(base)),
             false => explained(session, base)?,
         };
-        let Some((doubt, name)) = &explained.latitude else {
-            let asked = std::mem::replace(&mut samples_are_known, true);
-            let other = match asked {
-                true => None,
-                false => other_samples(session, &explained.search.last)?,
-            };
-            let Some(clocks) = other else {
-                break (faults, explained);
-            };
+        if let Some((doubt, name)) = &explained.latitude {
+            // Once more, at the latitude that the recordings show.
+            doubts.push(doubt.finding().detail("instead", name.as_str()));
+            session.request.latitude = Some(doubt.shown());
+        } else if !samples_are_known
+            && let Some(clocks) = other_samples(session, &explained.search.last)?
+        {
             // Once more, with the samples for what they are.
             session.clocks = Some(clocks);
-            session.base = None;
-            continue;
-        };
-        // Once more, at the latitude that the recordings show.
-        doubts.push(doubt.finding().detail("instead", name.as_str()));
-        session.request.latitude = Some(doubt.shown());
+            samples_are_known = true;
+        } else {
+            break (faults, explained);
+        }
         session.base = None;
     };
     let mut search = explained.search;

@@ -61,8 +61,7 @@ impl Found {
         }
         calibration.warnings.extend(said);
         let untested = untested_linearity(&calibration);
-        let is_cut = calibration.warnings.has(Kind::CutTowardsZero);
-        calibration.warnings.extend(untested.filter(|_| !is_cut));
+        calibration.warnings.extend(untested);
         let ranking = search.first_ranking.iter();
         Findings {
             schema: FINDINGS_SCHEMA,

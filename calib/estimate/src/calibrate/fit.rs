@@ -62,13 +62,13 @@ impl Fit<'_> {
     fn with_what_placements_hide(&self, mut outcome: Outcome) -> Outcome {
         let cut = checks::cut_towards_zero(self.recordings.each(), self.request.gravity);
         let calibration = &mut outcome.calibration;
-        let untested = checks::untested_linearity(calibration);
-        let warnings = &mut calibration.warnings;
         if cut.is_some() {
+            let warnings = &mut calibration.warnings;
             warnings.retain(|found| found.kind != Kind::EffectMissing);
         }
-        warnings.extend(untested.filter(|_| cut.is_none()));
-        warnings.extend(cut);
+        calibration.warnings.extend(cut);
+        let untested = checks::untested_linearity(calibration);
+        calibration.warnings.extend(untested);
         outcome
     }
 

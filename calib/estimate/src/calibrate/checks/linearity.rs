@@ -47,11 +47,11 @@ pub fn untested_linearity(calibration: &Calibration) -> Option<Finding> {
         })
 }
 
-/// Returns true if a finding says that something is missing, or that the placements are too few to say: a misfit of the accelerometer
-/// shows what they would hide, and one of the turns does not.
+/// Returns true if a finding says that something is missing or cut off, or that the placements are too few to say: a misfit of the
+/// accelerometer shows what they would hide, and one of the turns does not.
 fn says_it(found: &Finding) -> bool {
     match found.kind {
-        Kind::PlacementsMissing | Kind::EffectMissing => true,
+        Kind::PlacementsMissing | Kind::EffectMissing | Kind::CutTowardsZero => true,
         Kind::Misfit => found.place.sensor != Some(Sensor::Gyroscope),
         _ => false,
     }

@@ -1,5 +1,7 @@
 //! The minimum of a joint fit under some weights.
 
+use std::borrow::Cow;
+
 use nalgebra::Vector3;
 use recording::Error;
 use recording::watch::Stage;
@@ -121,6 +123,14 @@ impl Run<'_> {
         let bend: Vec<f64> = moved.map(|((b, a), by)| b - a - by).collect();
         let white = whitening.white.whiten(&bend);
         white.iter().map(|v| v * v).sum::<f64>().sqrt()
+    }
+
+    /// The values of the parameters at a point, or else at the start.
+    pub fn values_near<'p>(&self, rows: &Rows<'_>, point: Option<&'p Point>) -> Cow<'p, [f64]> {
+        match point {
+            Some(point) => Cow::Borrowed(point.plain_values()),
+            None => Cow::Owned(self.first_values(rows).values().to_vec()),
+        }
     }
 
     /// The parameters at the start.

@@ -180,14 +180,10 @@ pub(super) fn numbers(line: &str) -> Option<Numbers<'_>> {
     };
     // A unit that ends the line is that of its numbers.
     if !name.is_empty() && rest.trim_end().ends_with(name) {
-        match () {
-            () if found.is_of_one(Sensor::Accelerometer) && accel_unit.is_none() => {
-                found.accel_unit = name.parse().ok();
-            }
-            () if found.is_of_one(Sensor::Gyroscope) && gyro_unit.is_none() => {
-                found.gyro_unit = name.parse().ok();
-            }
-            () => {}
+        if accel_unit.is_none() && found.is_of_one(Sensor::Accelerometer) {
+            found.accel_unit = name.parse().ok();
+        } else if gyro_unit.is_none() && found.is_of_one(Sensor::Gyroscope) {
+            found.gyro_unit = name.parse().ok();
         }
     }
     (found.pairs.len() >= 3 && is_named).then_some(found)

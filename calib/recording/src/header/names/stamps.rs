@@ -93,16 +93,14 @@ pub(crate) fn stated_unit(name: &str) -> Option<TimeUnit> {
 /// True if the name of a time column says a unit that is not known: `time (ticks)`.
 pub(crate) fn says_unknown_unit(name: &str) -> bool {
     let unit = take_apart(name).1.unwrap_or_default().to_lowercase();
-    let is_one = matches!(unit.as_str(), "cs" | "ds")
-        || IN_UNITS.iter().any(|part| unit.contains(part))
-        || per_second(name).is_some();
-    is_one && stated_unit(name).is_none()
+    let is_one = || IN_UNITS.iter().any(|part| unit.contains(part));
+    (per_second(name).is_some() || is_one()) && stated_unit(name).is_none()
 }
 
 /// The number in a second of a unit that has a factor: 100 of `t (10 ms)`, 60 of `Time (1/60 sec)`.
 pub(crate) fn per_second(name: &str) -> Option<f64> {
     let unit = take_apart(name).1?.trim();
-    match unit {
+    match unit.to_lowercase().as_str() {
         "cs" => return Some(100.0),
         "ds" => return Some(10.0),
         _ => {}

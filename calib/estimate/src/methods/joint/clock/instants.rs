@@ -16,15 +16,14 @@ impl Run<'_> {
     /// gyroscope in a slow hand tells them no better than a fast and quiet one in a quick hand.
     pub(super) fn tell_instants(&self, point: Option<&Point>) -> Vec<usize> {
         let rows = self.rows(&[]);
-        let first = self.first_values(&rows);
-        let x = point.map_or(first.values(), Point::plain_values);
-        let noise = rows.noise(x);
+        let x = self.values_near(&rows, point);
+        let noise = rows.noise(&x);
         let mut squares = vec![0.0; self.data.sources.len()];
         let mut row = rows.first_turn_row();
         for turn in &self.data.turns {
             let (of, with) = (&noise.variance, noise.with_before[row + 1]);
             let covariance = Matrix2::new(of[row], with, with, of[row + 1]);
-            squares[turn.recording] += square(&rows.by_instants(x, turn), &covariance);
+            squares[turn.recording] += square(&rows.by_instants(&x, turn), &covariance);
             row += 2;
         }
         let visible = |k: &usize| squares[*k] > APART * APART;

@@ -39,10 +39,7 @@ impl Run<'_> {
     /// The noise of the rows at a point, or else at the start.
     pub(crate) fn noise_near(&self, point: Option<&Point>) -> RowNoise {
         let rows = self.rows(&[]);
-        match point {
-            Some(point) => rows.noise(point.plain_values()),
-            None => rows.noise(self.first_values(&rows).values()),
-        }
+        rows.noise(&self.values_near(&rows, point))
     }
 
     /// Weights under this noise of the rows.

@@ -84,8 +84,7 @@ fn seconds(row: &str, fields: &[Field]) -> Option<f64> {
         return Some(counted);
     }
     let part = |(at, (column, unit)): (usize, &Field)| {
-        let cell = row.get(places.get(*column)?.clone())?;
-        let number: f64 = cell.replace(',', ".").parse().ok()?;
+        let number = number_in(row, &places, *column)?;
         let limit = match at.checked_sub(1).and_then(|before| fields.get(before)) {
             Some((_, larger)) => (larger / unit).round(),
             None => 60.0,
@@ -101,9 +100,9 @@ fn counted_on(row: &str, places: &[Range<usize>], fields: &[Field]) -> Option<f6
     let [(minute, _), (second, _)] = fields else {
         return None;
     };
-    let cell = |column: &usize| row.get(places.get(*column)?.clone());
-    let minutes: f64 = cell(minute)?.parse().ok()?;
-    let seconds: f64 = cell(second)?.replace(',', ".").parse().ok()?;
+    let cell = row.get(places.get(*minute)?.clone())?;
+    let minutes: f64 = cell.parse().ok()?;
+    let seconds = number_in(row, places, *second)?;
     (seconds >= 60.0 && (seconds / 60.0).floor() == minutes).then_some(seconds)
 }
 
@@ -151,13 +150,11 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
 /// The stamp that the fields of a row make, s.
 type Stamp = fn(&str, &[Field]) -> Option<f64>;
 
-/// The number in the column of a field.
-fn number_of(row: &str, (column, _): Field) -> Option<f64> {
-    let cell = row.get(places(row).get(column)?.clone())?;
-    cell.replace(',', ".")
-        .parse()
-        .ok()
-        .filter(|n: &f64| n.is_finite())
+/// The number in a column, with a comma or a point before its decimals.
+fn number_in(row: &str, places: &[Range<usize>], column: usize) -> Option<f64> {
+    let cell = row.get(places.get(column)?.clone())?;
+    let number = cell.replace(',', ".").parse().ok();
+    number.filter(|number: &f64| number.is_finite())
 }
 
 /// The same of seconds with decimals, of which the last field holds the part once more: `0,1.25,250`.
@@ -166,15 +163,17 @@ fn without_part(row: &str, fields: &[Field]) -> Option<f64> {
         return None;
     };
     let whole = before.last().filter(|(_, unit)| *unit == 1.0)?;
-    let part = number_of(row, *last)? * unit;
-    let is_same = (number_of(row, *whole)?.fract() - part).abs() < 2.0 * unit;
+    let places = places(row);
+    let number = |(column, _): &Field| number_in(row, &places, *column);
+    let part = number(last)? * unit;
+    let is_same = (number(whole)?.fract() - part).abs() < 2.0 * unit;
     seconds(row, before).filter(|_| is_same)
 }
 
 /// The count in the last field, s.
 fn count(row: &str, fields: &[Field]) -> Option<f64> {
-    let last = fields.last()?;
-    Some(number_of(row, *last)? * last.1)
+    let (column, unit) = fields.last()?;
+    Some(number_in(row, &places(row), *column)? * unit)
 }
 
 /// True where the last field goes on past the one before it and counts as the clock of the others does: it is a clock of its own,
