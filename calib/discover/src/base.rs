@@ -44,7 +44,8 @@ pub(super) fn base(session: &mut Session<'_>) -> Result<State, Error> {
         return Err(Error::not_enough(found));
     }
     if !session.request.force_device {
-        differences(&base.fit, &session.ready(), false)?;
+        let of_parts: Vec<_> = session.parts().map(|(own, _)| own).collect();
+        differences(&base.fit, &of_parts, false)?;
     }
     Ok(base)
 }

@@ -2,7 +2,7 @@
 
 use ::findings::{Finding, Kind};
 use estimate::calibrate::{
-    Account, Frame, beside_the_others, count_motion, differences, written_down,
+    Account, Frame, beside_the_others, count_motion, differences, is_determined, written_down,
 };
 use estimate::calibration::Calibration;
 use estimate::methods::joint::JointFit;
@@ -24,14 +24,15 @@ pub(super) fn calibrated(
     search: &mut Search,
     held: Vec<HeldShape>,
 ) -> Result<Calibration, Error> {
-    let (calibration, held) = determined(session, search, held)?;
+    let held = determined(session, search, held)?;
     let mut calibration = match search.last.fitted_in_full(session)? {
         Some(fit) => written(&fit, session.request.latitude.is_some(), session)?,
-        None => calibration,
+        None => calibration(session, &search.last)?,
     };
     say_held(&mut calibration, &held);
     let fit = &search.last.fit;
-    let differ = differences(fit, &session.ready(), true)?.beside(&calibration.warnings);
+    let of_parts: Vec<&Recording> = session.parts().map(|(own, _)| own).collect();
+    let differ = differences(fit, &of_parts, true)?.beside(&calibration.warnings);
     differ.enlarge(&mut calibration, fit);
     let warnings = &mut calibration.warnings;
     warnings.extend(unknown_temperature(&search.last));
@@ -74,8 +75,7 @@ fn written(
     keeps_the_earth: bool,
     session: &Session<'_>,
 ) -> Result<Calibration, Error> {
-    let recordings: Vec<&Recording> = session.ready();
-    let choices: Vec<_> = session.recordings.iter().map(|(_, c)| c).collect();
+    let (recordings, choices): (Vec<&Recording>, Vec<_>) = session.parts().unzip();
     let mut warnings = session.remarks.clone();
     let account = Account {
         gravity: session.request.gravity,
@@ -95,19 +95,14 @@ fn written(
     Ok(calibration)
 }
 
-/// The calibration of the final model, with the names that these recordings determine: where they leave a parameter open,
-/// the one goes without which they do not, that with the most parameters first, or else the least evident one.
+/// Withdraws names until these recordings determine the final model: where they leave a parameter open, the one goes without which they
+/// do not, that with the most parameters first, or else the least evident one. Returns what they do not show of the shapes that are left.
 fn determined(
     session: &Session<'_>,
     search: &mut Search,
     mut held: Vec<HeldShape>,
-) -> Result<(Calibration, Vec<HeldShape>), Error> {
-    loop {
-        let refused = match calibration(session, &search.last) {
-            Ok(calibration) => return Ok((calibration, held)),
-            Err(Error::Cancelled) => return Err(Error::Cancelled),
-            Err(refused) => refused,
-        };
+) -> Result<Vec<HeldShape>, Error> {
+    while !is_determined(&search.last.fit) {
         let extension = search.last.extension.clone();
         let less = |effect: &EffectRef| {
             let mut less = extension.clone();
@@ -118,17 +113,18 @@ fn determined(
         let effects = search.names.iter().filter_map(|name| name.claim.effect());
         let mut effects: Vec<EffectRef> = effects.cloned().collect();
         let Some(weakest) = effects.last().cloned() else {
-            return Err(refused);
+            break;
         };
         effects.sort_by_key(|effect| std::cmp::Reverse(effect.params().len()));
         let helps = |effect: &&EffectRef| {
             let state = search.fit(session, less(effect));
-            state.is_ok_and(|state| calibration(session, &state).is_ok())
+            state.is_ok_and(|state| is_determined(&state.fit))
         };
         let gone = effects.iter().find(helps).cloned().unwrap_or(weakest);
         search.withdraw_to(session, less(&gone))?;
         held = settle(session, &mut search.last);
     }
+    Ok(held)
 }
 
 /// Returns the finding that a temperature is missing from some of the recordings; `None` where none lacks it.

@@ -1,6 +1,6 @@
 //! The final model of a session, step by step: names, what remains beside them, a formula.
 
-use estimate::calibrate::LatitudeDoubt;
+use estimate::calibrate::{LatitudeDoubt, is_determined};
 use recording::Error;
 
 use super::calibrated::calibration;
@@ -148,16 +148,12 @@ fn again_where_biases_flicker(
 /// takes no name's place.
 fn formula_for_the_whole(session: &mut Session<'_>, found: &mut Explained) -> Result<bool, Error> {
     let instead = instead_of_names(session, &found.search, found.of_base.take());
-    if let Some((formula, mut whole)) = instead.filter(|own| is_determined(session, own)) {
+    if let Some((formula, mut whole)) = instead.filter(|own| is_determined(&own.0.state.fit)) {
         whole.instead_of = found.search.withdraw_all();
         found.rest = Some(whole);
         found.formula = Some(formula);
     }
     Ok(false)
-}
-
-fn is_determined(session: &Session<'_>, (formula, _): &(Proposed, Unexplained)) -> bool {
-    calibration(session, &formula.state).is_ok()
 }
 
 /// Withdraws the steps of a sensor whose bias wanders beside them.
@@ -195,7 +191,7 @@ fn formula_that_noise_hides(
 ) -> Result<bool, Error> {
     if found.rest.is_none()
         && let Some(own) = hidden_formula(session, &found.search.last)
-        && is_determined(session, &own)
+        && is_determined(&own.0.state.fit)
     {
         let (formula, hidden) = own;
         found.rest = Some(hidden);

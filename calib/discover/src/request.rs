@@ -111,6 +111,8 @@ fn is_looked_for(effect: &EffectRef) -> bool {
 pub struct Session<'a> {
     /// The recordings made ready, with their static intervals and turns.
     pub recordings: Vec<(Cow<'a, Recording>, Choice)>,
+    /// The parts that a search takes them in, each with the number of its recording: one of each, but of a long one.
+    parts: Vec<(usize, Choice)>,
     /// The recordings as they were read.
     pub originals: Vec<&'a Recording>,
     /// What is asked of them, with the flicker and the latitude that the search has found since.
@@ -160,15 +162,15 @@ impl<'a> Session<'a> {
             remarks.extend(of_the_detector(recording, choice));
             remarks.extend(corrected_before(recording, &choice.segmentation));
         }
+        let parts = choices.iter().enumerate().flat_map(|(number, choice)| {
+            let parts = choice.in_parts(IN_A_SEARCH).into_iter();
+            parts.map(move |part| (number, part))
+        });
         Ok(Self {
             remarks,
             originals: ready.originals,
-            recordings: ready
-                .recordings
-                .into_iter()
-                .zip(choices)
-                .flat_map(|(own, choice)| in_parts(own, &choice))
-                .collect(),
+            parts: parts.collect(),
+            recordings: ready.recordings.into_iter().zip(choices).collect(),
             request: request.clone(),
             candidates: request.candidates(),
             clocks: None,
@@ -180,15 +182,17 @@ impl<'a> Session<'a> {
     pub fn ready(&self) -> Vec<&Recording> {
         self.recordings.iter().map(|(r, _)| r.as_ref()).collect()
     }
-}
 
-/// A recording beside each of the parts that a search takes it in: one, but of a long recording.
-fn in_parts<'a>(
-    recording: Cow<'a, Recording>,
-    choice: &Choice,
-) -> Vec<(Cow<'a, Recording>, Choice)> {
-    let parts = choice.in_parts(IN_A_SEARCH);
-    std::iter::repeat_n(recording, parts.len())
-        .zip(parts)
-        .collect()
+    /// The parts that a search takes the recordings in, in their order, each with its recording.
+    pub fn parts(&self) -> impl Iterator<Item = (&Recording, &Choice)> + Clone {
+        let parts = self.parts.iter();
+        parts.map(|(number, part)| (self.recordings[*number].0.as_ref(), part))
+    }
+
+    /// The place of a recording's first part among all parts.
+    pub(crate) fn first_part_of(&self, recording: usize) -> Option<usize> {
+        self.parts
+            .iter()
+            .position(|(number, _)| *number == recording)
+    }
 }

@@ -335,8 +335,8 @@ pub fn joint_request<'a>(session: &'a Session<'_>, extension: &Extension) -> Joi
         }
     }
     let before = session.base.as_deref();
-    let cut = session.recordings.iter();
-    let cut = cut.map(|(recording, choice)| (recording.as_ref(), &choice.segmentation));
+    let parts = session.parts();
+    let cut = parts.map(|(recording, part)| (recording, &part.segmentation));
     JointRequest {
         accelerometer,
         gyroscope,

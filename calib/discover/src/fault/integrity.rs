@@ -112,7 +112,11 @@ impl Integrity {
 /// Saturation, coarse steps, altered biases and lost samples of all recordings.
 pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
     let mut all: Vec<Integrity> = cut_off(session).into_iter().collect();
-    for ((recording, choice), source) in session.recordings.iter().zip(&base.fit.data.sources) {
+    for (number, (recording, choice)) in session.recordings.iter().enumerate() {
+        let first = session.first_part_of(number);
+        let Some(source) = first.and_then(|part| base.fit.data.sources.get(part)) else {
+            continue;
+        };
         let sensors = [
             (
                 Sensor::Accelerometer,
@@ -344,5 +348,55 @@ impl Looked<'_> {
             .filter(|s| (s - median).abs() > REGULAR * median)
             .count();
         (20 * odd < self.stream.len()).then_some(median)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use recording::Stream;
+    use simulate::{Motion, Spec};
+
+    use super::*;
+    use crate::request::Request;
+    use crate::state::Extension;
+
+    /// Placements of a recording that a search takes in two parts.
+    const PLACEMENTS: usize = 64;
+
+    /// Drops the samples after `from` for a fifth of a second.
+    fn interrupt(stream: &mut Stream, from: f64) {
+        let stays = |t: &f64| *t <= from || *t > from + 0.2;
+        let kept = (0..stream.t.len()).filter(|k| stays(&stream.t[*k]));
+        let kept: Vec<usize> = kept.collect();
+        stream.t = kept.iter().map(|k| stream.t[*k]).collect();
+        stream.values = kept.iter().map(|k| stream.values[*k]).collect();
+    }
+
+    #[test]
+    fn a_gap_of_one_sensor_in_a_long_recording_is_said_once_and_at_its_place() {
+        let mut spec = Spec {
+            rate: 50.0,
+            ..Spec::hand_held(3)
+        };
+        if let Motion::HandHeld(motion) = &mut spec.motion {
+            motion.placements = Some(PLACEMENTS);
+            motion.initial_rest = Some(5.0);
+            (motion.rest, motion.turn) = ([3.0, 3.5], [1.0, 1.5]);
+        }
+        let mut recording = spec.run().unwrap().recording;
+        let gyroscope = recording.gyroscope.as_mut().unwrap();
+        let late = 0.9 * gyroscope.t.last().unwrap();
+        interrupt(gyroscope, late);
+        let recordings = [recording];
+        let session = Session::new(&recordings, &Request::new(spec.gravity)).unwrap();
+        assert_eq!(session.parts().count(), 2);
+        let base = State::fit(&session, Extension::default()).unwrap();
+        let found = integrity(&session, &base);
+        let lost: Vec<_> = found.iter().filter(|f| f.name == "lost_samples").collect();
+        assert_eq!(lost.len(), 1, "{lost:?}");
+        let mut details = lost[0].finding.details.iter();
+        assert!(details.any(|detail| detail.value == "gyroscope"));
+        let before = lost[0].interval.unwrap();
+        assert!((50..PLACEMENTS).contains(&before), "{before}");
     }
 }

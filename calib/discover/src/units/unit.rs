@@ -1,6 +1,7 @@
 //! One unit among several: its session, what it says alone, and its model.
 
 use ::findings::{Finding, Front, Kind};
+use estimate::calibrate::is_determined;
 use estimate::calibration::{Calibration, EffectParameter};
 use estimate::methods::joint::BiasNoise;
 use recording::{Error, Recording};
@@ -81,7 +82,7 @@ impl<'a> Unit<'a> {
             // A claim that the data do not hold together with is none.
             Err(_) => return Ok(false),
         };
-        let is_determined = calibration(&self.session, &state).is_ok();
+        let is_determined = is_determined(&state.fit);
         if is_determined {
             self.state = state;
         }

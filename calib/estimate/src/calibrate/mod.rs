@@ -35,7 +35,7 @@ pub use checks::{
     of_the_detector, readings_of_the_device, untested_linearity, without_copies,
 };
 pub use cut::of_one_recording_each;
-pub use joint::{Account, LatitudeDoubt, refuse_unobservable, written_down};
+pub use joint::{Account, LatitudeDoubt, is_determined, refuse_unobservable, written_down};
 pub use magnetic::{FIELDS, beside_the_others};
 pub use outcome::Outcome;
 pub use part_way::changes_part_way;

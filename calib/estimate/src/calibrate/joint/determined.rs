@@ -27,7 +27,19 @@ pub fn refuse_unobservable(fit: &JointFit) -> Result<(), Error> {
     Ok(())
 }
 
-/// Refuses or warns.
+/// Returns true if the data determine the parameters of a fit.
+pub fn is_determined(fit: &JointFit) -> bool {
+    let unsaid = &mut Findings::new();
+    let force = fit.fitted(Sensor::Accelerometer);
+    let rate = fit.has_gyroscope().then(|| fit.fitted(Sensor::Gyroscope));
+    check_force(fit, &force, unsaid).is_ok()
+        && rate.is_none_or(|rate| check_rate(fit, &rate, unsaid).is_ok())
+}
+
+/// Refuses an accelerometer that the directions of its readings do not determine; warns of one that they hardly do.
+///
+/// # Errors
+/// [`Error::NotEnough`] with the placements to add.
 pub fn check_force(fit: &JointFit, fitted: &Fitted, warnings: &mut Findings) -> Result<(), Error> {
     let evidence = checks::ForceEvidence {
         fitted,
@@ -51,7 +63,10 @@ fn seen(fit: &JointFit) -> Vec<Vector3<f64>> {
     fit.data.rests.iter().filter_map(of_rest).collect()
 }
 
-/// Refuses or warns.
+/// Refuses a gyroscope that the turns do not determine; warns of one that they hardly do.
+///
+/// # Errors
+/// [`Error::NotEnough`] with the turns to add.
 pub fn check_rate(fit: &JointFit, fitted: &Fitted, warnings: &mut Findings) -> Result<(), Error> {
     let evidence = checks::RateEvidence {
         fitted,

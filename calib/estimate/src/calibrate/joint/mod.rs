@@ -13,7 +13,7 @@ use findings::{Finding, Findings, Kind};
 use recording::{Error, Recording};
 use sensor::Sensor;
 
-pub use self::determined::refuse_unobservable;
+pub use self::determined::{is_determined, refuse_unobservable};
 pub use self::latitude::LatitudeDoubt;
 pub use self::written_down::{Account, written_down};
 use super::checks;
