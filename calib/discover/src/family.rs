@@ -2,12 +2,14 @@
 
 use std::f64::consts::LN_2;
 
-use estimate::methods::joint::{Column, Columns, FAULTS, FaultRef, effect_columns, step_columns};
+use estimate::methods::joint::{
+    Column, Columns, FAULTS, FaultRef, Known, effect_columns, step_columns,
+};
 use faer::Mat;
 use sensor::{EffectRef, Nature, Param, Role, Sensor};
 
 use super::remainder::shape::Shape;
-use super::state::{State, with_companions};
+use super::state::{Extension, State, with_companions};
 
 /// Time constants tried for an effect that settles, s. Between neighbours the shapes correlate by more than
 /// 0.98 over a session of minutes.
@@ -60,6 +62,39 @@ impl Claim {
             (Self::Disturbed(one), Self::Disturbed(two)) => one == two,
             (Self::Shape(one, a), Self::Shape(two, b)) => one == two && a == b,
             _ => false,
+        }
+    }
+
+    /// The disturbance of a model that it is, where it claims one.
+    pub fn known(&self, hypothesis: &Hypothesis) -> Option<Known> {
+        match self {
+            Self::Disturbed(fault) => Some(Known::disturbed(fault, hypothesis.place?)),
+            Self::Effect(_) | Self::Shape(..) => None,
+        }
+    }
+
+    /// Returns true if a model has it; a shape that no effect has is in none.
+    pub fn is_in(&self, model: &Extension, hypothesis: &Hypothesis) -> bool {
+        let known = self.known(hypothesis);
+        let is_own = |other: &Known| known.is_some_and(|known| known.is_at(other));
+        self.effect().is_some_and(|own| model.has(own.name())) || model.disturbed.iter().any(is_own)
+    }
+
+    /// Takes it into a model, with the companions of the `catalogue` that come with it.
+    pub fn put_in(&self, model: &mut Extension, hypothesis: &Hypothesis, catalogue: &[EffectRef]) {
+        if let Some(effect) = self.effect() {
+            model.hold(effect.clone(), hypothesis.shape, catalogue);
+        }
+        model.disturbed.extend(self.known(hypothesis));
+    }
+
+    /// Takes it out of a model.
+    pub fn take_out_of(&self, model: &mut Extension, hypothesis: &Hypothesis) {
+        if let Some(effect) = self.effect() {
+            model.remove(effect.name());
+        }
+        if let Some(known) = self.known(hypothesis) {
+            model.disturbed.retain(|other| !known.is_at(other));
         }
     }
 

@@ -32,9 +32,8 @@ impl State {
     /// m/s² of a force, rad of a turn and of a slip at once.
     pub fn disturbed_sizes(&self) -> Vec<(Known, f64)> {
         let values = self.fit.parameters.values();
-        let length = |own: Range<usize>| values[own].iter().map(|v| v * v).sum::<f64>().sqrt();
         self.held()
-            .map(|(known, own)| (known, length(own)))
+            .map(|(known, own)| (known, known.fault.length(&values[own])))
             .collect()
     }
 

@@ -168,7 +168,8 @@ fn gyroscope_delay(state: &State) -> f64 {
         .collect();
     let fitted = &state.fit.parameters;
     let named = fitted.names().iter().zip(fitted.values());
-    let of_delay = named.filter(|(name, _)| delays.iter().any(|e| name.starts_with(e.name())));
+    let is_of = |name: &str, effect: &str| name.split_once('.').is_some_and(|n| n.0 == effect);
+    let of_delay = named.filter(|(name, _)| delays.iter().any(|e| is_of(name, e.name())));
     of_delay.map(|(_, d)| d.abs()).fold(0.0, f64::max)
 }
 

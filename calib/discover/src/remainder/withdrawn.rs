@@ -209,7 +209,7 @@ fn items(last: &State, families: &[Family]) -> Vec<Item> {
     items
 }
 
-/// The extension with the `kept` alone; companions and what no family holds stay with them.
+/// The extension with the `kept` alone.
 fn without(extension: &Extension, kept: &[Item]) -> Extension {
     let mut less = extension.clone();
     less.disturbed

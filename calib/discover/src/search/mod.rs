@@ -14,7 +14,7 @@ mod two_together;
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
-use estimate::methods::joint::{Data, Known};
+use estimate::methods::joint::Data;
 use findings::{Finding, Kind};
 pub use names::{Either, Name, Search, Tie};
 use outlying_turns::outlying_turns;
@@ -172,19 +172,8 @@ impl Finder<'_> {
     fn extension(&self, held: &[Held]) -> Extension {
         let mut extension = Extension::default();
         for h in held {
-            match &h.claim {
-                Claim::Effect(effect) => {
-                    extension.hold(effect.clone(), h.hypothesis.shape, self.catalogue);
-                }
-                Claim::Disturbed(fault) => {
-                    extension.disturbed.extend(
-                        h.hypothesis
-                            .place
-                            .map(|place| Known::disturbed(fault, place)),
-                    );
-                }
-                Claim::Shape(..) => {}
-            }
+            h.claim
+                .put_in(&mut extension, &h.hypothesis, self.catalogue);
         }
         extension
     }

@@ -27,8 +27,8 @@ impl Held {
 
     /// Returns true if this is the given disturbance.
     pub fn is(&self, known: &Known) -> bool {
-        matches!(self.claim, Claim::Disturbed(fault) if fault == known.fault)
-            && self.hypothesis.place == Some(known.place)
+        let own = self.claim.known(&self.hypothesis);
+        own.is_some_and(|own| own.is_at(known))
     }
 
     /// Finds this claim in a ranking; a local claim only if its best place is this one.

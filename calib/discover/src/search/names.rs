@@ -149,13 +149,7 @@ impl Search {
     ) -> Result<bool, Error> {
         let mut less = self.last.extension.clone();
         for name in self.names.iter().filter(|name| goes(name)) {
-            match &name.claim {
-                Claim::Effect(effect) => less.remove(effect.name()),
-                Claim::Disturbed(fault) => less
-                    .disturbed
-                    .retain(|own| own.fault != *fault || Some(own.place) != name.hypothesis.place),
-                Claim::Shape(..) => {}
-            }
+            name.claim.take_out_of(&mut less, &name.hypothesis);
         }
         let has_fewer = !less.is_same(&self.last.extension);
         if has_fewer {
@@ -173,13 +167,9 @@ impl Search {
         session: &Session<'_>,
         less: Extension,
     ) -> Result<Vec<String>, Error> {
-        let stays = |name: &Name| match &name.claim {
-            Claim::Effect(effect) => less.has(effect.name()),
-            Claim::Disturbed(fault) => less
-                .disturbed
-                .iter()
-                .any(|known| known.fault == *fault && Some(known.place) == name.hypothesis.place),
-            Claim::Shape(..) => true,
+        let stays = |name: &Name| {
+            let is_shape = matches!(name.claim, Claim::Shape(..));
+            is_shape || name.claim.is_in(&less, &name.hypothesis)
         };
         let gone = self.names.iter().filter(|name| !stays(name));
         let gone = gone.map(|name| name.claim.name().into()).collect();

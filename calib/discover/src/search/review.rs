@@ -35,7 +35,7 @@ pub(super) struct Reviewed {
     pub either: Vec<Either>,
     pub evidence: f64,
     pub last: State,
-    /// True if the review stopped because its budget of fits was spent.
+    /// True if the review came to no end: its budget of fits was spent, or two names made way for each other.
     pub is_spent: bool,
 }
 
@@ -49,7 +49,6 @@ impl Finder<'_> {
     /// Each name against all others once more, everything else named being in the model: names that are no
     /// longer evident go, and a name makes way for one that is more evident.
     pub(super) fn review(&self, mut last: State, mut held: Vec<Held>) -> Result<Reviewed, Error> {
-        let mut is_spent = false;
         if held.len() == 2 && self.try_pairs(&mut held) {
             last = self.state(&held)?;
         }
@@ -97,7 +96,6 @@ impl Finder<'_> {
             }
             // The model after this change, and each of its names once more.
             if self.is_spent(held.len() + 1) && !held.is_empty() {
-                is_spent = true;
                 break;
             }
             last = self.state(&held)?;
@@ -107,7 +105,7 @@ impl Finder<'_> {
             either: Vec::new(),
             evidence: 0.0,
             last: self.base.clone(),
-            is_spent,
+            is_spent: true,
         })
     }
 

@@ -146,33 +146,38 @@ fn accelerometer_triad(
     triad.static_intervals = Some(fit.first.residuals.len());
     if fit.own_bias {
         let shared = fit.model.parameter_count();
-        let last = recordings.len() - 1;
-        triad.recordings = recordings
-            .iter()
-            .enumerate()
-            .map(|(k, recording)| {
-                let bias = &fit.fitted.local(shared, k)[9..BASE_PARAMETERS];
-                let std = ["x", "y", "z"].map(|axis| {
-                    let own = format!("accel.b_{axis}[{}]", recording.name);
-                    let name = if k == last {
-                        format!("accel.b_{axis}")
-                    } else {
-                        own
-                    };
-                    fit.fitted.standard_error(&name)
-                });
-                RecordingBias {
-                    recording: recording.name.clone(),
-                    bias: [bias[0], bias[1], bias[2]],
-                    bias_std: std,
-                }
-            })
-            .collect();
+        let names = recordings.iter().map(|r| r.name.as_str());
+        triad.recordings = own_biases(Sensor::Accelerometer, &fit.fitted, shared, names);
     }
     if request.static_means.is_empty() {
         triad.reduced_chi2 = norms.and_then(StaticNorms::reduced_chi2);
     }
     triad
+}
+
+/// The bias of every recording; that of the last stands for the sensor's.
+pub(super) fn own_biases<'a>(
+    sensor: Sensor,
+    fitted: &Fitted,
+    shared: usize,
+    names: impl Iterator<Item = &'a str>,
+) -> Vec<RecordingBias> {
+    let of = |(k, name): (usize, &str)| {
+        let bias = &fitted.local(shared, k)[9..BASE_PARAMETERS];
+        let std = ["x", "y", "z"].map(|axis| {
+            let common = format!("{}.b_{axis}", sensor.prefix());
+            let own = format!("{common}[{name}]");
+            fitted
+                .standard_error(&own)
+                .or(fitted.standard_error(&common))
+        });
+        RecordingBias {
+            recording: name.to_owned(),
+            bias: [bias[0], bias[1], bias[2]],
+            bias_std: std,
+        }
+    };
+    names.enumerate().map(of).collect()
 }
 
 fn gyroscope_triad(

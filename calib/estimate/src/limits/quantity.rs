@@ -69,14 +69,14 @@ pub(super) fn unit(calibration: &Calibration, name: &str) -> String {
     if let Some(unit) = calibration.effects.iter().find_map(effect) {
         return unit;
     }
-    let (sensor, si) = match name.starts_with(Sensor::Accelerometer.prefix()) {
-        true => (Sensor::Accelerometer, "m/s^2"),
-        false => (Sensor::Gyroscope, "rad/s"),
+    let own = |sensor: &Sensor| name.split('.').next() == Some(sensor.prefix());
+    let Some(sensor) = Sensor::ALL.into_iter().find(own) else {
+        return "1".into();
     };
     let units = calibration.triad(sensor).and_then(|t| t.units.as_ref());
     match (name.contains(".b_"), units) {
         (true, Some(units)) => units.reading.clone(),
-        (true, None) => si.into(),
+        (true, None) => sensor.unit().into(),
         (false, Some(units)) => units.t.clone(),
         (false, None) => "1".into(),
     }

@@ -24,7 +24,7 @@ pub use fitted::Fitted;
 pub use gyro_guess::{GyroGuess, gyroscope_guess};
 pub use gyroscope::{GyroscopeData, GyroscopeFit, GyroscopeRequest, fit_gyroscope};
 pub use outliers::{Outlier, outliers};
-pub use stepwise::{AccelerometerFit, AccelerometerRequest, fit_accelerometer};
+pub use stepwise::{AccelerometerFit, AccelerometerRequest, fit_accelerometer, step_two};
 pub use threshold::{Choice, MULTIPLIERS, OfAnother, Trial, choose_multiplier, cut, cut_several};
 
 use recording::Recording;

@@ -1,7 +1,6 @@
 //! The stepwise accelerometer calibration, as published (Liu et al. 2021, section 4.1).
 
 use findings::{Finding, Kind};
-use nalgebra::Matrix3;
 use recording::Error;
 use sensor::{Base, Model};
 use solver::{Options, Report, Variant, solve};
@@ -48,8 +47,6 @@ pub struct AccelerometerFit {
     pub fitted: Fitted,
     /// Step 1, on readings near SI units.
     pub first: Report,
-    /// Step 2, on readings near SI units: all nine elements of `T` at the biases of step 1.
-    pub second: Report,
     /// The unit of the readings.
     pub unit: RawUnit,
     /// True if each recording has a bias of its own.
@@ -62,16 +59,7 @@ pub struct AccelerometerFit {
     pub common_bias_p: Option<f64>,
 }
 
-impl AccelerometerFit {
-    /// `T` of step 2, raw units: with steps of minimum norm the symmetric factor of step 1's.
-    pub fn step_two_matrix(&self) -> Matrix3<f64> {
-        Base::from_parameters(self.second.parameters.values()).t * self.unit.scale
-    }
-}
-
-/// Runs both steps. Step 1 frees the nine parameters that gravity's norm knows, from a perfect
-/// sensor; step 2 holds its biases and frees all of `T`, again from a perfect sensor. The Jacobian
-/// of step 2 has rank 6, so its steps are of minimum norm.
+/// Frees the nine parameters that gravity's norm knows, from a perfect sensor: step 1 of the published method.
 ///
 /// # Errors
 /// Means that lie on no sphere, and what the solver refuses.
@@ -101,13 +89,11 @@ pub fn fit_accelerometer(request: &AccelerometerRequest) -> Result<Accelerometer
     };
     let shared = request.model.parameter_count();
     let own_bias = first.parameters.len() > shared;
-    let second = step_two(request, &near_si, &first, own_bias)?;
     Ok(AccelerometerFit {
         model: request.model.clone(),
         fitted: Fitted::in_raw_units(&first, &unit, shared, scatter(&first, &near_si)),
         outliers: outliers(&problem(request, &near_si, own_bias), &first, OUTLIER_LEVEL),
         first,
-        second,
         unit,
         own_bias,
         own_bias_is_cheap,
@@ -150,14 +136,16 @@ fn step_one(
     Ok(solve(&problem, &start, &mask, &options)?)
 }
 
-fn step_two(
-    request: &AccelerometerRequest,
-    near_si: &[Vec<StaticMean>],
-    first: &Report,
-    own_bias: bool,
-) -> Result<Report, Error> {
-    let problem = problem(request, near_si, own_bias);
-    let mut start = first.parameters.clone();
+/// Step 2 of the published method, on readings near SI units: holds the biases of step 1 and frees all of `T`, again from a perfect sensor.
+/// The Jacobian has rank 6, so the steps are of minimum norm, and lead to the symmetric factor of step 1's `T`. No calibration needs it.
+///
+/// # Errors
+/// What the solver refuses.
+pub fn step_two(request: &AccelerometerRequest, fit: &AccelerometerFit) -> Result<Report, Error> {
+    let means = request.recordings.iter();
+    let near_si: Vec<_> = means.map(|means| fit.unit.means_to_si(means)).collect();
+    let problem = problem(request, &near_si, fit.own_bias);
+    let mut start = fit.first.parameters.clone();
     let perfect = Base::identity().parameters();
     start.values_mut()[..9].copy_from_slice(&perfect[..9]);
     let base: Vec<String> = start.names()[..9].to_vec();

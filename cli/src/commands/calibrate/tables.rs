@@ -53,12 +53,9 @@ pub fn text(outcome: &Outcome) -> String {
             triad.rank
         );
         if let Some(fit) = &outcome.accelerometer {
-            let second = &fit.second.uncertainty;
             let _ = writeln!(
                 text,
-                "step 2 as published: rank {} of {}, so its frame is free; reported in the {} frame",
-                second.rank,
-                second.names.len(),
+                "the size of gravity leaves the frame free; reported in the {} frame",
                 if triad.t[1][0] == 0.0 {
                     "triangular"
                 } else {

@@ -1,9 +1,9 @@
 //! The sensors of a calibration from a joint fit.
 
 use findings::{Finding, Kind};
-use sensor::{BASE_PARAMETERS, Sensor};
+use sensor::Sensor;
 
-use crate::calibrate::assemble::triad;
+use crate::calibrate::assemble::{own_biases, triad};
 use crate::calibration::{BiasTime, RecordingBias, Triad};
 use crate::methods::Fitted;
 use crate::methods::joint::{BiasMotion, JointFit, Source};
@@ -20,9 +20,8 @@ pub fn force_triad(fit: &JointFit, fitted: &Fitted, moved: Option<&BiasMotion>) 
     triad.residual_rms = fit.norm_rms();
     triad.bias_time = moved.map(|own| bias_time(own, fit.force_unit.scale, &triad.bias));
     triad.static_intervals = Some(fit.data.rests.len());
-    let shared = fit.models[0].parameter_count();
     if fit.own_force_bias {
-        triad.recordings = own_biases(Sensor::Accelerometer, fitted, shared, &fit.data.sources);
+        triad.recordings = biases_of_recordings(fit, Sensor::Accelerometer, fitted);
     }
     triad
 }
@@ -96,35 +95,17 @@ pub fn rate_triad(fit: &JointFit, fitted: &Fitted, moved: Option<&BiasMotion>) -
     triad.residual_rms = fit.direction_rms().to_degrees();
     triad.bias_time = moved.map(|own| bias_time(own, fit.rate_unit.scale, &triad.bias));
     triad.dynamic_intervals = Some(fit.chords.len());
-    let shared = fit.models[1].parameter_count();
-    triad.recordings = own_biases(Sensor::Gyroscope, fitted, shared, &fit.data.sources);
+    triad.recordings = biases_of_recordings(fit, Sensor::Gyroscope, fitted);
     triad
 }
 
 /// The bias of every recording, where there are several.
-fn own_biases(
-    sensor: Sensor,
-    fitted: &Fitted,
-    shared: usize,
-    sources: &[Source],
-) -> Vec<RecordingBias> {
+fn biases_of_recordings(fit: &JointFit, sensor: Sensor, fitted: &Fitted) -> Vec<RecordingBias> {
+    let sources = &fit.data.sources;
     if sources.len() < 2 {
         return Vec::new();
     }
-    let of = |(k, source): (usize, &Source)| {
-        let bias = &fitted.local(shared, k)[9..BASE_PARAMETERS];
-        let std = ["x", "y", "z"].map(|axis| {
-            let common = format!("{}.b_{axis}", sensor.prefix());
-            let own = format!("{common}[{}]", source.name);
-            fitted
-                .standard_error(&own)
-                .or(fitted.standard_error(&common))
-        });
-        RecordingBias {
-            recording: source.name.clone(),
-            bias: [bias[0], bias[1], bias[2]],
-            bias_std: std,
-        }
-    };
-    sources.iter().enumerate().map(of).collect()
+    let model = &fit.models[usize::from(sensor == Sensor::Gyroscope)];
+    let names = sources.iter().map(|source| source.name.as_str());
+    own_biases(sensor, fitted, model.parameter_count(), names)
 }

@@ -3,7 +3,7 @@
 use effects::earth_rotation;
 use findings::Findings;
 use recording::{Error, Recording};
-use sensor::Sensor;
+use sensor::{Model, Sensor};
 
 use super::delays::count_from_the_earliest;
 use super::determined::{check_force, check_rate};
@@ -64,6 +64,13 @@ fn without_a_turn(
     NotCalibrated::gyroscope(reason, &count.finding(), Some(bias))
 }
 
+/// Returns true if a parameter is one of the model: its base's or an effect's.
+fn is_of(model: &Model, name: &str) -> bool {
+    let owner = name.split('.').next();
+    let mut effects = model.effects().iter();
+    owner == Some(model.sensor().prefix()) || effects.any(|e| owner == Some(e.name()))
+}
+
 /// The fit as a [`Calibration`], checked; `warnings` stay outside.
 pub fn written_down(
     fit: &JointFit,
@@ -121,7 +128,7 @@ pub fn written_down(
     let [moved_force, moved_rate] = [last(&motions[0]), last(&motions[1])];
     let of_the_earth =
         |name: &str| account.keeps_the_earth && name.starts_with(earth_rotation().name());
-    let of_a_lost_gyroscope = |name: &str| turned.is_none() && name.starts_with("gyro");
+    let of_a_lost_gyroscope = |name: &str| turned.is_none() && is_of(&fit.models[1], name);
     let all = fit.fitted_where(|name| !of_the_earth(name) && !of_a_lost_gyroscope(name));
     let of_turns = turned.map(|_| effect_values(&fit.models[1], &all));
     let effects = effect_values(&fit.models[0], &all)

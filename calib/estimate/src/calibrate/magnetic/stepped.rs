@@ -43,7 +43,7 @@ pub fn stepped<'a>(
         Finding::of(kind)
             .in_recording(name)
             .of_sensor(Sensor::Magnetometer)
-            .at_interval(at)
+            .at_interval(request.placements[at].interval)
             .from_time(span.from)
     };
     let [before, after] = [&best.biases[0], &best.biases[1]];

@@ -157,7 +157,7 @@ impl Run<'_> {
     fn one_in_words(&self, suspect: &Suspect, fitted: &[f64]) -> Flagged {
         let fault = suspect.fault;
         let (recording, interval, span) = fault.scope.when(&self.data, suspect.place);
-        let norm = fitted.iter().take(3).map(|v| v * v).sum::<f64>().sqrt();
+        let norm = fault.length(fitted);
         Flagged {
             fault,
             reason: suspect.reason,

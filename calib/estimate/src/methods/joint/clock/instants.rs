@@ -19,12 +19,10 @@ impl Run<'_> {
         let x = self.values_near(&rows, point);
         let noise = rows.noise(&x);
         let mut squares = vec![0.0; self.data.sources.len()];
-        let mut row = rows.first_turn_row();
-        for turn in &self.data.turns {
+        for (row, turn) in rows.turns() {
             let (of, with) = (&noise.variance, noise.with_before[row + 1]);
             let covariance = Matrix2::new(of[row], with, with, of[row + 1]);
             squares[turn.recording] += square(&rows.by_instants(&x, turn), &covariance);
-            row += 2;
         }
         let visible = |k: &usize| squares[*k] > APART * APART;
         (0..squares.len()).filter(visible).collect()

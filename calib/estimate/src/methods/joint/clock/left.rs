@@ -44,11 +44,11 @@ impl Left {
         let (r, jacobian) = point.linear.whitened_by(&free, white);
         let first = rows.first_turn_row();
         let mut by_share = vec![vec![0.0; r.len()]; open.len()];
-        for (k, turn) in run.data.turns.iter().enumerate() {
+        for (row, turn) in rows.turns() {
             if let Some(place) = open.iter().position(|&o| o == turn.recording) {
                 let moved = rows.by_clock(x, turn);
-                by_share[place][first + 2 * k] = moved[0];
-                by_share[place][first + 2 * k + 1] = moved[1];
+                by_share[place][row] = moved[0];
+                by_share[place][row + 1] = moved[1];
             }
         }
         let basis = Basis::of(&jacobian);

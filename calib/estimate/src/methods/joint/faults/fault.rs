@@ -42,6 +42,15 @@ pub struct Fault {
 }
 
 impl Fault {
+    /// Length of the sum of its vectors, which are three parameters each: what all of them come to where the fault begins.
+    pub fn length(&self, parameters: &[f64]) -> f64 {
+        let mut sum = Vector3::<f64>::zeros();
+        for (k, value) in parameters.iter().enumerate() {
+            sum[k % 3] += value;
+        }
+        sum.norm()
+    }
+
     /// Size where its parameters have the length `norm` over a span.
     pub fn size(&self, norm: f64, span: Span) -> f64 {
         match self.is_rate {
@@ -141,9 +150,8 @@ impl Site<'_> {
         at_begin: bool,
         moved: Vector3<f64>,
     ) {
-        for place in 0..self.rows.data.turns.len() {
+        for (place, (row, _)) in self.rows.turns().enumerate() {
             if let Some(shift) = self.carried(place, k, at_begin, moved) {
-                let row = self.rows.first_turn_row() + 2 * place;
                 column.set(row, shift[0]);
                 column.set(row + 1, shift[1]);
             }

@@ -22,8 +22,7 @@ pub static OUTLYING_TURN: Fault = Fault {
 };
 
 fn suspects(site: &Site<'_>) -> Vec<Suspect> {
-    let first = site.rows.first_turn_row();
-    let turns = 0..site.rows.data.turns.len();
-    let one = |k| Suspect::new(&OUTLYING_TURN, k, unit_columns(first + 2 * k, 2));
+    let turns = site.rows.turns().enumerate();
+    let one = |(k, (row, _))| Suspect::new(&OUTLYING_TURN, k, unit_columns(row, 2));
     turns.map(one).collect()
 }

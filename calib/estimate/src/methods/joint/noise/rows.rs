@@ -40,12 +40,14 @@ impl Rows<'_> {
         for chunk in &self.data.chunks {
             chunks[chunk.rest] += 1.0;
         }
-        let mut row = 0;
         for (place, sensor) in [Sensor::Accelerometer, Sensor::Gyroscope]
             .into_iter()
             .enumerate()
         {
-            for MeanRows { chunk, mean, .. } in self.means(sensor) {
+            for MeanRows {
+                row, chunk, mean, ..
+            } in self.means(sensor)
+            {
                 let recording = self.data.rests[chunk.rest].recording;
                 let source = &self.data.sources[recording];
                 let Some(own) = source.noise(sensor) else {
@@ -62,12 +64,10 @@ impl Rows<'_> {
                     source.reference,
                     -1.0,
                 ));
-                row += 3;
             }
         }
-        for turn in &self.data.turns {
+        for (row, turn) in self.turns() {
             self.turn_noise(x, turn, row, &mut noise);
-            row += 2;
         }
         noise
     }

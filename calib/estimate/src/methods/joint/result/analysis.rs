@@ -183,11 +183,7 @@ pub fn whitened(exposures: &[Exposure], white: &White) -> Vec<Exposure> {
 
 /// The rows of every turn.
 pub(super) fn turn_rows(rows: &Rows<'_>) -> Vec<Vec<usize>> {
-    let of_turn = |k: usize| {
-        let first = rows.first_turn_row() + 2 * k;
-        vec![first, first + 1]
-    };
-    (0..rows.data.turns.len()).map(of_turn).collect()
+    rows.turns().map(|(row, _)| vec![row, row + 1]).collect()
 }
 
 /// The identity of these rows (`m × m`).

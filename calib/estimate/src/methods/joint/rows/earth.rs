@@ -45,8 +45,7 @@ impl Rows<'_> {
                 }
             }
         }
-        let mut row = self.first_turn_row();
-        for (number, turn) in self.data.turns.iter().enumerate() {
+        for (number, (row, turn)) in self.turns().enumerate() {
             let p = self.local(x, Sensor::Gyroscope, turn.from);
             let carried = self.carried(turn, &self.rates(turn, &p));
             let by_rotation = self.by_rotation(x, turn, &carried.rotation);
@@ -63,7 +62,6 @@ impl Rows<'_> {
                     columns.set(row + i, place, change[(i, k)]);
                 }
             }
-            row += 2;
         }
         columns
     }

@@ -17,7 +17,7 @@ pub(crate) mod values;
 use nalgebra::{Matrix3, Vector3};
 use sensor::{BASE_PARAMETERS, Base, Kinematics, Model, PLACES, Sensor, Since, inverse};
 
-use super::data::{Chunk, Data, Mean};
+use super::data::{Chunk, Data, Mean, TurnSamples};
 use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::blocks::columns::{Columns, Part};
 use crate::methods::joint::blocks::groups::RowGroups;
@@ -169,6 +169,12 @@ impl<'a> Rows<'a> {
         self.count() - 2 * self.data.turns.len()
     }
 
+    /// The turns in their order, each with the first of its two rows.
+    pub fn turns(&self) -> impl Iterator<Item = (usize, &TurnSamples)> {
+        let rows = (self.first_turn_row()..).step_by(2);
+        rows.zip(&self.data.turns)
+    }
+
     /// First row of a sensor's means.
     pub fn first_row(&self, sensor: Sensor) -> usize {
         match sensor {
@@ -267,13 +273,11 @@ impl<'a> Rows<'a> {
                 }
             }
         }
-        let mut row = self.first_turn_row();
-        for turn in &self.data.turns {
+        for (row, turn) in self.turns() {
             if part.rows.get(residuals.len()) == Some(&row) {
                 let own = self.turn_rows(x, turn, (residuals.len(), part));
                 residuals.extend(own.iter());
             }
-            row += 2;
         }
         for (k, column) in self.disturbances.iter().enumerate() {
             let place = self.layout.disturbance(k);
@@ -300,12 +304,10 @@ impl<'a> Rows<'a> {
                 }
             }
         }
-        let mut row = self.first_turn_row();
-        for turn in &self.data.turns {
+        for (row, turn) in self.turns() {
             if rows.get(residuals.len()) == Some(&row) {
                 residuals.extend(self.turn_residual(x, turn).iter());
             }
-            row += 2;
         }
         for (k, column) in self.disturbances.iter().enumerate() {
             let value = x[self.layout.disturbance(k)];

@@ -38,8 +38,7 @@ impl Rows<'_> {
                 }
             }
         }
-        let mut row = self.first_turn_row();
-        for turn in &self.data.turns {
+        for (row, turn) in self.turns() {
             let Some(noise) = &self.data.sources[turn.recording].gyroscope else {
                 continue;
             };
@@ -50,7 +49,6 @@ impl Rows<'_> {
                     columns.set(row + i, 3 * turn.recording + axis, size * held[(i, axis)]);
                 }
             }
-            row += 2;
         }
         Some(columns)
     }

@@ -62,11 +62,12 @@ impl Rows<'_> {
             means.map(move |mean| self.of_mean(x, sensor, &mean))
         });
         let means = means.collect();
-        let first = self.first_turn_row();
-        let turns = (0..self.data.turns.len())
-            .map(|turn| self.of_turn(x, turn, first + 2 * turn))
-            .collect();
-        Sensitivities { means, turns }
+        let turns = self.turns().enumerate();
+        let turns = turns.map(|(turn, (row, _))| self.of_turn(x, turn, row));
+        Sensitivities {
+            means,
+            turns: turns.collect(),
+        }
     }
 
     fn of_mean(&self, x: &[f64], sensor: Sensor, of: &MeanRows<'_>) -> MeanSensitivity {

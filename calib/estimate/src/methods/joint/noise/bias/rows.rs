@@ -45,8 +45,7 @@ impl Rows<'_> {
             all.push(flicker.of_mean(own.row..own.row + 3, recording, span, -1.0));
         }
         if sensor == Sensor::Gyroscope {
-            for (k, turn) in self.data.turns.iter().enumerate() {
-                let row = self.first_turn_row() + 2 * k;
+            for (row, turn) in self.turns() {
                 let gains = self.gains(x, turn);
                 let inner = &turn.t[MARGIN..turn.t.len() - MARGIN];
                 all.push(flicker.of_samples(row..row + 2, turn.recording, inner, &gains));
