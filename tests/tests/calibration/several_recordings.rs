@@ -349,3 +349,28 @@ fn a_bias_that_steps_in_one_recording_is_said_to_step_there() {
     assert_eq!(said.recording.as_deref(), Some("moved"));
     assert_eq!(found.effects, []);
 }
+
+#[test]
+fn a_bias_that_steps_in_a_recording_for_the_gyroscope_alone_is_said_to_step_there() {
+    let device = device(66);
+    let for_turns = recorded(&device, 2, "turns");
+    let mut turns = for_turns.recording.clone();
+    let gyroscope = turns.gyroscope.as_mut().unwrap();
+    let half = gyroscope.len() / 2;
+    for value in &mut gyroscope.values[half..] {
+        value.z += 0.02;
+    }
+    let still = recorded(&device, 1, "still").recording;
+    for method in [Method::Stepwise, Method::Joint] {
+        let request = Request {
+            gravity: device.gravity,
+            method,
+            ..Request::default()
+        };
+        let outcome = calibrate(&[&still], &[&turns], &request).unwrap();
+        let mut all = outcome.calibration.warnings.iter();
+        let stepped = all.find(|found| found.kind == Kind::BiasStep);
+        let place = stepped.and_then(|found| found.place.recording.clone());
+        assert_eq!(place.as_deref(), Some("turns"), "{method:?}");
+    }
+}

@@ -41,7 +41,7 @@ impl Fit<'_> {
         match self.by_method() {
             Ok(outcome) => {
                 let recordings = &self.recordings.recordings;
-                let outcome = with_changes(outcome, recordings, self.request.gravity);
+                let outcome = self.with_changes(outcome);
                 let outcome = self.with_what_placements_hide(outcome);
                 let outcome = with_magnetometer(outcome, recordings, self.request)?;
                 with_scalars(outcome, recordings, self.request)
@@ -69,6 +69,24 @@ impl Fit<'_> {
         calibration.warnings.extend(cut);
         let untested = checks::untested_linearity(calibration);
         calibration.warnings.extend(untested);
+        outcome
+    }
+
+    /// The outcome with a warning for everything that changes part of the way through a recording, those of the gyroscope alone too.
+    fn with_changes(&self, mut outcome: Outcome) -> Outcome {
+        let triad = outcome.calibration.gyroscope.as_ref();
+        let gyroscope = triad.map(|triad| (triad.base().t, triad.residual_rms.to_radians()));
+        let mut warnings = Findings::new();
+        for (recording, cut) in self.recordings.each().chain(self.turning.each()) {
+            warnings.extend(checks::corrected_before(recording, cut));
+            warnings.extend(gyroscope.and_then(|(t, _)| checks::too_fast(recording, cut, &t)));
+            let changes = changes_part_way(recording, cut, self.request.gravity, gyroscope);
+            withdraw_motion(&mut outcome.calibration.warnings, recording, &changes);
+            warnings.extend(changes);
+            checks::say_dead_axes(&mut outcome.calibration.failed_gates, recording);
+        }
+        outcome.calibration.warnings.extend(warnings);
+        count_motion(&mut outcome.calibration);
         outcome
     }
 
@@ -167,25 +185,6 @@ impl Fit<'_> {
             None => reason,
         }
     }
-}
-
-/// The outcome with a warning for everything that changes part of the way through a recording.
-fn with_changes(mut outcome: Outcome, recordings: &[&Recording], gravity: f64) -> Outcome {
-    let triad = outcome.calibration.gyroscope.as_ref();
-    let gyroscope = triad.map(|triad| (triad.base().t, triad.residual_rms.to_radians()));
-    let mut warnings = Findings::new();
-    for (recording, choice) in recordings.iter().zip(&outcome.choices) {
-        let cut = &choice.segmentation;
-        warnings.extend(checks::corrected_before(recording, cut));
-        warnings.extend(gyroscope.and_then(|(t, _)| checks::too_fast(recording, cut, &t)));
-        let changes = changes_part_way(recording, cut, gravity, gyroscope);
-        withdraw_motion(&mut outcome.calibration.warnings, recording, &changes);
-        warnings.extend(changes);
-        checks::say_dead_axes(&mut outcome.calibration.failed_gates, recording);
-    }
-    outcome.calibration.warnings.extend(warnings);
-    count_motion(&mut outcome.calibration);
-    outcome
 }
 
 /// Takes back that a bias moved or wandered where something of its sensor changes part of the way: that is how it moved.
