@@ -42,6 +42,8 @@ pub(crate) struct Clock {
     pub wraps: Vec<u64>,
     pattern: Option<String>,
     time_of_day: TimeOfDay,
+    /// The date before, where a pattern reads it, ns.
+    before: Option<(String, i128)>,
     /// A stamp has been read.
     begun: bool,
 }
@@ -105,7 +107,13 @@ impl Clock {
         let text = std::str::from_utf8(cell).map_err(|_| Fault::Text)?;
         let nanoseconds = match &self.pattern {
             Some(pattern) => {
-                by_pattern(pattern, text, &mut self.time_of_day).ok_or(Fault::OtherDate)?
+                let read = by_pattern(pattern, text, &mut self.time_of_day);
+                let read = read.ok_or(Fault::OtherDate)?;
+                if is_other_order(pattern, self.before.as_ref(), text, read) {
+                    return Err(Fault::OtherOrder);
+                }
+                self.before = Some((text.to_owned(), read));
+                read
             }
             None => iso(text)
                 .map(jiff::Timestamp::as_nanosecond)
@@ -122,6 +130,20 @@ impl Clock {
 /// Seconds as nanoseconds.
 fn whole(seconds: f64) -> i128 {
     (seconds * 1e9).round() as i128
+}
+
+/// A day, ns.
+const DAY: i128 = 86_400_000_000_000;
+
+/// True for a date a month or more behind the one before, which is at most a day behind it by the other order of day and month.
+fn is_other_order(pattern: &str, before: Option<&(String, i128)>, text: &str, read: i128) -> bool {
+    let Some((before, _)) = before.filter(|(_, last)| read - last > 27 * DAY) else {
+        return false;
+    };
+    let pattern = patterns::other_order(pattern);
+    let other = |text| by_pattern(&pattern, text, &mut TimeOfDay::default());
+    let step = other(text).zip(other(before));
+    step.is_some_and(|(now, last)| (0..=DAY).contains(&(now - last)))
 }
 
 /// The instant that `text` is by `pattern`, ns; a pattern without a date counts from midnight, and on over it.
@@ -359,6 +381,20 @@ mod tests {
         ] {
             assert_eq!(iso(text), None, "{text}");
         }
+    }
+
+    #[test]
+    fn a_day_that_would_be_a_month_is_of_the_other_order() {
+        let mut clock = Clock {
+            pattern: Some("%m/%d/%Y %H:%M:%S".to_owned()),
+            ..Clock::default()
+        };
+        let mut read = |cell: &str| clock.read(cell.as_bytes(), false);
+        assert!(read("01/05/2026 23:59:59").is_ok());
+        assert_eq!(read("02/05/2026 00:00:00").err(), Some(Fault::OtherOrder));
+        assert!(read("01/06/2026 00:00:00").is_ok());
+        let other = patterns::other_order("%m/%d/%Y %H:%M:%S");
+        assert_eq!(other, "%d/%m/%Y %H:%M:%S");
     }
 
     #[test]

@@ -3,6 +3,7 @@
 pub(crate) mod decide;
 mod direction;
 pub(crate) mod field;
+pub(crate) mod hand_clock;
 mod lost_points;
 pub(crate) mod repeated;
 pub(crate) mod rests;
