@@ -78,6 +78,9 @@ impl Clock {
             let possible = stamp.abs() < LATEST;
             possible.then_some(stamp).ok_or(Fault::Absurd)
         };
+        if let Some(whole) = hexadecimal(cell) {
+            return self.number(whole.to_string().as_bytes(), decimal_comma);
+        }
         if self.origin == Some(0) {
             return parse(cell);
         }
@@ -125,6 +128,15 @@ impl Clock {
         let origin = *self.origin.get_or_insert(nanoseconds);
         Ok(nanoseconds.saturating_sub(origin) as f64)
     }
+}
+
+/// The number of a count in sixteens, `0x1234abcd`.
+fn hexadecimal(cell: &[u8]) -> Option<u64> {
+    let digits = cell.strip_prefix(b"0x").or_else(|| cell.strip_prefix(b"0X"))?;
+    let is_digit = |byte: &u8| byte.is_ascii_hexdigit();
+    let digits = std::str::from_utf8(digits).ok()?;
+    let is_whole = digits.as_bytes().iter().all(is_digit);
+    u64::from_str_radix(digits, 16).ok().filter(|_| is_whole)
 }
 
 /// Seconds as nanoseconds.
@@ -343,6 +355,8 @@ mod tests {
     #[test]
     fn small_stamps_are_the_nearest_double() {
         assert_eq!(stamps(&["25.975", "-0.5", "1e-3"]), [25.975, -0.5, 1e-3]);
+        assert_eq!(stamps(&["0xFF", "0X100"]), [255.0, 256.0]);
+        assert!(hexadecimal(b"0x1p3").is_none() && hexadecimal(b"0x+1").is_none());
     }
 
     #[test]
