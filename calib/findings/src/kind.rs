@@ -897,8 +897,6 @@ kinds! {
     GitPointer = "git_pointer",
     /// A file is a page of the web.
     HtmlPage = "html_page",
-    /// A text is what ROS prints of messages.
-    RosEcho = "ros_echo",
     /// A text was made of an ArduPilot log.
     ArdupilotText = "ardupilot_text",
     /// A file is a Blackbox log.

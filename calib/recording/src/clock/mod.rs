@@ -132,7 +132,9 @@ impl Clock {
 
 /// The number of a count in sixteens, `0x1234abcd`.
 fn hexadecimal(cell: &[u8]) -> Option<u64> {
-    let digits = cell.strip_prefix(b"0x").or_else(|| cell.strip_prefix(b"0X"))?;
+    let digits = cell
+        .strip_prefix(b"0x")
+        .or_else(|| cell.strip_prefix(b"0X"))?;
     let is_digit = |byte: &u8| byte.is_ascii_hexdigit();
     let digits = std::str::from_utf8(digits).ok()?;
     let is_whole = digits.as_bytes().iter().all(is_digit);
@@ -152,10 +154,16 @@ fn is_other_order(pattern: &str, before: Option<&(String, i128)>, text: &str, re
     let Some((before, _)) = before.filter(|(_, last)| read - last > 27 * DAY) else {
         return false;
     };
-    let pattern = patterns::other_order(pattern);
+    let pattern = other_order(pattern);
     let other = |text| by_pattern(&pattern, text, &mut TimeOfDay::default());
     let step = other(text).zip(other(before));
     step.is_some_and(|(now, last)| (0..=DAY).contains(&(now - last)))
+}
+
+/// A format with the day and the month in each other's place.
+pub(crate) fn other_order(pattern: &str) -> String {
+    let parts = pattern.split("%d").map(|part| part.replace("%m", "%d"));
+    parts.collect::<Vec<_>>().join("%m")
 }
 
 /// The instant that `text` is by `pattern`, ns; a pattern without a date counts from midnight, and on over it.
@@ -407,7 +415,7 @@ mod tests {
         assert!(read("01/05/2026 23:59:59").is_ok());
         assert_eq!(read("02/05/2026 00:00:00").err(), Some(Fault::OtherOrder));
         assert!(read("01/06/2026 00:00:00").is_ok());
-        let other = patterns::other_order("%m/%d/%Y %H:%M:%S");
+        let other = other_order("%m/%d/%Y %H:%M:%S");
         assert_eq!(other, "%d/%m/%Y %H:%M:%S");
     }
 

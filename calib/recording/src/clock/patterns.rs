@@ -32,12 +32,6 @@ pub(crate) fn pattern_of(cell: &[u8]) -> Option<&'static str> {
     PATTERNS.iter().find(reads).copied()
 }
 
-/// A format with the day and the month in each other's place.
-pub(crate) fn other_order(pattern: &str) -> String {
-    let parts = pattern.split("%d").map(|part| part.replace("%m", "%d"));
-    parts.collect::<Vec<_>>().join("%m")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -7,8 +7,7 @@ use crate::recording::options::{ReadOptions, Role};
 use crate::rows::table::Table;
 use crate::shown::{figure, shown, significant};
 use crate::source::place::in_file;
-use crate::units::TimeUnit;
-use crate::units::hand_clock::CLOCKS;
+use crate::units::{CLOCKS, TimeUnit};
 use findings::{Finding, Findings, Kind, OptionName, Remedy};
 
 /// Rates that a unit in the file may mean, Hz.
@@ -277,7 +276,9 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
             }
             let is_time = |(role, _): &&(Role, String)| *role == Role::Time;
             let name = table.roles.iter().find(is_time).map(|(_, name)| name);
-            let clock = CLOCKS.into_iter().find(|clock| USUAL.contains(&(clock / step)));
+            let clock = CLOCKS
+                .into_iter()
+                .find(|clock| USUAL.contains(&(clock / step)));
             let long = LONG.iter().find(|unit| is_usual(unit, step));
             let remedy = match (long, clock.zip(name)) {
                 (Some(unit), _) => Remedy::such_as(OptionName::TimeUnit, unit.name()),

@@ -69,7 +69,8 @@ pub(crate) fn length_of_half(text: &str) -> usize {
     let first = end(0);
     // `p. m.` has a blank in it.
     let blank = word[first..].chars().next().filter(|c| c.is_whitespace());
-    let second = blank.map(|blank| end(first + blank.len_utf8()));
+    let next = blank.map(|blank| first + blank.len_utf8());
+    let second = next.map(end).filter(|end| Some(*end) > next);
     let ends = second.into_iter().chain([first]);
     let found = { ends }.find(|end| half(&word[..*end]).is_some());
     found.map_or(0, |end| blanks + end)

@@ -5,7 +5,8 @@ use nalgebra::Vector3;
 
 use super::{Others, Rows, Trouble, cell_of};
 use crate::Error;
-use crate::clock::patterns::{other_order, pattern_of};
+use crate::clock::other_order;
+use crate::clock::patterns::pattern_of;
 use crate::header::dialect::Cell;
 use crate::header::names::role_of;
 use crate::header::preface::decode;

@@ -102,7 +102,8 @@ fn change(look: &Look) -> Option<Respell> {
             rewritten(text, move |line, out| {
                 let text = std::str::from_utf8(line).unwrap_or_default();
                 let place = cells(text, separator).get(column).cloned();
-                let date = place.and_then(|place| Some((place.clone(), date(&text[place], order)?)));
+                let date =
+                    place.and_then(|place| Some((place.clone(), date(&text[place], order)?)));
                 match date {
                     Some(change) => with_cells(text, &[change], out),
                     None => out.extend_from_slice(line),
@@ -152,7 +153,7 @@ mod tests {
             "2026050112000",
             "20260501120000010.5",
             "010524120059",
-            "350524120059250",
+            "354524120059250",
         ] {
             let text = format!("{stamp},1,2\n").repeat(12);
             assert_eq!(respelt(&PACKED_DATE, &text), None, "{stamp}");

@@ -1,6 +1,7 @@
 //! Clocks without a unit, against the pace at which a hand turns a device from rest to rest.
 
 use findings::{Finding, Kind, OptionName, Remedy};
+use nalgebra::Vector3;
 use sensor::Sensor;
 
 use super::rests::{rests, sphere};
@@ -9,7 +10,7 @@ use crate::Error;
 use crate::averages::median;
 use crate::recording::{Recording, Stream};
 use crate::source::place::in_file;
-use crate::units::TimeUnit;
+use crate::units::{CLOCKS, TimeUnit};
 
 /// No hand turns a device faster than this from rest to rest, over and over, rad/s.
 const FASTEST: f64 = 2.5;
@@ -17,15 +18,14 @@ const FASTEST: f64 = 2.5;
 const USUAL: std::ops::Range<f64> = 0.05..2.5;
 /// Rates of recordings of turns, Hz.
 const RATES: std::ops::Range<f64> = 20.0..2000.0;
-/// Clocks that programs write without a unit, beside those of [`TimeUnit::ALL`]: hundredths of seconds, and the crystal of
-/// watches, whole and divided by 32, per second.
-pub(crate) const CLOCKS: [f64; 3] = [100.0, 1024.0, 32_768.0];
 /// Turns that tilt less say little, rad.
 const TILT: f64 = 0.4;
 /// Turns that tell a pace.
 const FEWEST: usize = 5;
 /// A turn from rest to rest that takes longer is none by hand, s.
 const LONGEST: f64 = 30.0;
+/// Directions to all sides have spans alike, to this share.
+const ROUND: f64 = 0.3;
 /// Samples looked at.
 const LOOKED_AT: usize = 360_000;
 
@@ -40,7 +40,7 @@ fn pace(accel: &Stream) -> Option<Pace> {
     let values = &accel.values[..count];
     let rests = rests(values, values);
     let means: Vec<_> = rests.iter().map(|rest| rest.means[0]).collect();
-    let centre = sphere(&means).map_or_else(nalgebra::Vector3::zeros, |(centre, _)| centre);
+    let centre = sphere(&means).map_or_else(|| offset(&means), |(centre, _)| centre);
     // A rest is known by its middle half.
     let margin = |at: usize| (rests[at].to - rests[at].from) / 2;
     let turns = (1..rests.len()).filter_map(|at| {
@@ -56,6 +56,21 @@ fn pace(accel: &Stream) -> Option<Pace> {
         speed: median(turns.iter().map(|turn| turn.0))?,
         duration: median(turns.iter().map(|turn| turn.1))?,
     })
+}
+
+/// The middle of means that lie to one side of zero, as those of a converter without a sign do; else zero.
+fn offset(means: &[Vector3<f64>]) -> Vector3<f64> {
+    let Some(first) = means.first() else {
+        return Vector3::zeros();
+    };
+    let low = means.iter().fold(*first, |low, mean| low.inf(mean));
+    let high = means.iter().fold(*first, |high, mean| high.sup(mean));
+    let (middle, half) = ((low + high) / 2.0, (high - low) / 2.0);
+    let is_round = half.min() > ROUND * half.max();
+    match is_round && middle.norm() > half.max() {
+        true => middle,
+        false => Vector3::zeros(),
+    }
 }
 
 /// The clock in which the pace is a hand's, per second.
@@ -119,21 +134,33 @@ pub(crate) fn refuse(recording: &Recording) -> Result<(), Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::{Rotation3, Unit, Vector3};
+    use nalgebra::{Rotation3, Unit};
 
     /// Twelve rests of 4 s and turns of 1.5 s at 50 Hz, stamped by `stamp` of the row.
     fn recording(header: &str, stamp: impl Fn(usize) -> String) -> Result<Recording, Error> {
+        with_offset(header, 0.0, stamp)
+    }
+
+    /// The same in counts of a converter whose zero is at `offset`.
+    fn with_offset(
+        header: &str,
+        offset: f64,
+        stamp: impl Fn(usize) -> String,
+    ) -> Result<Recording, Error> {
         let mut text = format!("{header},ax,ay,az\n");
         let mut attitude = Rotation3::identity();
         for k in 0..12 * 275 {
             let (place, at) = (k / 275, k % 275);
-            let axis =
-                Unit::new_normalize(Vector3::new(1.0, (place % 3) as f64 - 1.0, place as f64 * 0.1));
+            let axis = Unit::new_normalize(Vector3::new(
+                1.0,
+                (place % 3) as f64 - 1.0,
+                place as f64 * 0.1,
+            ));
             if at >= 200 {
                 attitude = Rotation3::from_axis_angle(&axis, 1.6 / 75.0) * attitude;
             }
             let noise = Vector3::from_fn(|i, _| 0.01 * ((k * (7 + 3 * i)) as f64).sin());
-            let f = attitude * Vector3::z() * 9.8 + noise;
+            let f = attitude * Vector3::z() * 9.8 + noise + Vector3::repeat(offset);
             text += &format!("{},{:.4},{:.4},{:.4}\n", stamp(k), f.x, f.y, f.z);
         }
         Recording::from_bytes("a.csv", text.as_bytes(), &Default::default())
@@ -146,6 +173,9 @@ mod tests {
             let words = found.unwrap_err().text(findings::Front::CommandLine);
             assert!(words.contains(expected), "{words}");
         }
+        let found = with_offset("stamp", 240.0, |k| (k * 655).to_string());
+        let words = found.unwrap_err().text(findings::Front::CommandLine);
+        assert!(words.contains("t=stamp/32768"), "{words}");
         for per_row in [20, 20_000] {
             recording("stamp", |k| (k * per_row).to_string()).unwrap();
         }

@@ -22,6 +22,10 @@ use self::field::FieldUnit;
 /// Standard acceleration of free fall, m/s² (exact by definition, 3rd CGPM, 1901).
 pub(crate) const STANDARD_GRAVITY: f64 = 9.80665;
 
+/// Clocks that programs write without a unit, beside those of [`TimeUnit::ALL`]: hundredths of seconds, and the crystal of
+/// watches, whole and divided by 32, per second.
+pub(crate) const CLOCKS: [f64; 3] = [100.0, 1024.0, 32_768.0];
+
 macro_rules! unit {
     ($(#[$doc:meta])* $name:ident { $($(#[$entry:meta])* $variant:ident = $spelling:literal $(| $other:literal)*,)* }) => {
         $(#[$doc])*

@@ -63,7 +63,13 @@ fn dates_without_marks_or_with_other_marks_are_stamps() {
     let days = |after: u64, ms: u64| {
         let (day, seconds) = ((ms / 1000 + after) / 86_400, (ms / 1000 + after) % 86_400);
         let (minutes, seconds) = (seconds / 60, seconds % 60);
-        format!("{:02}05{:02}{:02}{seconds:02}{:03}", day + 1, minutes / 60, minutes % 60, ms % 1000)
+        format!(
+            "{:02}05{:02}{:02}{seconds:02}{:03}",
+            day + 1,
+            minutes / 60,
+            minutes % 60,
+            ms % 1000
+        )
     };
     for year in ["26", "2026"] {
         let stamp = |[m, s, ms]: [u64; 3]| {

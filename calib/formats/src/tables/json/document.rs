@@ -155,7 +155,11 @@ fn members_alike(members: &Map<String, Value>) -> Option<Vec<(&str, &Value)>> {
         let is_long = |value: &Value| value.as_array().is_some_and(|list| list.len() > WIDEST);
         !record.is_empty() && !record.values().any(is_long)
     };
-    let first = members.values().next()?.as_object().filter(|own| is_record(own))?;
+    let first = members
+        .values()
+        .next()?
+        .as_object()
+        .filter(|own| is_record(own))?;
     let is_alike = |value: &Value| {
         value
             .as_object()
@@ -164,8 +168,10 @@ fn members_alike(members: &Map<String, Value>) -> Option<Vec<(&str, &Value)>> {
     if members.len() < FEWEST || !members.values().all(is_alike) {
         return None;
     }
-    let mut members: Vec<(&str, &Value)> =
-        members.iter().map(|(key, value)| (key.as_str(), value)).collect();
+    let mut members: Vec<(&str, &Value)> = members
+        .iter()
+        .map(|(key, value)| (key.as_str(), value))
+        .collect();
     let number = |key: &str| key.parse::<u64>().ok();
     if members.iter().all(|(key, _)| number(key).is_some()) {
         members.sort_by_key(|(key, _)| number(key));
@@ -233,7 +239,10 @@ impl Table<'_> {
             Content::Members(members) => {
                 let (key, record) = members[at];
                 // Keys that count are stamps, be it of the rows.
-                let stamp = key.parse().ok().map(|key| ("key".to_owned(), Cell::Unsigned(key)));
+                let stamp = key
+                    .parse()
+                    .ok()
+                    .map(|key| ("key".to_owned(), Cell::Unsigned(key)));
                 let mut rows = packets::rows(record)?;
                 for row in &mut rows {
                     row.extend(stamp.clone());

@@ -49,7 +49,9 @@ fn said(line: &str) -> Said<'_> {
             )
         }
         ([x, y, z], words) => {
-            let mut others = words.iter().filter(|word| !is_number(word) && !is_axis(word));
+            let mut others = words
+                .iter()
+                .filter(|word| !is_number(word) && !is_axis(word));
             let unit = others.next().copied().unwrap_or_default();
             let is_last = words.last() == Some(&unit);
             match others.next().is_none() && (unit.is_empty() || is_last) {
@@ -130,7 +132,9 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
         })
     };
     let changes: [(Sensor, Change); 2] = [
-        (Sensor::Accelerometer, |text| rows_of(text, Sensor::Accelerometer)),
+        (Sensor::Accelerometer, |text| {
+            rows_of(text, Sensor::Accelerometer)
+        }),
         (Sensor::Gyroscope, |text| rows_of(text, Sensor::Gyroscope)),
     ];
     let parts: Vec<Part> = changes.into_iter().filter_map(part).collect();
@@ -179,7 +183,10 @@ mod tests {
             assert_eq!(rows(&parts[0]), [force; 10], "{block}");
             assert_eq!(rows(&parts[1]), [rate; 10], "{block}");
         }
-        for text in ["ax,ay,az\n1,2,3\n1,2,3\n", "gyro x,gyro y,gyro z\n1,2,3\n4,5,6\n"] {
+        for text in [
+            "ax,ay,az\n1,2,3\n1,2,3\n",
+            "gyro x,gyro y,gyro z\n1,2,3\n4,5,6\n",
+        ] {
             assert!(parts(&Look::at(text.as_bytes())).is_none(), "{text}");
         }
     }

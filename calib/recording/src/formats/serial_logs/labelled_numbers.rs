@@ -155,7 +155,9 @@ fn words(message: &str) -> impl Iterator<Item = &str> {
 /// A number as it is written, and a whole one that InfluxDB marks, `12i`, without its mark.
 fn number(word: &str) -> Option<&str> {
     let is_number = |word: &str| word.parse::<f64>().is_ok_and(f64::is_finite);
-    let whole = word.strip_suffix('i').filter(|own| own.parse::<i64>().is_ok());
+    let whole = word
+        .strip_suffix('i')
+        .filter(|own| own.parse::<i64>().is_ok());
     whole.or_else(|| is_number(word).then_some(word))
 }
 
@@ -190,13 +192,7 @@ impl<'a> Numbers<'a> {
     }
 
     /// Takes a word that is the unit of the numbers before it, or, in parentheses, of those that follow: `Acc (mg) [ 1, 2, 3 ]`.
-    fn take_unit(
-        &mut self,
-        message: &str,
-        word: &str,
-        name: &str,
-        sensor: Option<Sensor>,
-    ) -> bool {
+    fn take_unit(&mut self, message: &str, word: &str, name: &str, sensor: Option<Sensor>) -> bool {
         if !self.pairs.is_empty() && word.contains('/') {
             let (accel, gyro) = (word.parse::<AccelUnit>(), word.parse::<GyroUnit>());
             if let Ok(unit) = accel {

@@ -161,7 +161,9 @@ mod tests {
     fn documents_without_a_stamp_or_a_sensor_are_others() {
         for text in [
             MESSAGE.replace("secs", "x"),
-            MESSAGE.replace("acceleration", "a").replace("velocity", "b"),
+            MESSAGE
+                .replace("acceleration", "a")
+                .replace("velocity", "b"),
             "---\n".to_owned(),
             "ax: 1\nay: 2\naz: 3\n---\n".to_owned(),
         ] {

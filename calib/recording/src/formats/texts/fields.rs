@@ -70,7 +70,11 @@ fn name_of(cells: &[String]) -> Option<(Sensor, usize)> {
         })
     };
     let axis = || {
-        let letter = |cell: &String| ["x", "y", "z"].iter().position(|a| cell.eq_ignore_ascii_case(a));
+        let letter = |cell: &String| {
+            ["x", "y", "z"]
+                .iter()
+                .position(|a| cell.eq_ignore_ascii_case(a))
+        };
         cells.iter().find_map(letter)
     };
     whole.or_else(|| Some((sensor()?, axis()?)))
@@ -116,7 +120,9 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
     }
     let count = |sensor: Sensor| {
         let mut instant = Instant::default();
-        let mut whole = rows.iter().filter_map(|row| instant.next(row, columns, sensor));
+        let mut whole = rows
+            .iter()
+            .filter_map(|row| instant.next(row, columns, sensor));
         whole.by_ref().take(2).count()
     };
     let change = |sensor: Sensor| -> Option<Change> {
@@ -188,7 +194,10 @@ mod tests {
         // The sensor and the axis in cells of their own, with decimal commas.
         let row = |k: usize| format!("0,0{};accel;{};{},5\n", k / 3, ["x", "y", "z"][k % 3], k);
         let text = (0..6).fold("t;sensor;axis;value\n".to_owned(), |text, k| text + &row(k));
-        assert_eq!(rows(&text).unwrap()[0], ["0,00;0,5;1,5;2,5", "0,01;3,5;4,5;5,5"]);
+        assert_eq!(
+            rows(&text).unwrap()[0],
+            ["0,00;0,5;1,5;2,5", "0,01;3,5;4,5;5,5"]
+        );
     }
 
     #[test]

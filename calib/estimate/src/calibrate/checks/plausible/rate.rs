@@ -130,8 +130,11 @@ fn ticks(fit: &RateFit<'_>, scales: &Scales) -> Option<Finding> {
     let recording = fit.recordings.iter().find(guessed)?;
     let ratio = scales.common().recip();
     let near = |scale: f64, within: f64| (scale * TICKS / 1000.0 - 1.0).abs() < within;
-    let are_near =
-        near(ratio, TICKS_OFF) && scales.each().iter().all(|s| near(s.recip(), 2.0 * TICKS_OFF));
+    let are_near = near(ratio, TICKS_OFF)
+        && scales
+            .each()
+            .iter()
+            .all(|s| near(s.recip(), 2.0 * TICKS_OFF));
     let described = recording.description.of(Sensor::Gyroscope)?;
     (are_near && scales.tell((TICKS / 1000.0).ln())).then(|| {
         of(Kind::ClockOfTicks)

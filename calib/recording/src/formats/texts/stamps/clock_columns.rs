@@ -56,9 +56,7 @@ fn fields(header: &str) -> Option<Vec<Field>> {
         let mut clocks = CLOCKS.iter();
         let bare = clocks.find_map(|clock| word.strip_prefix(clock));
         let bare = bare.unwrap_or(&word);
-        FIELDS
-            .iter()
-            .position(|(words, _)| words.contains(&bare))
+        FIELDS.iter().position(|(words, _)| words.contains(&bare))
     };
     let found: Vec<Option<usize>> = names.iter().map(|name| field(name)).collect();
     let minutes = found.iter().position(|found| *found == Some(MINUTE))?;
