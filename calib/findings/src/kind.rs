@@ -410,6 +410,8 @@ kinds! {
     AxesTurned = "axes_turned",
     /// The scale of the gyroscope is off on all axes.
     GyroscopeScaleOff = "gyroscope_scale_off",
+    /// The gyroscope's scale is that of stamps which count 1/1024 s.
+    ClockOfTicks = "clock_of_ticks",
     /// The unit of the gyroscope looks like another one.
     ReadingsInDegrees = "readings_in_degrees",
     // Names, faults and remainders of a search for what is missing.
@@ -895,8 +897,6 @@ kinds! {
     GitPointer = "git_pointer",
     /// A file is a page of the web.
     HtmlPage = "html_page",
-    /// A text is what ROS prints of messages.
-    RosEcho = "ros_echo",
     /// A text was made of an ArduPilot log.
     ArdupilotText = "ardupilot_text",
     /// A file is a Blackbox log.
@@ -941,6 +941,8 @@ kinds! {
     DateUnknown = "date_unknown",
     /// A date is not of the pattern that was given.
     DateOther = "date_other",
+    /// A date is a month behind the one before it, and a day by the other order of day and month.
+    DateOtherOrder = "date_other_order",
     /// A cell is not a number.
     NotANumber = "not_a_number",
     /// A cell of a small table is not a number.
@@ -1015,6 +1017,8 @@ kinds! {
     TimeUnitStated = "time_unit_stated",
     /// The unit of the stamps is not known.
     TimeUnitOpen = "time_unit_open",
+    /// In the unit that the rate tells no hand would have turned the device.
+    TimeUnitTooFast = "time_unit_too_fast",
     /// Stamps go up by one and tell no unit.
     StampsByOne = "stamps_by_one",
     /// All stamps are the same.

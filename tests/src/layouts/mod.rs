@@ -1,6 +1,7 @@
 //! One recording in the layouts that apps, loggers and robots write: what the readers and the README's table are
 //! tested on. Headers, units, signs and orders of axes are those of the programs; digits are as few as theirs.
 
+mod databases;
 mod layout;
 mod phones;
 mod robots;
@@ -15,5 +16,6 @@ pub fn layouts(samples: &Samples) -> Vec<Layout> {
     all.extend(serial::layouts(samples));
     all.extend(trackers::layouts(samples));
     all.extend(robots::layouts(samples));
+    all.extend(databases::layouts(samples));
     all
 }

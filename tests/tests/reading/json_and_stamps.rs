@@ -230,3 +230,29 @@ fn the_columns_that_are_proposed_are_those_of_both_sensors() {
         .to_string();
     assert!(words.contains("az=IMU1_az,gx=IMU1_gx"), "{words}");
 }
+
+#[test]
+fn stamps_of_1024_ticks_in_a_second_are_a_doubt_of_the_calibration() {
+    use calib::calibrate::{Request, calibrate};
+    let samples = Samples::of_session();
+    let rows = samples.accel.t.iter().zip(&samples.accel.values);
+    let of = |per_second: f64| {
+        let mut text = "stamp,ax,ay,az,gx,gy,gz\n".to_owned();
+        for ((t, f), w) in rows.clone().zip(&samples.together) {
+            let stamp = (t * per_second).round();
+            text += &format!(
+                "{stamp},{:.6},{:.6},{:.6},{:.8},{:.8},{:.8}\n",
+                f.x, f.y, f.z, w.x, w.y, w.z
+            );
+        }
+        let read = Recording::from_bytes("a.csv", text.into_bytes(), &ReadOptions::default());
+        let outcome = calibrate(&[read.unwrap()], &[], &Request::default()).unwrap();
+        outcome.calibration.findings()
+    };
+    let kind = findings::Kind::ClockOfTicks;
+    let found = of(1024.0);
+    let doubt = found.iter().find(|own| own.kind == kind).unwrap();
+    let words = doubt.text(findings::Front::CommandLine);
+    assert!(words.contains("--columns t=stamp/1024"), "{words}");
+    assert!(!of(1000.0).has(kind));
+}

@@ -42,6 +42,8 @@ pub(crate) struct Clock {
     pub wraps: Vec<u64>,
     pattern: Option<String>,
     time_of_day: TimeOfDay,
+    /// The date before, where a pattern reads it, ns.
+    before: Option<(String, i128)>,
     /// A stamp has been read.
     begun: bool,
 }
@@ -76,6 +78,9 @@ impl Clock {
             let possible = stamp.abs() < LATEST;
             possible.then_some(stamp).ok_or(Fault::Absurd)
         };
+        if let Some(whole) = hexadecimal(cell) {
+            return self.number(whole.to_string().as_bytes(), decimal_comma);
+        }
         if self.origin == Some(0) {
             return parse(cell);
         }
@@ -105,7 +110,13 @@ impl Clock {
         let text = std::str::from_utf8(cell).map_err(|_| Fault::Text)?;
         let nanoseconds = match &self.pattern {
             Some(pattern) => {
-                by_pattern(pattern, text, &mut self.time_of_day).ok_or(Fault::OtherDate)?
+                let read = by_pattern(pattern, text, &mut self.time_of_day);
+                let read = read.ok_or(Fault::OtherDate)?;
+                if is_other_order(pattern, self.before.as_ref(), text, read) {
+                    return Err(Fault::OtherOrder);
+                }
+                self.before = Some((text.to_owned(), read));
+                read
             }
             None => iso(text)
                 .map(jiff::Timestamp::as_nanosecond)
@@ -119,9 +130,40 @@ impl Clock {
     }
 }
 
+/// The number of a count in sixteens, `0x1234abcd`.
+fn hexadecimal(cell: &[u8]) -> Option<u64> {
+    let digits = cell
+        .strip_prefix(b"0x")
+        .or_else(|| cell.strip_prefix(b"0X"))?;
+    let is_digit = |byte: &u8| byte.is_ascii_hexdigit();
+    let digits = std::str::from_utf8(digits).ok()?;
+    let is_whole = digits.as_bytes().iter().all(is_digit);
+    u64::from_str_radix(digits, 16).ok().filter(|_| is_whole)
+}
+
 /// Seconds as nanoseconds.
 fn whole(seconds: f64) -> i128 {
     (seconds * 1e9).round() as i128
+}
+
+/// A day, ns.
+const DAY: i128 = 86_400_000_000_000;
+
+/// True for a date a month or more behind the one before, which is at most a day behind it by the other order of day and month.
+fn is_other_order(pattern: &str, before: Option<&(String, i128)>, text: &str, read: i128) -> bool {
+    let Some((before, _)) = before.filter(|(_, last)| read - last > 27 * DAY) else {
+        return false;
+    };
+    let pattern = other_order(pattern);
+    let other = |text| by_pattern(&pattern, text, &mut TimeOfDay::default());
+    let step = other(text).zip(other(before));
+    step.is_some_and(|(now, last)| (0..=DAY).contains(&(now - last)))
+}
+
+/// A format with the day and the month in each other's place.
+pub(crate) fn other_order(pattern: &str) -> String {
+    let parts = pattern.split("%d").map(|part| part.replace("%m", "%d"));
+    parts.collect::<Vec<_>>().join("%m")
 }
 
 /// The instant that `text` is by `pattern`, ns; a pattern without a date counts from midnight, and on over it.
@@ -321,6 +363,8 @@ mod tests {
     #[test]
     fn small_stamps_are_the_nearest_double() {
         assert_eq!(stamps(&["25.975", "-0.5", "1e-3"]), [25.975, -0.5, 1e-3]);
+        assert_eq!(stamps(&["0xFF", "0X100"]), [255.0, 256.0]);
+        assert!(hexadecimal(b"0x1p3").is_none() && hexadecimal(b"0x+1").is_none());
     }
 
     #[test]
@@ -359,6 +403,20 @@ mod tests {
         ] {
             assert_eq!(iso(text), None, "{text}");
         }
+    }
+
+    #[test]
+    fn a_day_that_would_be_a_month_is_of_the_other_order() {
+        let mut clock = Clock {
+            pattern: Some("%m/%d/%Y %H:%M:%S".to_owned()),
+            ..Clock::default()
+        };
+        let mut read = |cell: &str| clock.read(cell.as_bytes(), false);
+        assert!(read("01/05/2026 23:59:59").is_ok());
+        assert_eq!(read("02/05/2026 00:00:00").err(), Some(Fault::OtherOrder));
+        assert!(read("01/06/2026 00:00:00").is_ok());
+        let other = other_order("%m/%d/%Y %H:%M:%S");
+        assert_eq!(other, "%d/%m/%Y %H:%M:%S");
     }
 
     #[test]

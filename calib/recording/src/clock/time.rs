@@ -7,7 +7,7 @@ use crate::recording::options::{ReadOptions, Role};
 use crate::rows::table::Table;
 use crate::shown::{figure, shown, significant};
 use crate::source::place::in_file;
-use crate::units::TimeUnit;
+use crate::units::{CLOCKS, TimeUnit};
 use findings::{Finding, Findings, Kind, OptionName, Remedy};
 
 /// Rates that a unit in the file may mean, Hz.
@@ -274,17 +274,24 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
                 let scaled = Remedy::such_as(OptionName::Columns, format!("t={column}/32768"));
                 return Err(in_file(&table.name, found.only_remedies([scaled])));
             }
-            let unit = match LONG.iter().find(|unit| is_usual(unit, step)) {
-                Some(unit) => unit.name(),
-                None if is_days => TimeUnit::Days.name(),
-                None => TimeUnit::Milliseconds.name(),
+            let is_time = |(role, _): &&(Role, String)| *role == Role::Time;
+            let name = table.roles.iter().find(is_time).map(|(_, name)| name);
+            let clock = CLOCKS
+                .into_iter()
+                .find(|clock| USUAL.contains(&(clock / step)));
+            let long = LONG.iter().find(|unit| is_usual(unit, step));
+            let remedy = match (long, clock.zip(name)) {
+                (Some(unit), _) => Remedy::such_as(OptionName::TimeUnit, unit.name()),
+                (None, _) if is_days => {
+                    Remedy::such_as(OptionName::TimeUnit, TimeUnit::Days.name())
+                }
+                (None, Some((clock, name))) => {
+                    Remedy::such_as(OptionName::Columns, format!("t={name}/{clock}"))
+                }
+                _ => Remedy::such_as(OptionName::TimeUnit, TimeUnit::Milliseconds.name()),
             };
-            Err(in_file(
-                &table.name,
-                Finding::of(Kind::TimeUnitOpen)
-                    .detail("step", significant(step, 6))
-                    .only_remedies([Remedy::such_as(OptionName::TimeUnit, unit)]),
-            ))
+            let found = Finding::of(Kind::TimeUnitOpen).detail("step", significant(step, 6));
+            Err(in_file(&table.name, found.only_remedies([remedy])))
         }
     }
 }

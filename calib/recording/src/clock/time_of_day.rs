@@ -4,9 +4,13 @@ use super::twelve_hours;
 
 /// Periods after which a time of day starts again, s: a minute or an hour where the larger fields stand still, a dial of twelve
 /// hours, and a day.
-const WRAPS: [f64; 4] = [60.0, 3600.0, 43_200.0, 86_400.0];
+const WRAPS: [f64; 4] = [60.0, 3600.0, HALF_A_DAY, DAY];
+/// A day, s.
+pub(crate) const DAY: f64 = 86_400.0;
 /// A step over a start is no longer, s.
 const STEP: f64 = 5.0;
+/// A time of day that goes back by more has passed midnight, s.
+const HALF_A_DAY: f64 = 43_200.0;
 
 /// Reads times of day that go on after midnight.
 #[derive(Clone, Copy, Debug, Default)]
@@ -57,10 +61,12 @@ impl TimeOfDay {
     /// The seconds since the first midnight of what is `seconds` since the last.
     pub fn count_on(&mut self, seconds: f64) -> f64 {
         let now = self.before + seconds;
-        let onwards = |wrap: &&f64| (0.0..=STEP).contains(&(now + **wrap - self.last));
-        let wrap = WRAPS.iter().find(onwards).filter(|_| now < self.last);
-        self.before += wrap.unwrap_or(&0.0);
-        self.last = now + wrap.unwrap_or(&0.0);
+        let onwards = |wrap: &f64| (0.0..=STEP).contains(&(now + wrap - self.last));
+        let midnight = || (now + HALF_A_DAY < self.last).then_some(DAY);
+        let wrap = WRAPS.into_iter().find(onwards).or_else(midnight);
+        let wrap = wrap.filter(|_| now < self.last).unwrap_or_default();
+        self.before += wrap;
+        self.last = now + wrap;
         self.last
     }
 }
@@ -88,6 +94,9 @@ mod tests {
         ] {
             assert_eq!(seconds(text), None, "{text}");
         }
+        let mut clock = TimeOfDay::default();
+        let read = ["23:59:50", "00:00:20"].map(|text| clock.read(text).unwrap());
+        assert_eq!(read[1] - read[0], 30.0);
         let mut clock = TimeOfDay::default();
         let read = ["23:59:59.5", "00:00:00.5"].map(|text| clock.read(text).unwrap());
         assert_eq!(read[1] - read[0], 1.0);

@@ -11,6 +11,7 @@ mod log_streams;
 mod measured;
 mod phones;
 pub(crate) mod robots;
+mod serial_logs;
 mod tables;
 mod texts;
 
@@ -18,13 +19,11 @@ pub use file_formats::catches_panics;
 use findings::{Finding, Kind};
 pub use log_streams::{LogContents, LogStream};
 use phones::{androsensor, phyphox, physics_toolbox, sensor_logger, sensorlog, sensorstream};
-use robots::{
-    adafruit, betaflight, gyroflow, kalibr, novatel, px4_text, razor, ros_text, serial, trackers,
-    vmu931,
-};
+use robots::{betaflight, gyroflow, kalibr, novatel, px4_text, razor, ros_text, trackers, vmu931};
+use serial_logs::{adafruit, headings, serial};
 use texts::{
-    brackets, clock_columns, clock_text, date_and_time, labview, long, per_axis, split_stamp,
-    start_and_rate, tagged, two_headers, unpadded, wide,
+    brackets, clock_columns, clock_text, date_and_time, documents, fields, labview, long, per_axis,
+    split_stamp, start_and_rate, tagged, two_headers, unpadded, wide,
 };
 
 pub use crate::formats::format::Format;
@@ -72,7 +71,10 @@ pub static FORMATS: &[&dyn Format] = &[
     &wide::WIDE,
     &two_headers::TWO_HEADERS,
     &long::LONG,
+    &fields::FIELDS,
+    &documents::DOCUMENTS,
     &adafruit::ADAFRUIT,
+    &headings::HEADINGS,
     &serial::SERIAL,
     &start_and_rate::START_AND_RATE,
     &clock_columns::CLOCK_COLUMNS,

@@ -22,7 +22,9 @@ use crate::rows::table::Table;
 use crate::shown::figure;
 use crate::source::place::in_file;
 use crate::units::field::FieldUnit;
-use crate::units::{AccelUnit, GyroUnit, Stated, TimeUnit, decide, repeated, swapped, values};
+use crate::units::{
+    AccelUnit, GyroUnit, Stated, TimeUnit, decide, hand_clock, repeated, swapped, values,
+};
 
 impl Recording {
     /// Returns true if stamps were ignored for a given rate.
@@ -120,6 +122,7 @@ pub(crate) fn assemble(
     }
     // Turns tell the unit by the right signs.
     flip(&mut recording, &options.flip);
+    hand_clock::refuse(&recording)?;
     if let (Some((name, stated, strange)), Some(stream)) = (gyro, recording.gyroscope.take()) {
         let said = decide::Said {
             given: options.gyro_unit,

@@ -3,6 +3,8 @@
 use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 
+use crate::shown::significant;
+
 /// Source of a sensor's unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UnitBy {
@@ -54,6 +56,13 @@ impl Described {
     pub fn axes(&self) -> Vec<String> {
         let axes = self.columns.iter().filter(|(role, _)| *role != "t");
         axes.map(|(_, column)| column.clone()).collect()
+    }
+
+    /// Returns the stamps by a clock that counts so often in a second, as the option of the columns takes them: `t=stamp/1024`.
+    pub fn by_clock(&self, per_second: f64) -> String {
+        let own = self.columns.iter().find(|(role, _)| *role == "t");
+        let name = own.map_or("1", |(_, name)| name);
+        format!("t={name}/{}", significant(per_second, 6))
     }
 }
 

@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 
 use super::{Others, Rows, Trouble, cell_of};
 use crate::Error;
+use crate::clock::other_order;
 use crate::clock::patterns::pattern_of;
 use crate::header::dialect::Cell;
 use crate::header::names::role_of;
@@ -184,6 +185,11 @@ impl Rows<'_> {
                     Some(pattern) => Remedy::such_as(OptionName::TimeFormat, pattern),
                     None => Remedy::set(OptionName::TimeFormat),
                 }])
+            }
+            Fault::OtherOrder => {
+                let given = self.options.time_format.as_deref().unwrap_or_default();
+                let other = Remedy::such_as(OptionName::TimeFormat, other_order(given));
+                found.only_remedies([other])
             }
             _ => found,
         };

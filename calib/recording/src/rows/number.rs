@@ -29,6 +29,8 @@ pub(crate) enum Fault {
     Date,
     /// A date that is not of the pattern that was given.
     OtherDate,
+    /// A date a month behind the one before it, and a day by the other order of day and month.
+    OtherOrder,
     /// Anything else.
     Text,
 }
@@ -45,6 +47,7 @@ impl Fault {
             Self::Absurd => Kind::NumberAbsurd,
             Self::Date => Kind::DateUnknown,
             Self::OtherDate => Kind::DateOther,
+            Self::OtherOrder => Kind::DateOtherOrder,
             Self::Text => Kind::NotANumber,
         }
     }

@@ -3,6 +3,7 @@
 pub(crate) mod decide;
 mod direction;
 pub(crate) mod field;
+pub(crate) mod hand_clock;
 mod lost_points;
 pub(crate) mod repeated;
 pub(crate) mod rests;
@@ -20,6 +21,10 @@ use self::field::FieldUnit;
 
 /// Standard acceleration of free fall, m/s² (exact by definition, 3rd CGPM, 1901).
 pub(crate) const STANDARD_GRAVITY: f64 = 9.80665;
+
+/// Clocks that programs write without a unit, beside those of [`TimeUnit::ALL`]: hundredths of seconds, and the crystal of
+/// watches, whole and divided by 32, per second.
+pub(crate) const CLOCKS: [f64; 3] = [100.0, 1024.0, 32_768.0];
 
 macro_rules! unit {
     ($(#[$doc:meta])* $name:ident { $($(#[$entry:meta])* $variant:ident = $spelling:literal $(| $other:literal)*,)* }) => {

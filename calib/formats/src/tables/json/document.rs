@@ -39,6 +39,8 @@ pub(super) struct Table<'a> {
 enum Content<'a> {
     /// Objects.
     Records(&'a [Value]),
+    /// Objects by keys that are in the order of time.
+    Members(Vec<(&'a str, &'a Value)>),
     /// Lists of numbers, the names of their columns, and the step between them, ms.
     Rows(&'a [Value], Vec<String>, Option<f64>),
     /// Columns by name, all of one length.
@@ -96,6 +98,13 @@ fn look<'a>(at: &str, members: &'a Map<String, Value>, depth: usize, tables: &mu
         true => name.to_owned(),
         false => format!("{at}/{name}"),
     };
+    if let Some(members) = members_alike(members) {
+        tables.push(Table {
+            name: at.to_owned(),
+            content: Content::Members(members),
+        });
+        return;
+    }
     // By length: sensors may have columns of their own.
     let mut columns: Vec<(usize, Columns<'_>)> = Vec::new();
     for (name, value) in members {
@@ -137,6 +146,37 @@ fn look<'a>(at: &str, members: &'a Map<String, Value>, depth: usize, tables: &mu
             content: Content::Columns(columns),
         });
     }
+}
+
+/// The members of an object of records that are alike, as databases keep them by keys that they make: in the order of the keys, of
+/// numbers by their size.
+fn members_alike(members: &Map<String, Value>) -> Option<Vec<(&str, &Value)>> {
+    let is_record = |record: &Map<String, Value>| {
+        let is_long = |value: &Value| value.as_array().is_some_and(|list| list.len() > WIDEST);
+        !record.is_empty() && !record.values().any(is_long)
+    };
+    let first = members
+        .values()
+        .next()?
+        .as_object()
+        .filter(|own| is_record(own))?;
+    let is_alike = |value: &Value| {
+        value
+            .as_object()
+            .is_some_and(|own| is_record(own) && own.keys().eq(first.keys()))
+    };
+    if members.len() < FEWEST || !members.values().all(is_alike) {
+        return None;
+    }
+    let mut members: Vec<(&str, &Value)> = members
+        .iter()
+        .map(|(key, value)| (key.as_str(), value))
+        .collect();
+    let number = |key: &str| key.parse::<u64>().ok();
+    if members.iter().all(|(key, _)| number(key).is_some()) {
+        members.sort_by_key(|(key, _)| number(key));
+    }
+    Some(members)
 }
 
 /// True for a number or what may stand for one, and for as few as a vector has.
@@ -183,6 +223,7 @@ impl Table<'_> {
     pub fn length(&self) -> usize {
         match &self.content {
             Content::Records(rows) | Content::Rows(rows, ..) => rows.len(),
+            Content::Members(members) => members.len(),
             Content::Columns(columns) => columns.first().map_or(0, |(_, column)| column.len()),
         }
     }
@@ -195,6 +236,19 @@ impl Table<'_> {
         let mut row = Row::new();
         match &self.content {
             Content::Records(records) => return packets::rows(&records[at]),
+            Content::Members(members) => {
+                let (key, record) = members[at];
+                // Keys that count are stamps, be it of the rows.
+                let stamp = key
+                    .parse()
+                    .ok()
+                    .map(|key| ("key".to_owned(), Cell::Unsigned(key)));
+                let mut rows = packets::rows(record)?;
+                for row in &mut rows {
+                    row.extend(stamp.clone());
+                }
+                return Ok(rows);
+            }
             Content::Rows(rows, names, step) => {
                 if let Some(step) = step {
                     row.push(("time (ms)".to_owned(), Cell::Double(step * at as f64)));

@@ -108,6 +108,29 @@ fn tables_are_found_within_a_document() {
 }
 
 #[test]
+fn records_by_keys_of_a_database_are_rows_in_the_order_of_the_keys() {
+    let record =
+        |key: &str, k: u32| format!(r#""{key}": {{"t": {k}, "acc": {{"x": {k}, "y": 0}}}}"#);
+    let by = |key: fn(u32) -> String| -> String {
+        let records: Vec<String> = (0..11).map(|k| record(&key(k), k)).collect();
+        format!(r#"{{"log": {{"imu": {{{}}}}}}}"#, records.join(","))
+    };
+    let read = read(&by(|k| format!("-Nx{}", char::from(b'a' + k as u8))));
+    assert_eq!(read[0].0, "log/imu");
+    assert!(
+        read[0].1.starts_with("acc.x,acc.y,t\n0,0,0\n1,0,1\n"),
+        "{}",
+        read[0].1
+    );
+    // Numbers by their size: 9, 10.
+    let read = only(&by(|k| k.to_string()));
+    assert!(read.ends_with("9,0,9,9\n10,0,10,10\n"), "{read}");
+    // Three sensors are no records.
+    let few = r#"{"a": {"x": 1}, "b": {"x": 1}, "c": {"x": 1}}"#;
+    assert!(refused(few).contains("it holds a, b, c"));
+}
+
+#[test]
 fn what_is_no_table_is_refused_in_words() {
     assert!(refused(r#"{"a": 1, "b": [1, 2]}"#).contains("it holds a, b"));
     let lists = r#"[{"t": 0, "acc": [{"x": 1}, {"x": 2}], "gyro": [{"x": 1}]}]"#;

@@ -1,6 +1,8 @@
 //! Texts of comma-separated and other cells that no single program writes.
 
 pub(crate) mod brackets;
+pub(crate) mod documents;
+pub(crate) mod fields;
 pub(crate) mod labview;
 pub(crate) mod long;
 pub(crate) mod per_axis;

@@ -63,8 +63,9 @@ fn part(look: &Look, names: &[String], sensor: Sensor) -> Option<Option<Part>> {
         return None;
     };
     let is_time = |at: usize| {
+        // Each may be called after its channel.
         let name = &names[at];
-        *name == names[x] && (role_of(name, None) == Some(Role::Time) || is_like_time(name))
+        role_of(name, None) == Some(Role::Time) || is_like_time(name)
     };
     if ![x, y, z].into_iter().all(is_time) {
         return None;
@@ -110,6 +111,9 @@ mod tests {
         let expected = vec![["3", "4", "6", "8"].map(str::to_owned).to_vec()];
         assert_eq!(columns(header, "0,1,0.5,1,0.5,2,0.5,3"), Some(expected));
         assert_eq!(columns(header, "0,1,0.5,1,0.6,2,0.5,3"), None);
+        let called = "ACC X Time Series (s),ACC X (G),ACC Y Time Series (s),ACC Y (G),ACC Z Time Series (s),ACC Z (G)";
+        let expected = vec![["1", "2", "4", "6"].map(str::to_owned).to_vec()];
+        assert_eq!(columns(called, "0,1,0,2,0,3"), Some(expected));
         let german = columns(&header.replace(',', ";"), "0;1;0,5;1,5;0,5;2,5;0,5;3,5");
         assert_eq!(german.map(|parts| parts.len()), Some(1));
         let header = "t,ax,t,ay,t,az,t,gx,t,gy,t,gz";

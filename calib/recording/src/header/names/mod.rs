@@ -184,6 +184,10 @@ mod tests {
             ("Acceleration - x (m/s²) Run #1", Some(Role::Accel(0))),
             ("Angular Velocity Y (°/s) Run 12", Some(Role::Gyro(1))),
             ("Time (s) Run 1", Some(Role::Time)),
+            (
+                "Beschleunigung – x (m/s²) Messreihe #1",
+                Some(Role::Accel(0)),
+            ),
             ("Time of Run: x (g)", None),
             ("Beschleunigung_x in m/s²", Some(Role::Accel(0))),
             ("Gyro_z in °/s", Some(Role::Gyro(2))),

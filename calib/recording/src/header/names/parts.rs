@@ -34,7 +34,7 @@ pub(crate) fn take_apart(name: &str) -> (String, Option<&str>) {
 /// What a run of an experiment is called where it is the last.
 const LATEST: &str = "latest";
 /// What runs are called that have a number.
-const RUNS: [&str; 2] = ["run", "data set"];
+const RUNS: [&str; 5] = ["run", "data set", "messreihe", "durchlauf", "essai"];
 
 /// A name without the run that programs of laboratories write around it: `Run 1: Time (s)`, `Latest: Time (s)`, `Time (s) Run #1`.
 fn without_run(name: &str) -> &str {

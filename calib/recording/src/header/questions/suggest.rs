@@ -12,7 +12,8 @@ use crate::units::TimeUnit;
 /// An example for a table of `width` columns where nothing better is known.
 fn by_number(width: usize) -> Remedy {
     let example = match width {
-        0..4 => "t=1,ax=2",
+        0..3 => "t=1,ax=2",
+        3 => "ax=1,ay=2,az=3",
         4..7 => "t=1,ax=2,ay=3,az=4",
         _ => "t=1,ax=2,ay=3,az=4,gx=5,gy=6,gz=7",
     };

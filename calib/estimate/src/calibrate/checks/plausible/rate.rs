@@ -1,6 +1,7 @@
 //! A gyroscope against the turns that the accelerometer saw: its unit, the scale of its axes, and how they lie.
 
 use findings::{Finding, Kind, OptionName, Remedy};
+use recording::Recording;
 use sensor::Sensor;
 
 use super::Said;
@@ -18,6 +19,11 @@ const TURNED: f64 = 0.26;
 const COMMON_SCALE: f64 = 0.03;
 /// The same to a factor of two, the commonest of wrong rates, and the sensor's own errors on top.
 const COMMON_SCALES: std::ops::RangeInclusive<f64> = 0.45..=2.2;
+
+/// Ticks in a second of clocks that come from the crystal of a watch, by 32.
+const TICKS: f64 = 1024.0;
+/// A gyroscope's own scale beside them, all axes together; one axis has twice that.
+const TICKS_OFF: f64 = 0.008;
 
 /// A finding of the gyroscope.
 fn of(kind: Kind) -> Finding {
@@ -96,6 +102,10 @@ fn of_scales(fit: &RateFit<'_>, columns: &Columns, scales: &Scales, said: &mut S
     if say_odd_axis(Sensor::Gyroscope, scales, columns, si, said) {
         return;
     }
+    if let Some(found) = ticks(fit, scales).filter(|_| si) {
+        said.warn(found);
+        return;
+    }
     let all = scales.all_off(COMMON_SCALE);
     let all = all.filter(|ratio| scales.tell(ratio.ln().abs()));
     if let Some(ratio) = all.filter(|ratio| si && COMMON_SCALES.contains(ratio)) {
@@ -106,6 +116,35 @@ fn of_scales(fit: &RateFit<'_>, columns: &Columns, scales: &Scales, said: &mut S
                 .only_remedies([Remedy::set(OptionName::Rate), read]),
         );
     }
+}
+
+/// Stamps of which nobody says that they are milliseconds, and in which every axis reads as much too much as it would were they
+/// 1024 in a second.
+fn ticks(fit: &RateFit<'_>, scales: &Scales) -> Option<Finding> {
+    let is_guess = |found: &Finding| {
+        found.kind == Kind::TimeUnitTold
+            && found.word("unit") == Some("ms")
+            && found.value("year").is_none()
+    };
+    let guessed = |recording: &&&Recording| recording.warnings.iter().any(is_guess);
+    let recording = fit.recordings.iter().find(guessed)?;
+    let ratio = scales.common().recip();
+    let near = |scale: f64, within: f64| (scale * TICKS / 1000.0 - 1.0).abs() < within;
+    let are_near = near(ratio, TICKS_OFF)
+        && scales
+            .each()
+            .iter()
+            .all(|s| near(s.recip(), 2.0 * TICKS_OFF));
+    let described = recording.description.of(Sensor::Gyroscope)?;
+    (are_near && scales.tell((TICKS / 1000.0).ln())).then(|| {
+        of(Kind::ClockOfTicks)
+            .in_recording(&recording.name)
+            .detail("ratio", format!("{ratio:.3}"))
+            .only_remedies([Remedy::set_to(
+                OptionName::Columns,
+                described.by_clock(TICKS),
+            )])
+    })
 }
 
 /// The unit of readings that are not in rad/s.

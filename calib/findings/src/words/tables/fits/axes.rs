@@ -87,6 +87,12 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             remedies: vec![Remedy::any_of([OptionName::Rate, OptionName::GyroUnit])],
             ..bad(30.0)
         },
+        Kind::ClockOfTicks => Entry {
+            reason: "the time stamps may count 1/1024 s",
+            text: "the gyroscope's scale factor is {ratio} on all axes, as if the time stamps counted 1/1024 s instead of ms. The file does not state their unit",
+            advice: "compare the length of the recording with its true duration: if it is too long by 2.4 %, the stamps count 1/1024 s",
+            ..care(2.3)
+        },
         Kind::ReadingsInDegrees => Entry {
             reason: "the gyroscope's unit looks like {unit}",
             text: "the readings of the gyroscope look like {unit}[ that were read as {read}]. The calibration converts them to rad/s",

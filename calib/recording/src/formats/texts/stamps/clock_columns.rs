@@ -34,10 +34,13 @@ const FIELDS: [(&[&str], f64); 6] = [
         1e-6,
     ),
     (
-        &["nanosecond", "nanoseconds", "nanosec", "nsec", "ns"],
+        &["nanosecond", "nanoseconds", "nanosec", "nsec", "ns", "nano"],
         1e-9,
     ),
 ];
+
+/// What stands before the names of fields: `UTC_Hour`.
+const CLOCKS: [&str; 4] = ["utc", "gps", "local", "rtc"];
 
 /// A field's column and its seconds.
 type Field = (usize, f64);
@@ -50,9 +53,10 @@ fn fields(header: &str) -> Option<Vec<Field>> {
     let names = words(header);
     let field = |name: &str| {
         let word = compact(name);
-        FIELDS
-            .iter()
-            .position(|(words, _)| words.contains(&word.as_str()))
+        let mut clocks = CLOCKS.iter();
+        let bare = clocks.find_map(|clock| word.strip_prefix(clock));
+        let bare = bare.unwrap_or(&word);
+        FIELDS.iter().position(|(words, _)| words.contains(&bare))
     };
     let found: Vec<Option<usize>> = names.iter().map(|name| field(name)).collect();
     let minutes = found.iter().position(|found| *found == Some(MINUTE))?;
@@ -282,6 +286,10 @@ mod tests {
             (
                 "min,sec,ax\n59,59.5,1\n0,0.5,1\n",
                 "time,part,ax\n3599.500000000,59.5,1\n3600.500000000,0.5,1\n",
+            ),
+            (
+                "UTC_Hour,UTC_Minute,UTC_Second,UTC_Nano,ax\n1,0,2,250000000,7\n1,0,2,260000000,7\n",
+                "part,time,part,part,ax\n1,3602.250000000,2,250000000,7\n1,3602.260000000,2,260000000,7\n",
             ),
             (
                 "hour;minute;second;ms;ax\n1;0;2;250;7\n1;0;2;260;7\n",

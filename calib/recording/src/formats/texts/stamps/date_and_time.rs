@@ -2,7 +2,7 @@
 
 use std::io::Read;
 
-use crate::clock::time_of_day::seconds;
+use crate::clock::time_of_day::{DAY, TimeOfDay};
 use crate::formats::texts::text_format::TextFormat;
 use crate::header::look::{Look, cells};
 use crate::header::names::role_of;
@@ -56,11 +56,11 @@ fn joined(line: &str) -> Option<(String, &str)> {
     Some((format!("{date} {}", time.replace(',', ".")), rest))
 }
 
-/// Days that a date which stands still is behind: one more wherever the time of day begins again under it.
+/// Counts the days that a date which stands still is behind.
 #[derive(Default)]
 struct Days {
-    before: Option<(String, f64)>,
-    passed: i64,
+    date: String,
+    clock: TimeOfDay,
 }
 
 impl Days {
@@ -69,24 +69,18 @@ impl Days {
         let Some((date, time)) = stamp.split_once(' ') else {
             return stamp;
         };
-        let now = seconds(time).unwrap_or_default();
-        match &self.before {
-            Some((before, _)) if before != date => self.passed = 0,
-            Some((_, last)) if now + HALF_A_DAY < *last => self.passed += 1,
-            _ => {}
+        if self.date != date {
+            (self.date, self.clock) = (date.to_owned(), TimeOfDay::default());
         }
-        self.before = Some((date.to_owned(), now));
+        let passed = self.clock.read(time).unwrap_or_default() / DAY;
         let day = date.parse::<jiff::civil::Date>().ok();
-        let day = day.filter(|_| self.passed > 0).and_then(|day| {
-            let passed = jiff::Span::new().try_days(self.passed).ok()?;
+        let day = day.filter(|_| passed >= 1.0).and_then(|day| {
+            let passed = jiff::Span::new().try_days(passed as i64).ok()?;
             day.checked_add(passed).ok()
         });
         day.map_or_else(|| stamp.clone(), |day| format!("{day} {time}"))
     }
 }
-
-/// A time of day that goes back by more has passed midnight, s.
-const HALF_A_DAY: f64 = 43_200.0;
 
 /// The rows with date and time in one cell, the header without the name of the date.
 fn change(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {

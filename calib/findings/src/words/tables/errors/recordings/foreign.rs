@@ -33,10 +33,6 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "this is an HTML page, perhaps of a failed download",
             "download the file itself",
         ),
-        Kind::RosEcho => error(
-            "this is what `rostopic echo` and `ros2 topic echo` print",
-            "record it as a bag, or let the same command print a table (csv)",
-        ),
         Kind::ArdupilotText => error(
             "this is an ArduPilot log that was made a text",
             "name the .BIN that it was made of",

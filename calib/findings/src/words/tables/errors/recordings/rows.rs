@@ -92,6 +92,13 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
                 "%d.%m.%Y %H:%M:%S%.f",
             )],
         ),
+        Kind::DateOtherOrder => error_by(
+            "`{cell}` in {column} is a month or more behind the row before, and a day at most where the day and the month are in the other order",
+            vec![Remedy::such_as(
+                OptionName::TimeFormat,
+                "%d/%m/%Y %H:%M:%S%.f",
+            )],
+        ),
         Kind::NotANumber => error_by(
             "`{cell}` in {column} is not a number",
             vec![Remedy::set_to(OptionName::SkipBadRows, "20")],

@@ -38,6 +38,11 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "the program cannot tell the unit of the time stamps[: it does not know the one in `{column}`][. Their usual step of {step} makes a usual rate in no unit that it knows]",
             vec![Remedy::such_as(OptionName::TimeUnit, "ms")],
         ),
+        Kind::TimeUnitTooFast => error_with(
+            "the file does not state the unit of the time stamps. By their steps it would be {unit}, but then the device was turned at {speed} from rest to rest, faster than a hand turns it",
+            "look up what the stamps count",
+            vec![Remedy::such_as(OptionName::TimeUnit, "ms")],
+        ),
         Kind::StampsByOne => error_by(
             "the time stamps go up by 1 from row to row, as if they counted the rows",
             vec![Remedy::examples([

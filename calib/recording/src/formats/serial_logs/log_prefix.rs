@@ -62,7 +62,8 @@ fn behind_date(line: &str) -> Option<(Stamp, &str)> {
     let rest = rest.strip_prefix([' ', 'T']).filter(|_| is_date)?;
     let (time, message) = rest.split_once([' ', ','])?;
     let by_comma = rest[time.len()..].starts_with(',');
-    let time = time.trim_end_matches([':', 'Z']);
+    // A zone of the earth, as `+0200`.
+    let time = time.split(['+', '-']).next()?.trim_end_matches([':', 'Z']);
     let begins = |c: char| c.is_alphanumeric() || matches!(c, '-' | '.' | '{' | '$');
     let is_name = |word: &str| word.len() > 1 && word.starts_with(char::is_alphabetic);
     let has_names = || message.split([' ', ',', ':', '=', '"']).any(is_name);
@@ -253,6 +254,10 @@ mod tests {
             ("2026-05-01T22:13:01.123Z {\"ax\": 1}", "{\"ax\": 1}"),
             ("2026-05-01 22:13:01.123: IMU {AccX : 1}", "IMU {AccX : 1}"),
             ("2026-05-01T22:13:01.123,FE,xacc,1", "FE,xacc,1"),
+            (
+                "2026-05-01T22:13:01.123+0200 a/b {\"ax\": 1}",
+                "a/b {\"ax\": 1}",
+            ),
         ] {
             assert_eq!(by_terminal(line), Some((stamp, message)), "{line}");
         }

@@ -63,7 +63,7 @@ fn labelled(look: &Look) -> Option<Vec<Part>> {
         let (force, rate) = (of(Sensor::Accelerometer), of(Sensor::Gyroscope));
         let [accel, gyro] = [force.clone().count(), rate.clone().count()];
         // Where as many are of the one as of the other, lines of other sensors and rules between the blocks may be more.
-        let are_blocks = accel.abs_diff(gyro) <= 1 && 4 * (accel + gyro) >= lines.len();
+        let are_blocks = accel.abs_diff(gyro) <= 1 && 8 * (accel + gyro) >= lines.len();
         let are_most = 4 * (accel + gyro) >= 3 * lines.len().saturating_sub(5);
         if accel.min(gyro) < 2 || !(are_blocks || are_most) {
             return None;

@@ -107,86 +107,129 @@ pub(super) fn numbers(line: &str) -> Option<Numbers<'_>> {
         (None, Some((stamp, rest))) => (Some(stamp), rest),
         _ => (None, line),
     };
-    let rest = without_checksum(rest);
-    let mut pairs = Vec::new();
-    let mut sensors = Vec::new();
-    let in_brackets = in_brackets(rest).filter(|_| stamp.is_none());
-    let is_in_brackets = in_brackets.is_some();
-    let rest = in_brackets.map_or(rest, |(number, rest)| {
-        pairs.push(("time", number));
-        sensors.push(None);
-        rest
-    });
-    // The topic of a message may stand before it: `imu/data {"ax": ..}`.
+    let in_brackets = in_brackets(without_checksum(rest)).filter(|_| stamp.is_none());
+    let (counted, rest) = match in_brackets {
+        Some((number, rest)) => (Some(number), rest),
+        None => (None, without_checksum(rest)),
+    };
+    let mut found = Numbers {
+        stamp,
+        tag: logged.map(|logged| logged.tag),
+        pairs: counted.map(|number| ("time", number)).into_iter().collect(),
+        sensors: counted.map(|_| None).into_iter().collect(),
+        accel_unit: None,
+        gyro_unit: None,
+    };
+    found.read(without_topic(rest))?;
+    // A stamp in brackets alone names no numbers.
+    let names = found.names().skip(usize::from(counted.is_some()));
+    let has_name = { names }.any(|name| !name.is_empty());
+    let is_bracketed = logged.is_none() && line.trim_start().starts_with('[');
+    let is_named = has_name || (stamp.is_some() && !is_bracketed);
+    (found.pairs.len() >= 3 && is_named).then_some(found)
+}
+
+/// A message without its topic: `imu/data {"ax": ..}`.
+fn without_topic(message: &str) -> &str {
     let is_topic = |text: &str| {
         text.trim().starts_with(char::is_alphabetic) && !text.trim().contains([' ', ',', '\t'])
     };
-    let record = rest.find("{\"").filter(|at| is_topic(&rest[..*at]));
-    let rest = record.map_or(rest, |at| &rest[at..]);
-    let is_json = rest.trim_start().starts_with('{');
+    let record = message.find("{\"").filter(|at| is_topic(&message[..*at]));
+    record.map_or(message, |at| &message[at..])
+}
+
+/// The words and the numbers of a message, without what separates them.
+fn words(message: &str) -> impl Iterator<Item = &str> {
+    let is_json = message.trim_start().starts_with('{');
     // `IMU {AccX : 1, ..}`, `Accel: {'x': 1, ..}`.
-    let is_in_braces = is_json || (rest.contains('{') && rest.trim_end().ends_with('}'));
-    let separates = |c: char| {
+    let is_in_braces = is_json || (message.contains('{') && message.trim_end().ends_with('}'));
+    let separates = move |c: char| {
         matches!(
             c,
             ',' | ';' | ' ' | '\t' | ':' | '=' | '|' | '(' | ')' | '[' | ']'
         ) || (is_in_braces && matches!(c, '{' | '}' | '"' | '\''))
     };
-    // The unit of the numbers that follow, as in `Acc (mg) [ 1, 2, 3 ]`.
-    let stands_in_parentheses = |word: &str| {
-        let begin = word.as_ptr() as usize - rest.as_ptr() as usize;
-        rest[..begin].ends_with('(') && rest[begin + word.len()..].starts_with(')')
-    };
-    let (mut name, mut sensor) = ("", None);
-    let (mut accel_unit, mut gyro_unit) = (None, None);
-    for word in rest.split(separates).filter(|word| !word.is_empty()) {
-        match word.parse::<f64>() {
-            Ok(value) if value.is_finite() => {
-                pairs.push((std::mem::take(&mut name), word));
-                sensors.push(sensor);
-            }
-            _ if !pairs.is_empty() && word.contains('/') && word.parse::<AccelUnit>().is_ok() => {
-                accel_unit = word.parse().ok();
-            }
-            _ if !pairs.is_empty() && word.contains('/') && word.parse::<GyroUnit>().is_ok() => {
-                gyro_unit = word.parse().ok();
-            }
-            _ if stands_in_parentheses(word) && !name.is_empty() => match sensor {
-                Some(Sensor::Accelerometer) => accel_unit = word.parse().ok().or(accel_unit),
-                Some(Sensor::Gyroscope) => gyro_unit = word.parse().ok().or(gyro_unit),
-                _ => {}
-            },
-            // Dates and torn numbers are no names.
-            _ if word.starts_with(char::is_alphabetic) => {
+    message.split(separates).filter(|word| !word.is_empty())
+}
+
+/// A number as it is written, and a whole one that InfluxDB marks, `12i`, without its mark.
+fn number(word: &str) -> Option<&str> {
+    let is_number = |word: &str| word.parse::<f64>().is_ok_and(f64::is_finite);
+    let whole = word
+        .strip_suffix('i')
+        .filter(|own| own.parse::<i64>().is_ok());
+    whole.or_else(|| is_number(word).then_some(word))
+}
+
+/// Digits of a stamp since 1970 in seconds.
+const OF_EPOCH: usize = 10;
+
+impl<'a> Numbers<'a> {
+    /// Adds what a message says; `None` where a word is neither a name nor a number nor a unit.
+    fn read(&mut self, message: &'a str) -> Option<()> {
+        let (mut name, mut sensor) = ("", None);
+        for word in words(message) {
+            if let Some(number) = number(word) {
+                self.pairs.push((std::mem::take(&mut name), number));
+                self.sensors.push(sensor);
+            } else if !self.take_unit(message, word, name, sensor) {
+                // Dates and torn numbers are no names.
+                word.starts_with(char::is_alphabetic).then_some(())?;
                 name = word;
                 sensor = sensor_of(&compact(word)).or(sensor);
             }
-            _ => return None,
+        }
+        // A unit that ends the line is that of its numbers.
+        if !name.is_empty() && message.trim_end().ends_with(name) {
+            if self.accel_unit.is_none() && self.is_of_one(Sensor::Accelerometer) {
+                self.accel_unit = name.parse().ok();
+            } else if self.gyro_unit.is_none() && self.is_of_one(Sensor::Gyroscope) {
+                self.gyro_unit = name.parse().ok();
+            }
+        }
+        self.name_the_stamp();
+        Some(())
+    }
+
+    /// Takes a word that is the unit of the numbers before it, or, in parentheses, of those that follow: `Acc (mg) [ 1, 2, 3 ]`.
+    fn take_unit(&mut self, message: &str, word: &str, name: &str, sensor: Option<Sensor>) -> bool {
+        if !self.pairs.is_empty() && word.contains('/') {
+            let (accel, gyro) = (word.parse::<AccelUnit>(), word.parse::<GyroUnit>());
+            if let Ok(unit) = accel {
+                self.accel_unit = Some(unit);
+                return true;
+            }
+            if let Ok(unit) = gyro {
+                self.gyro_unit = Some(unit);
+                return true;
+            }
+        }
+        let begin = word.as_ptr() as usize - message.as_ptr() as usize;
+        let is_in_parentheses =
+            message[..begin].ends_with('(') && message[begin + word.len()..].starts_with(')');
+        let is_unit = is_in_parentheses && !name.is_empty();
+        if is_unit {
+            match sensor {
+                Some(Sensor::Accelerometer) => {
+                    self.accel_unit = word.parse().ok().or(self.accel_unit);
+                }
+                Some(Sensor::Gyroscope) => self.gyro_unit = word.parse().ok().or(self.gyro_unit),
+                _ => {}
+            }
+        }
+        is_unit
+    }
+
+    /// Calls a count since 1970 behind numbers that all have names the time: `imu ax=1,ay=2,az=3 1700000000000000000`.
+    fn name_the_stamp(&mut self) {
+        let Some(((name, number), before)) = self.pairs.split_last_mut() else {
+            return;
+        };
+        let is_epoch = number.len() >= OF_EPOCH && number.bytes().all(|b| b.is_ascii_digit());
+        if is_epoch && name.is_empty() && before.iter().all(|(name, _)| !name.is_empty()) {
+            *name = "time";
         }
     }
-    // A stamp in brackets alone names no numbers.
-    let mut named = pairs.iter().skip(usize::from(is_in_brackets));
-    let is_bracketed = logged.is_none() && line.trim_start().starts_with('[');
-    let is_stamped = stamp.is_some() && !is_bracketed;
-    let is_named = is_stamped || named.any(|(name, _)| !name.is_empty());
-    let tag = logged.map(|logged| logged.tag);
-    let mut found = Numbers {
-        stamp,
-        tag,
-        pairs,
-        sensors,
-        accel_unit,
-        gyro_unit,
-    };
-    // A unit that ends the line is that of its numbers.
-    if !name.is_empty() && rest.trim_end().ends_with(name) {
-        if accel_unit.is_none() && found.is_of_one(Sensor::Accelerometer) {
-            found.accel_unit = name.parse().ok();
-        } else if gyro_unit.is_none() && found.is_of_one(Sensor::Gyroscope) {
-            found.gyro_unit = name.parse().ok();
-        }
-    }
-    (found.pairs.len() >= 3 && is_named).then_some(found)
 }
 
 /// The number in brackets that a line begins with, `[12] ..`, and what follows.
@@ -259,6 +302,22 @@ mod tests {
             let found = numbers(line).unwrap();
             assert_eq!((found.accel_unit, found.gyro_unit), units, "{line}");
         }
+    }
+
+    #[test]
+    fn lines_of_influxdb_end_with_their_stamp() {
+        let line = "imu,device=esp,room=lab ax=0.1,ay=2i,az=9.8 1700000000000000000";
+        let found = numbers(line).unwrap();
+        let names: Vec<&str> = found.names().collect();
+        assert_eq!(names, ["ax", "ay", "az", "time"]);
+        assert_eq!(found.pairs[1], ("ay", "2"));
+        let found = numbers("gyro,device=esp x=1,y=2,z=3 1700000000000000000").unwrap();
+        let columns = found.columns();
+        assert_eq!(columns[3], (Role::Time, "4".to_owned()));
+        assert!(found.is_of_one(Sensor::Gyroscope));
+        // A fourth number of a list is none.
+        let found = numbers("acc: 1, 2, 3, 1700000000").unwrap();
+        assert_eq!(found.pairs[3], ("", "1700000000"));
     }
 
     #[test]

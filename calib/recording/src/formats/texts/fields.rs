@@ -1,0 +1,213 @@
+//! Tables with a row per number, which says its name: `0.01,ax,0.05`.
+
+use std::io::Read;
+
+use sensor::Sensor;
+
+use super::places::may_be_row;
+use super::text_format::TextFormat;
+use crate::header::look::{Look, cells};
+use crate::header::names::{compact, is_field, role_of, sensor_of, stated_unit, take_apart};
+use crate::recording::options::Role;
+use crate::rows::parts::{Change, Part};
+use crate::source::rewrite::rewritten;
+use crate::units::Stated;
+
+/// Rows of one number each.
+pub(crate) static FIELDS: TextFormat = TextFormat {
+    name: "fields",
+    about: "a row per number, which says its name: `0.01,ax,0.05`",
+    parts,
+};
+
+/// Names of the column of the numbers.
+const VALUES: [&str; 6] = ["value", "val", "wert", "valeur", "valor", "reading"];
+/// Numbers in a line of a table of another kind.
+const WIDEST: usize = 16;
+
+/// The columns of the time and of the numbers.
+#[derive(Clone, Copy, Debug)]
+struct Columns {
+    time: usize,
+    value: usize,
+}
+
+impl Columns {
+    fn of(header: &[String]) -> Option<Self> {
+        let is_value = |name: &String| VALUES.contains(&compact(name).as_str());
+        let is_time = |name: &String| role_of(name, None) == Some(Role::Time);
+        let found = Self {
+            time: header.iter().position(is_time)?,
+            value: header.iter().position(is_value)?,
+        };
+        let has_axis = header.iter().any(|name| axis_of(name).is_some());
+        (!has_axis && header.len() <= WIDEST).then_some(found)
+    }
+}
+
+/// The sensor and the axis that a name calls.
+fn axis_of(name: &str) -> Option<(Sensor, usize)> {
+    let role = role_of(name, None)?;
+    let (sensor, axis) = match role {
+        Role::Accel(axis) => (Sensor::Accelerometer, axis),
+        Role::Gyro(axis) => (Sensor::Gyroscope, axis),
+        Role::Field(axis) => (Sensor::Magnetometer, axis),
+        _ => return None,
+    };
+    Some((sensor, axis))
+}
+
+/// The name of a row's number: of the cell that calls an axis, or of that of the sensor and that of the axis.
+fn name_of(cells: &[String]) -> Option<(Sensor, usize)> {
+    let whole = cells.iter().find_map(|cell| axis_of(cell));
+    let sensor = || {
+        cells.iter().find_map(|cell| {
+            let word = compact(cell);
+            match is_field(&word) {
+                true => Some(Sensor::Magnetometer),
+                false => sensor_of(&word).filter(|_| word.len() > 2),
+            }
+        })
+    };
+    let axis = || {
+        let letter = |cell: &String| {
+            ["x", "y", "z"]
+                .iter()
+                .position(|a| cell.eq_ignore_ascii_case(a))
+        };
+        cells.iter().find_map(letter)
+    };
+    whole.or_else(|| Some((sensor()?, axis()?)))
+}
+
+/// The numbers of the instant that the last row is of.
+#[derive(Default)]
+struct Instant {
+    time: String,
+    axes: [Option<String>; 3],
+}
+
+impl Instant {
+    /// Takes a row of the sensor, and returns the row of its three axes that it completes.
+    fn next(&mut self, cells: &[String], columns: Columns, sensor: Sensor) -> Option<String> {
+        let (time, value) = (cells.get(columns.time)?, cells.get(columns.value)?);
+        let (_, axis) = name_of(cells).filter(|(own, _)| *own == sensor)?;
+        if *time != self.time {
+            *self = Self {
+                time: time.clone(),
+                ..Self::default()
+            };
+        }
+        self.axes[axis] = Some(value.clone());
+        let [Some(x), Some(y), Some(z)] = &self.axes else {
+            return None;
+        };
+        // Another separator than commas, which may be decimal marks.
+        let row = format!("{time};{x};{y};{z}");
+        self.axes = Default::default();
+        Some(row)
+    }
+}
+
+fn parts(look: &Look) -> Option<Vec<Part>> {
+    let mut lines = look.far_lines().filter(|line| may_be_row(line)).map(cells);
+    let header = lines.next()?;
+    let columns = Columns::of(&header)?;
+    let rows: Vec<Vec<String>> = lines.collect();
+    let named = rows.iter().filter(|row| name_of(row).is_some()).count();
+    if 2 * named < rows.len() {
+        return None;
+    }
+    let count = |sensor: Sensor| {
+        let mut instant = Instant::default();
+        let mut whole = rows
+            .iter()
+            .filter_map(|row| instant.next(row, columns, sensor));
+        whole.by_ref().take(2).count()
+    };
+    let change = |sensor: Sensor| -> Option<Change> {
+        (count(sensor) == 2).then_some(match sensor {
+            Sensor::Accelerometer => |text| rows_of(text, Sensor::Accelerometer),
+            Sensor::Gyroscope => |text| rows_of(text, Sensor::Gyroscope),
+            Sensor::Magnetometer => |text| rows_of(text, Sensor::Magnetometer),
+        })
+    };
+    let changes = Sensor::ALL.map(change);
+    changes[..2].iter().any(Option::is_some).then_some(())?;
+    let unit = |sensor: Sensor| {
+        let is_own = |cell: &&String| axis_of(cell).is_some_and(|(own, _)| own == sensor);
+        let name = rows.iter().flatten().find(is_own)?;
+        take_apart(name).1
+    };
+    let stated = Stated {
+        time: stated_unit(&header[columns.time]),
+        accel: unit(Sensor::Accelerometer).and_then(|unit| unit.parse().ok()),
+        gyro: unit(Sensor::Gyroscope).and_then(|unit| unit.parse().ok()),
+        ..Stated::default()
+    };
+    Some(Part::of_each(changes, ["1", "2", "3", "4"], stated).collect())
+}
+
+/// A row for each instant of one sensor, at the line that completes it; the other lines are blank.
+fn rows_of(text: Box<dyn Read + Send>, sensor: Sensor) -> Box<dyn Read + Send> {
+    let mut columns: Option<Columns> = None;
+    let mut instant = Instant::default();
+    rewritten(text, move |line, out| {
+        let text = String::from_utf8_lossy(line);
+        if !may_be_row(&text) {
+            return;
+        }
+        let cells = cells(&text);
+        match columns {
+            None => columns = Columns::of(&cells),
+            Some(columns) => {
+                let row = instant.next(&cells, columns, sensor);
+                out.extend_from_slice(row.unwrap_or_default().as_bytes());
+            }
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::source::rewrite::changed_by;
+
+    fn rows(text: &str) -> Option<Vec<Vec<String>>> {
+        let parts = parts(&Look::at(text.as_bytes()))?;
+        let rows = |part: &Part| {
+            let text = changed_by(part.change.unwrap(), text);
+            let rows = text.lines().filter(|line| !line.is_empty());
+            rows.map(str::to_owned).collect()
+        };
+        Some(parts.iter().map(rows).collect())
+    }
+
+    #[test]
+    fn the_numbers_of_an_instant_are_a_row_of_their_sensor() {
+        let names = ["ax", "ay", "az", "gx", "gy", "gz"];
+        let row = |k: usize| format!("0.0{},{},{}\n", k / 6, names[k % 6], k);
+        let text = (0..12).fold("time,name,value\n".to_owned(), |text, k| text + &row(k));
+        let read = rows(&text).unwrap();
+        assert_eq!(read[0], ["0.00;0;1;2", "0.01;6;7;8"]);
+        assert_eq!(read[1], ["0.00;3;4;5", "0.01;9;10;11"]);
+        // The sensor and the axis in cells of their own, with decimal commas.
+        let row = |k: usize| format!("0,0{};accel;{};{},5\n", k / 3, ["x", "y", "z"][k % 3], k);
+        let text = (0..6).fold("t;sensor;axis;value\n".to_owned(), |text, k| text + &row(k));
+        assert_eq!(
+            rows(&text).unwrap()[0],
+            ["0,00;0,5;1,5;2,5", "0,01;3,5;4,5;5,5"]
+        );
+    }
+
+    #[test]
+    fn axes_at_other_times_and_other_tables_are_left_alone() {
+        for text in [
+            "time,name,value\n1,ax,1\n2,ay,2\n3,az,3\n4,ax,4\n5,ay,5\n6,az,6\n",
+            "time,ax,ay,az,value\n1,2,3,4,5\n2,2,3,4,5\n",
+            "time,name,value\n1,co2,1\n2,co2,2\n",
+        ] {
+            assert!(rows(text).is_none(), "{text}");
+        }
+    }
+}
