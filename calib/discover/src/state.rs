@@ -234,6 +234,13 @@ impl State {
             .get_or_init(|| Arc::new(levels(&self.projected, self.noise, self.noise_given)))
     }
 
+    /// Log-likelihood at the likeliest of these settings, up to a constant that is the same for models of the same rows.
+    pub fn log_likelihood(&self) -> f64 {
+        let levels = self.levels().iter();
+        let each = levels.map(|level| level.whitened.log_likelihood());
+        each.fold(f64::NEG_INFINITY, f64::max)
+    }
+
     /// The levels of the noise at which claims are tried, each with its prior probability.
     pub fn walks(&self) -> &[Level] {
         self.walks.get_or_init(|| {

@@ -98,6 +98,15 @@ fn readings_cut_off_towards_zero_are_told_from_rounded_ones() {
 }
 
 #[test]
+fn the_turns_tell_what_a_step_of_the_noise_at_rest_cuts_off() {
+    let spec = Spec::hand_held(6);
+    let cut = in_steps(of(&spec), 0.005, f64::trunc);
+    assert!(said(&[cut], &spec).has(Kind::CutTowardsZero));
+    let rounded = in_steps(of(&spec), 0.005, f64::round);
+    assert!(said(&[rounded], &spec).is_empty());
+}
+
+#[test]
 fn a_search_names_no_effect_of_readings_that_are_cut_off_towards_zero() {
     let spec = Spec::hand_held(5);
     let cut = in_steps(of(&spec), 0.02, f64::trunc);

@@ -111,7 +111,7 @@ impl Integrity {
 
 /// Saturation, coarse steps, altered biases and lost samples of all recordings.
 pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
-    let mut all: Vec<Integrity> = cut_off(session).into_iter().collect();
+    let mut all: Vec<Integrity> = cut_off(session, base).into_iter().collect();
     for (number, (recording, choice)) in session.recordings.iter().enumerate() {
         let first = session.first_part_of(number);
         let Some(source) = first.and_then(|part| base.fit.data.sources.get(part)) else {
@@ -166,10 +166,9 @@ pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
 }
 
 /// Readings of the accelerometer that are cut off towards zero: sizes, squares and cubes of force would make up for it.
-fn cut_off(session: &Session<'_>) -> Option<Integrity> {
-    let cut = session.recordings.iter();
-    let cut = cut.map(|(recording, choice)| (recording.as_ref(), &choice.segmentation));
-    let found = cut_towards_zero(cut, session.request.gravity)?;
+fn cut_off(session: &Session<'_>, base: &State) -> Option<Integrity> {
+    let of_parts: Vec<&Recording> = session.parts().map(|(own, _)| own).collect();
+    let found = cut_towards_zero(&base.fit, &of_parts)?;
     let recording = found.place.recording.clone().unwrap_or_default();
     Some(Integrity::of("cut_towards_zero", &recording, found))
 }

@@ -42,7 +42,7 @@ impl Fit<'_> {
             Ok(outcome) => {
                 let recordings = &self.recordings.recordings;
                 let outcome = self.with_changes(outcome);
-                let outcome = self.with_what_placements_hide(outcome);
+                let outcome = with_what_placements_hide(outcome);
                 let outcome = with_magnetometer(outcome, recordings, self.request)?;
                 with_scalars(outcome, recordings, self.request)
             }
@@ -55,21 +55,6 @@ impl Fit<'_> {
                 .ok_or_else(|| Error::not_enough(self.in_the_hand(self.for_dead_axes(refused)))),
             other => other,
         }
-    }
-
-    /// The outcome with a warning where readings are cut off towards zero, which is no effect of the sensor, or where the placements would
-    /// not show an effect of the usual size.
-    fn with_what_placements_hide(&self, mut outcome: Outcome) -> Outcome {
-        let cut = checks::cut_towards_zero(self.recordings.each(), self.request.gravity);
-        let calibration = &mut outcome.calibration;
-        if cut.is_some() {
-            let warnings = &mut calibration.warnings;
-            warnings.retain(|found| found.kind != Kind::EffectMissing);
-        }
-        calibration.warnings.extend(cut);
-        let untested = checks::untested_linearity(calibration);
-        calibration.warnings.extend(untested);
-        outcome
     }
 
     /// The outcome with a warning for everything that changes part of the way through a recording, those of the gyroscope alone too.
@@ -185,6 +170,13 @@ impl Fit<'_> {
             None => reason,
         }
     }
+}
+
+/// The outcome with a warning where the placements would not show an effect of the usual size.
+fn with_what_placements_hide(mut outcome: Outcome) -> Outcome {
+    let untested = checks::untested_linearity(&outcome.calibration);
+    outcome.calibration.warnings.extend(untested);
+    outcome
 }
 
 /// Takes back that a bias moved or wandered where something of its sensor changes part of the way: that is how it moved.

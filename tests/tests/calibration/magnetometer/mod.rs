@@ -10,6 +10,7 @@ use calib::intervals::Segmentation;
 use calib::methods::cut;
 use calib::recording::{FieldUnit, Recording};
 use calib::simulate::{HandHeld, MagneticField, Motion, Session, Spec};
+use findings::Kind;
 use nalgebra::Matrix3;
 use sensor::{Base, EffectRef, Sensor};
 
@@ -280,6 +281,24 @@ fn a_place_near_iron_is_named_and_left_out() {
         "{:?}",
         clean.warnings
     );
+}
+
+#[test]
+fn a_bias_that_steps_twice_is_no_iron_nearby() {
+    let mut session = spec(4, 0.0).run().unwrap();
+    let magnetometer = session.recording.magnetometer.as_mut().unwrap();
+    let stream = &mut magnetometer.stream;
+    let end = *stream.t.last().unwrap();
+    for (t, value) in stream.t.iter().zip(&mut stream.values) {
+        for (from, step) in [(0.35, [3.0, -2.0, 1.0]), (0.7, [-1.0, 2.0, 3.0])] {
+            if *t > from * end {
+                *value += nalgebra::Vector3::from(step);
+            }
+        }
+    }
+    let found = calibrated(&session, &request(Method::Auto)).warnings;
+    assert!(found.has(Kind::MagneticBiasStepped));
+    assert!(!found.has(Kind::FieldUneven) && !found.has(Kind::FieldLittleUneven));
 }
 
 #[test]

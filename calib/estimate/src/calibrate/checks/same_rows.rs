@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use findings::{Finding, Kind};
+use nalgebra::Vector3;
 use recording::{Error, Recording, Stream};
 use sensor::Sensor;
 
@@ -17,6 +18,9 @@ const REVERSALS: usize = STEPS;
 
 /// So many times in one order they are the same data, and not a few rows that a logger wrote twice.
 const RUNS: usize = 8;
+
+/// One recording may have every second to so many-th row of another.
+const THINNED: usize = 10;
 
 /// Factor of the hash, odd.
 const FACTOR: u64 = 0x9E37_79B9_7F4A_7C15;
@@ -34,7 +38,8 @@ pub fn no_rows_come_again<'a>(
     for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
         let streams = all.iter().map(|recording| recording.stream(sensor));
         let streams: Vec<Option<&Stream>> = streams.collect();
-        let Some([first, second]) = same_readings(&streams) else {
+        let found = same_readings(&streams).or_else(|| thinned_readings(&streams));
+        let Some([first, second]) = found else {
             continue;
         };
         let time = |(k, row): (usize, usize)| streams[k].map_or(0.0, |stream| stream.t[row]);
@@ -54,35 +59,81 @@ pub fn no_rows_come_again<'a>(
     Ok(())
 }
 
-/// Where readings are and where they are again: stream and row.
-fn same_readings(streams: &[Option<&Stream>]) -> Option<[(usize, usize); 2]> {
-    let mut known = HashMap::<u64, (usize, usize)>::new();
+/// Stream and row.
+type Place = (usize, usize);
+
+/// Where [`STEPS`] steps of known hash are, of every so many-th row.
+type Known = HashMap<u64, Place>;
+
+/// Where readings are and where they are again.
+fn same_readings(streams: &[Option<&Stream>]) -> Option<[Place; 2]> {
+    let mut known = Known::new();
     for (k, stream) in streams.iter().enumerate() {
-        let steps = stream.map_or_else(Vec::new, steps);
-        for (row, hash) in runs(&steps).filter(|(row, _)| row % STEPS == 0) {
-            known.entry(hash).or_insert((k, row));
+        let steps = stream.map_or_else(Vec::new, |stream| steps(stream.values.iter()));
+        note(&mut known, k, &steps);
+        if let Some((from, to)) = again(&known, k, &steps) {
+            return Some([from, (k, to)]);
         }
-        let mut again = HashMap::<(usize, usize), (usize, [usize; 2])>::new();
-        let mut all = 0;
-        for (row, hash) in runs(&steps) {
-            let Some(&(other, before)) = known.get(&hash) else {
-                continue;
-            };
-            if other == k && before + STEPS > row {
-                continue;
+    }
+    None
+}
+
+/// Where readings are of which another recording has every second to [`THINNED`]th row, and where these are.
+fn thinned_readings(streams: &[Option<&Stream>]) -> Option<[Place; 2]> {
+    if streams.len() < 2 {
+        return None;
+    }
+    let mut known = Known::new();
+    for (k, stream) in streams.iter().enumerate() {
+        note(
+            &mut known,
+            k,
+            &stream.map_or_else(Vec::new, |stream| steps(stream.values.iter())),
+        );
+    }
+    for (k, stream) in streams.iter().enumerate() {
+        let Some(stream) = stream else { continue };
+        // A recording that is like itself so is what a machine shakes.
+        let others = known.iter().filter(|(_, place)| place.0 != k);
+        let others: Known = others.map(|(hash, place)| (*hash, *place)).collect();
+        for (every, first) in (2..=THINNED).flat_map(|every| (0..every).map(move |k| (every, k))) {
+            let rows = stream.values.iter().skip(first).step_by(every);
+            if let Some((from, to)) = again(&others, k, &steps(rows)) {
+                return Some([(k, first + every * to), from]);
             }
-            all += 1;
-            let shift = row.wrapping_sub(before);
-            // What comes a third time as far behind is one placement again and again, or what a machine shakes.
-            if other == k && is_again(&steps, row, shift) {
-                continue;
-            }
-            let (count, [from, to]) = again.entry((other, shift)).or_insert((0, [before, row]));
-            *count += 1;
-            // The same again and again is so at any distance.
-            if *count >= RUNS && 2 * *count > all {
-                return Some([(other, *from), (k, *to)]);
-            }
+        }
+    }
+    None
+}
+
+/// Notes where the runs of a stream are.
+fn note(known: &mut Known, k: usize, steps: &[(u8, u8)]) {
+    for (row, hash) in runs(steps).filter(|(row, _)| row % STEPS == 0) {
+        known.entry(hash).or_insert((k, row));
+    }
+}
+/// Where one of the known runs is, and the row of these steps of a stream from which on it is there again.
+fn again(known: &Known, k: usize, steps: &[(u8, u8)]) -> Option<(Place, usize)> {
+    let mut again = HashMap::<Place, (usize, [usize; 2])>::new();
+    let mut all = 0;
+    for (row, hash) in runs(steps) {
+        let Some(&(other, before)) = known.get(&hash) else {
+            continue;
+        };
+        if other == k && before + STEPS > row {
+            continue;
+        }
+        all += 1;
+        let shift = row.wrapping_sub(before);
+        // What comes a third time as far behind is one placement again and again, or what a machine shakes.
+        if other == k && is_again(steps, row, shift) {
+            continue;
+        }
+        let (count, [from, to]) = again.entry((other, shift)).or_insert((0, [before, row]));
+        *count += 1;
+        // The same again and again is so at any distance.
+        if *count >= RUNS && 2 * *count > all {
+            return Some(((other, *from), *to));
         }
     }
     None
@@ -95,9 +146,9 @@ fn is_again(steps: &[(u8, u8)], row: usize, shift: usize) -> bool {
 }
 
 /// The directions of the steps from row to row as numbers below 27, and on how many axes they turn back.
-fn steps(stream: &Stream) -> Vec<(u8, u8)> {
+fn steps<'a>(rows: impl Iterator<Item = &'a Vector3<f64>> + Clone) -> Vec<(u8, u8)> {
     let mut last = [0; 3];
-    let numbered = directions(stream).map(|direction| {
+    let numbered = directions(rows).map(|direction| {
         let mut turned = 0;
         for (last, own) in last.iter_mut().zip(direction) {
             turned += u8::from(own * *last < 0);
@@ -129,10 +180,12 @@ fn runs(steps: &[(u8, u8)]) -> impl Iterator<Item = (usize, u64)> {
 }
 
 /// Whether each axis rises, falls or stays from every row to the next.
-fn directions(stream: &Stream) -> impl Iterator<Item = [i8; 3]> {
-    stream.values.windows(2).map(|pair| {
+fn directions<'a>(
+    rows: impl Iterator<Item = &'a Vector3<f64>> + Clone,
+) -> impl Iterator<Item = [i8; 3]> {
+    rows.clone().zip(rows.skip(1)).map(|(before, after)| {
         [0, 1, 2].map(|axis| {
-            let (a, b) = (pair[0][axis], pair[1][axis]);
+            let (a, b) = (before[axis], after[axis]);
             i8::from(b > a) - i8::from(b < a)
         })
     })
@@ -140,7 +193,6 @@ fn directions(stream: &Stream) -> impl Iterator<Item = [i8; 3]> {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::Vector3;
     use simulate::Spec;
 
     use super::*;
@@ -172,6 +224,22 @@ mod tests {
         stream.values.extend_from_within(..);
         assert!(no_rows_come_again([&twice]).is_err());
     }
+
+    #[test]
+    fn every_third_row_of_a_recording_is_refused_beside_it_and_of_another_session_is_not() {
+        let of = |seed| Spec::hand_held(seed).run().unwrap().recording;
+        let (whole, other) = (of(3), of(4));
+        let mut thinned = whole.clone();
+        for stream in [&mut thinned.accelerometer, &mut thinned.gyroscope] {
+            let stream = stream.as_mut().unwrap();
+            stream.t = stream.t.iter().copied().skip(1).step_by(3).collect();
+            stream.values = stream.values.iter().copied().skip(1).step_by(3).collect();
+        }
+        assert!(no_rows_come_again([&whole, &thinned]).is_err());
+        assert!(no_rows_come_again([&thinned, &other, &whole]).is_err());
+        assert!(no_rows_come_again([&thinned, &other]).is_ok());
+    }
+
     /// What a machine shakes is the same at any distance, and was not recorded twice.
     #[test]
     fn a_vibration_that_the_noise_does_not_hide_is_no_copy() {

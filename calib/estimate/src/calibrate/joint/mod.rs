@@ -93,6 +93,11 @@ pub(super) fn calibrate(
     differ.enlarge(&mut calibration, &fit);
     differ.withdraw_effects(&mut warnings);
     warnings.extend(differ.findings());
+    // That is no effect of the sensor.
+    if let Some(cut) = checks::cut_towards_zero(&fit, &of_parts) {
+        warnings.retain(|found| found.kind != Kind::EffectMissing);
+        warnings.push(cut);
+    }
     let mut calibration = Calibration {
         warnings,
         ..calibration

@@ -159,7 +159,7 @@ fn fitted(
     let is_divided = step.is_some();
     let (fit, step) = step.map_or((whole, None), |(fit, step)| (fit, Some(step)));
     if is_divided {
-        names = vec![names[0]; 2];
+        names = vec![names[0]; fit.fields.len()];
     }
     write::write(
         &mut outcome.calibration,

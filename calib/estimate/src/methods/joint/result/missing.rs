@@ -82,6 +82,24 @@ impl JointFit {
         found.min_by(|a, b| a.p_value.total_cmp(&b.p_value))
     }
 
+    /// The log-likelihood that an error of the accelerometer of this size gains over none, and the most that a multiple of it gains, where its
+    /// column of the rows is `column` (`m`): `−eᵀr − ½eᵀe` and `½(eᵀr)²/eᵀe`, with `e` what the parameters leave of it.
+    pub(crate) fn gain_by(&self, column: &[f64]) -> [f64; 2] {
+        let beside = Beside::of(self, self.noise_whitening_with_scatter());
+        let left = beside.left(Mat::from_fn(column.len(), 1, |i, _| column[i]));
+        let (square, product) = left
+            .col(0)
+            .iter()
+            .zip(&beside.residuals)
+            .fold((0.0, 0.0), |(square, product), (e, r)| {
+                (square + e * e, product + e * r)
+            });
+        match square > 0.0 {
+            true => [-product - 0.5 * square, 0.5 * product * product / square],
+            false => [0.0, 0.0],
+        }
+    }
+
     /// The sensitivities with the time and the temperature of every mean and sample, and the motion through every turn.
     fn sensitivities_with_covariates(&self, recordings: &[&Recording]) -> Sensitivities {
         let mut all = self.sensitivities();
@@ -148,16 +166,21 @@ impl Beside {
     }
 
     /// `|P_E r|²` of columns (`m × k`), its degrees of freedom, and whether the first coefficient would be negative: `Eᵀ r > 0`.
-    fn score(&self, mut columns: Mat<f64>) -> (f64, usize, bool) {
-        self.whitening.white.apply(columns.as_mut());
-        let columns = Columns::cut(&columns, self.whitening.groups());
-        let left = self.model.without(&self.whitening.finish_columns(columns));
-        let left = left.to_dense();
+    fn score(&self, columns: Mat<f64>) -> (f64, usize, bool) {
+        let left = self.left(columns);
         let residuals = ColRef::from_slice(&self.residuals);
         let is_negative = left.col(0).transpose() * residuals > 0.0;
         let basis = orthonormal(&left);
         let explained = basis.transpose() * residuals;
         (explained.squared_norm_l2(), basis.ncols(), is_negative)
+    }
+
+    /// What the parameters leave of columns (`m × k`), whitened.
+    fn left(&self, mut columns: Mat<f64>) -> Mat<f64> {
+        self.whitening.white.apply(columns.as_mut());
+        let columns = Columns::cut(&columns, self.whitening.groups());
+        let left = self.model.without(&self.whitening.finish_columns(columns));
+        left.to_dense()
     }
 }
 

@@ -29,13 +29,13 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
         },
         Kind::MagneticBiasStepped => Entry {
             reason: "the magnetometer's bias steps",
-            text: "from static interval {interval} on ({t0}) the magnetometer's bias is another by {size}, as where the device corrects it by itself or a magnet in it moved. The calibration holds from there on",
+            text: "from static interval {interval} on ({t0}) the magnetometer's bias is another by {size}[, the last of {count} steps], as where the device corrects it by itself or a magnet in it moved. The calibration holds from there on",
             remedies: vec![Remedy::Uncalibrated],
             ..care(0.5)
         },
         Kind::FieldStepped => Entry {
             reason: "the magnetic field around the device steps",
-            text: "from static interval {interval} on ({t0}) the magnetic field around the device is another by {size} at least, as where a current was switched on or iron was moved. The field of the calibration is that from there on",
+            text: "from static interval {interval} on ({t0}) the magnetic field around the device is another by {size} at least[, the last of {count} steps], as where a current was switched on or iron was moved. The field of the calibration is that from there on",
             remedies: vec![Remedy::AwayFromIron],
             ..care(0.5)
         },
