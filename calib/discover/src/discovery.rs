@@ -24,6 +24,8 @@ use super::findings::Findings;
 use super::findings::assembled::Found;
 use super::findings::named;
 use super::findings::room::described;
+use super::gap::channel::Channel;
+use super::remainder::unexplained::Unexplained;
 use super::request::{Request, Session};
 use super::search::Search;
 use super::search::samples::other_samples;
@@ -125,10 +127,17 @@ fn looked_at(session: &mut Session<'_>) -> Result<Seen, Error> {
     Ok((faults, explained))
 }
 
-/// The same with samples at instants in place of means, or the other way round, where something stays unexplained and nothing does so:
-/// what is missing in the model makes the turns miss, and may do so less with the wrong samples.
+/// The same with samples at instants in place of means, or the other way round, where something stays unexplained in the turns and nothing
+/// does so: what is missing in the model makes the turns miss, and may do so less with the wrong samples. It is a search more, so a long
+/// recording and a search that was cut short have none.
 fn by_the_other_samples(session: &mut Session<'_>, seen: Seen) -> Result<Seen, Error> {
-    let (Some(_), Some(clocks)) = (&seen.1.rest, &session.clocks) else {
+    let in_turns = |rest: &Unexplained| rest.channel == Channel::Direction;
+    let may = seen.1.rest.as_ref().is_some_and(in_turns) && seen.1.search.spent.is_none();
+    let Some(clocks) = session
+        .clocks
+        .as_ref()
+        .filter(|_| may && !session.is_long())
+    else {
         return Ok(seen);
     };
     let other = clocks.iter().map(|clock| SourceClock {

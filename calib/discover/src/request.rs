@@ -189,6 +189,11 @@ impl<'a> Session<'a> {
         parts.map(|(number, part)| (self.recordings[*number].0.as_ref(), part))
     }
 
+    /// Returns true if a recording is taken in parts.
+    pub(crate) fn is_long(&self) -> bool {
+        self.parts.len() > self.recordings.len()
+    }
+
     /// The place of a recording's first part among all parts.
     pub(crate) fn first_part_of(&self, recording: usize) -> Option<usize> {
         self.parts

@@ -285,9 +285,10 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
                 (None, _) if is_days => {
                     Remedy::such_as(OptionName::TimeUnit, TimeUnit::Days.name())
                 }
-                (None, Some((clock, name))) => {
-                    Remedy::such_as(OptionName::Columns, format!("t={name}/{clock}"))
-                }
+                (None, Some((clock, name))) => Remedy::examples([
+                    (OptionName::Columns, format!("t={name}/{clock}").as_str()),
+                    (OptionName::TimeUnit, TimeUnit::Milliseconds.name()),
+                ]),
                 _ => Remedy::such_as(OptionName::TimeUnit, TimeUnit::Milliseconds.name()),
             };
             let found = Finding::of(Kind::TimeUnitOpen).detail("step", significant(step, 6));

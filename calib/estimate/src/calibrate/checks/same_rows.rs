@@ -112,6 +112,7 @@ fn note(known: &mut Known, k: usize, steps: &[(u8, u8)]) {
         known.entry(hash).or_insert((k, row));
     }
 }
+
 /// Where one of the known runs is, and the row of these steps of a stream from which on it is there again.
 fn again(known: &Known, k: usize, steps: &[(u8, u8)]) -> Option<(Place, usize)> {
     let mut again = HashMap::<Place, (usize, [usize; 2])>::new();
