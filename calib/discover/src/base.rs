@@ -44,8 +44,7 @@ pub(super) fn base(session: &mut Session<'_>) -> Result<State, Error> {
         return Err(Error::not_enough(found));
     }
     if !session.request.force_device {
-        let of_parts: Vec<_> = session.parts().map(|(own, _)| own).collect();
-        differences(&base.fit, &of_parts, false)?;
+        differences(&base.fit, &session.recordings_of_parts(), false)?;
     }
     Ok(base)
 }

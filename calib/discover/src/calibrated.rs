@@ -31,8 +31,8 @@ pub(super) fn calibrated(
     };
     say_held(&mut calibration, &held);
     let fit = &search.last.fit;
-    let of_parts: Vec<&Recording> = session.parts().map(|(own, _)| own).collect();
-    let differ = differences(fit, &of_parts, true)?.beside(&calibration.warnings);
+    let differ = differences(fit, &session.recordings_of_parts(), true)?;
+    let differ = differ.beside(&calibration.warnings);
     differ.enlarge(&mut calibration, fit);
     let warnings = &mut calibration.warnings;
     warnings.extend(unknown_temperature(&search.last));

@@ -132,12 +132,9 @@ fn looked_at(session: &mut Session<'_>) -> Result<Seen, Error> {
 /// recording and a search that was cut short have none.
 fn by_the_other_samples(session: &mut Session<'_>, seen: Seen) -> Result<Seen, Error> {
     let in_turns = |rest: &Unexplained| rest.channel == Channel::Direction;
-    let may = seen.1.rest.as_ref().is_some_and(in_turns) && seen.1.search.spent.is_none();
-    let Some(clocks) = session
-        .clocks
-        .as_ref()
-        .filter(|_| may && !session.is_long())
-    else {
+    let is_short = seen.1.search.spent.is_none() && !session.is_long();
+    let may = is_short && seen.1.rest.as_ref().is_some_and(in_turns);
+    let (true, Some(clocks)) = (may, &session.clocks) else {
         return Ok(seen);
     };
     let other = clocks.iter().map(|clock| SourceClock {

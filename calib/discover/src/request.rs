@@ -189,6 +189,11 @@ impl<'a> Session<'a> {
         parts.map(|(number, part)| (self.recordings[*number].0.as_ref(), part))
     }
 
+    /// The recording of each part: those of a fit.
+    pub(crate) fn recordings_of_parts(&self) -> Vec<&Recording> {
+        self.parts().map(|(own, _)| own).collect()
+    }
+
     /// Returns true if a recording is taken in parts.
     pub(crate) fn is_long(&self) -> bool {
         self.parts.len() > self.recordings.len()

@@ -167,8 +167,7 @@ pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
 
 /// Readings of the accelerometer that are cut off towards zero: sizes, squares and cubes of force would make up for it.
 fn cut_off(session: &Session<'_>, base: &State) -> Option<Integrity> {
-    let of_parts: Vec<&Recording> = session.parts().map(|(own, _)| own).collect();
-    let found = cut_towards_zero(&base.fit, &of_parts)?;
+    let found = cut_towards_zero(&base.fit, &session.recordings_of_parts())?;
     let recording = found.place.recording.clone().unwrap_or_default();
     Some(Integrity::of("cut_towards_zero", &recording, found))
 }

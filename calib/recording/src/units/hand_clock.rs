@@ -15,7 +15,7 @@ use crate::units::{CLOCKS, TimeUnit};
 /// No hand turns a device faster than this from rest to rest, over and over, rad/s.
 const FASTEST: f64 = 2.5;
 /// Paces of hands, rad/s.
-const USUAL: std::ops::Range<f64> = 0.05..2.5;
+const USUAL: std::ops::Range<f64> = 0.05..FASTEST;
 /// Rates of recordings of turns, Hz.
 const RATES: std::ops::Range<f64> = 20.0..2000.0;
 /// Turns that tilt less say little, rad.
