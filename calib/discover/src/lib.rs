@@ -48,7 +48,7 @@ pub use gap::localise::{Disagreement, disagreements};
 pub use gap::sequence::{Misfit, Sequence, channel_of};
 pub use noise::noise_file::{GivenNoise, noise_in};
 pub use noise::projected::{Projected, Whitened};
-pub use noise::seen::Seen;
+pub use noise::projected_columns::ProjectedColumns;
 pub use pictures::{Covariate, Picture, Point, pictures};
 pub use propose::{Proposal, Proposed, propose};
 pub use rank::{Ranked, rank, shared};
@@ -56,7 +56,7 @@ pub use remainder::shape::Shape;
 pub use remainder::shapes::shapes;
 pub use remainder::unexplained::Unexplained;
 pub use request::{Request, Session};
-pub use residuals_by_interval::{Left, left_by_interval};
+pub use residuals_by_interval::{ChannelResiduals, residuals_by_interval};
 pub use score::{Score, log_tail, score};
 pub use search::{Name, Search, Tie, search};
 pub use separation::{

@@ -6,7 +6,7 @@ use crate::pictures::{Point, left, points, residuals};
 
 /// Residuals of one channel.
 #[derive(Clone, Debug)]
-pub struct Left {
+pub struct ChannelResiduals {
     /// The channel.
     pub channel: Channel,
     /// Its points, with the static interval of each, or the one before the turn, counted from 1 over all recordings.
@@ -14,7 +14,7 @@ pub struct Left {
 }
 
 /// Computes the residuals of the base models and the final model in every channel, whatever the verdict.
-pub fn left_by_interval(discovery: &Discovery) -> Vec<Left> {
+pub fn residuals_by_interval(discovery: &Discovery) -> Vec<ChannelResiduals> {
     let (base, last) = (&discovery.search.base, &discovery.search.last);
     let noise = last.noise;
     let [before, after] = [base, last].map(|state| left(state, noise, residuals(state)));
@@ -27,7 +27,7 @@ pub fn left_by_interval(discovery: &Discovery) -> Vec<Left> {
     };
     let of = |channel| {
         let points = points(last, &rows, channel).into_iter();
-        Left {
+        ChannelResiduals {
             channel,
             points: points
                 .map(|point| (interval(channel, &point), point))
@@ -51,7 +51,7 @@ mod tests {
         let request = Request::new(session.truth.spec.gravity);
         let discovery = discover(&[session.recording], &request).unwrap();
         assert!(discovery.findings.effects.is_empty());
-        let all = left_by_interval(&discovery);
+        let all = residuals_by_interval(&discovery);
         assert_eq!(all.len(), 3);
         for left in all {
             let squares = left.points.iter().map(|(_, p)| (p.after / p.std).powi(2));

@@ -23,13 +23,13 @@ use super::request::Session;
 const BESIDE_A_STEP: usize = 3;
 
 /// The parameter that shapes an effect (`tau`, `t0`), by its place, and its value, which the fit holds.
-pub type Held = Option<(usize, f64)>;
+pub type FixedShape = Option<(usize, f64)>;
 
 /// Effects and disturbances of a model, on top of the base models.
 #[derive(Clone, Debug, Default)]
 pub struct Extension {
     /// Effects, with what shapes them.
-    pub effects: Vec<(EffectRef, Held)>,
+    pub effects: Vec<(EffectRef, FixedShape)>,
     /// Disturbances with their place: parameters of their own.
     pub disturbed: Vec<Known>,
     /// True if time constants are fitted, starting from their held values; false if they stay fixed.
@@ -38,7 +38,7 @@ pub struct Extension {
 
 impl Extension {
     /// Takes an effect in, with the companions of the `catalogue` that come with it.
-    pub fn hold(&mut self, effect: EffectRef, shape: Held, catalogue: &[EffectRef]) {
+    pub fn hold(&mut self, effect: EffectRef, shape: FixedShape, catalogue: &[EffectRef]) {
         let companions: Vec<EffectRef> = with_companions(&effect, catalogue).skip(1).collect();
         self.effects.push((effect, shape));
         for companion in companions {
@@ -60,7 +60,7 @@ impl Extension {
 
     /// Returns true if both have the same terms, in any order.
     pub fn is_same(&self, other: &Self) -> bool {
-        let holds = |(effect, held): &(EffectRef, Held)| {
+        let holds = |(effect, held): &(EffectRef, FixedShape)| {
             let mut others = other.effects.iter();
             others.any(|(e, h)| e.name() == effect.name() && h == held)
         };

@@ -69,7 +69,7 @@ pub fn undersampled(state: &State) -> Vec<Integrity> {
         .into_iter()
         .filter(|u| u.is_evident);
     let found = evident.filter_map(|found| {
-        let left = Left::of(state, found.recording);
+        let left = TurnMisses::of(state, found.recording);
         let turns: Vec<String> = found
             .turns
             .iter()
@@ -103,13 +103,13 @@ pub fn undersampled(state: &State) -> Vec<Integrity> {
 }
 
 /// Errors of gravity's direction after the turns of one recording.
-struct Left {
+struct TurnMisses {
     recording: usize,
     /// Place of each turn in the recording's segmentation, and the angle, rad.
     angles: Vec<(usize, f64)>,
 }
 
-impl Left {
+impl TurnMisses {
     fn of(state: &State, recording: usize) -> Self {
         let turns = state.fit.data.turns.iter().zip(&state.fit.chords);
         let own = turns.filter(|(turn, _)| turn.recording == recording);

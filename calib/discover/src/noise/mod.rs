@@ -3,6 +3,6 @@
 pub(super) mod level;
 pub(super) mod noise_file;
 pub(super) mod projected;
-pub(super) mod seen;
+pub(super) mod projected_columns;
 pub(super) mod spectrum;
 pub(super) mod walk_prior;

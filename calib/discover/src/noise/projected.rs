@@ -7,7 +7,7 @@ use estimate::methods::joint::{
 use faer::{Mat, MatRef, Side};
 use sensor::Sensor;
 
-use super::seen::Seen;
+use super::projected_columns::ProjectedColumns;
 use super::spectrum::{Kept, Root, Spectrum, product};
 
 /// `z = Nᵀ r ~ N(Nᵀ E β + Nᵀ S γ, I + Σ θ_c C_c)`, `N` (`m × q`) of every recording the left null space of the columns of a
@@ -332,17 +332,17 @@ impl Whitened {
     }
 
     /// The same of columns that most recordings have nothing of.
-    pub fn by_recording(&self, f: Columns) -> Seen {
+    pub fn by_recording(&self, f: Columns) -> ProjectedColumns {
         self.seen(product(&self.roots, f))
     }
 
     /// The same of columns that are whitened at other sizes of the noise too.
-    pub fn again(&self, f: &mut Kept<'_>) -> Seen {
+    pub fn again(&self, f: &mut Kept<'_>) -> ProjectedColumns {
         self.seen(f.times(&self.roots))
     }
 
     /// With the projection of `R F` onto what the recordings share.
-    fn seen(&self, inside: Columns) -> Seen {
+    fn seen(&self, inside: Columns) -> ProjectedColumns {
         let mut taken = Mat::zeros(self.taken.ncols(), inside.ncols());
         let mut above = 0;
         for (part, q) in inside.parts().iter().zip(&self.sizes) {
@@ -356,7 +356,7 @@ impl Whitened {
             }
             above += q;
         }
-        Seen { inside, taken }
+        ProjectedColumns { inside, taken }
     }
 
     /// The same with more columns (`q × k`, whitened) taken out, as if the model had them.

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 use sensor::Sensor;
 
 use crate::noise::level::Level;
-use crate::noise::seen::Seen;
+use crate::noise::projected_columns::ProjectedColumns;
 use crate::state::State;
 
 /// The chunks of a sensor.
@@ -99,7 +99,7 @@ fn of_sensor(state: &State, levels: &[Level], sensor: Sensor) -> Option<OfSensor
 }
 
 impl Biases {
-    fn of(seen: &Seen, z: &Mat<f64>) -> Self {
+    fn of(seen: &ProjectedColumns, z: &Mat<f64>) -> Self {
         let own = seen.inside.parts().iter().map(|part| {
             let first = part.rows.first().copied().unwrap_or(0);
             let z = z.as_ref().subrows(first, part.rows.len());

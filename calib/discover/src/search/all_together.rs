@@ -7,7 +7,7 @@ use faer::Mat;
 use sensor::{EffectRef, Sensor};
 use statrs::function::factorial::ln_binomial;
 
-use super::named_claim::Held;
+use super::named_claim::NamedClaim;
 use crate::family::{Claim, beside, effect_family, families};
 use crate::rank::ratio_of;
 use crate::score::log_tail;
@@ -19,7 +19,7 @@ use crate::state::State;
 /// `None` where the base models do not know one of them.
 pub(super) fn evidence_together(
     base: &State,
-    held: &[Held],
+    held: &[NamedClaim],
     catalogue: &[EffectRef],
 ) -> Option<f64> {
     let (mut parts, mut log_places, mut shape_dof) = (Vec::new(), 0.0, 0.0);

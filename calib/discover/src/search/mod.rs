@@ -23,7 +23,7 @@ use recording::Error;
 use sensor::EffectRef;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-use self::named_claim::Held;
+use self::named_claim::NamedClaim;
 use crate::family::{Claim, Family};
 use crate::rank::Ranked;
 use crate::request::Session;
@@ -149,14 +149,14 @@ impl Finder<'_> {
     }
 
     /// The model with all that is held but one.
-    fn without(&self, held: &[Held], k: usize) -> Result<State, Error> {
+    fn without(&self, held: &[NamedClaim], k: usize) -> Result<State, Error> {
         let mut others = held.to_vec();
         others.remove(k);
         self.state(&others)
     }
 
     /// The model with all that is held, fitted unless it was before.
-    fn state(&self, held: &[Held]) -> Result<State, Error> {
+    fn state(&self, held: &[NamedClaim]) -> Result<State, Error> {
         let extension = self.extension(held);
         let mut fitted = self.fitted.borrow_mut();
         if let Some(known) = fitted.iter().find(|s| s.extension.is_same(&extension)) {
@@ -169,7 +169,7 @@ impl Finder<'_> {
         Ok(state)
     }
 
-    fn extension(&self, held: &[Held]) -> Extension {
+    fn extension(&self, held: &[NamedClaim]) -> Extension {
         let mut extension = Extension::default();
         for h in held {
             h.claim
@@ -190,7 +190,7 @@ impl Finder<'_> {
     }
 
     /// The claim with the most evidence, where that is enough.
-    fn next(&self, families: &[Family], ranked: &[Ranked], unfit: &[Claim]) -> Option<Held> {
+    fn next(&self, families: &[Family], ranked: &[Ranked], unfit: &[Claim]) -> Option<NamedClaim> {
         let may = |r: &&Ranked| {
             let own = &families[r.family].claim;
             !unfit.iter().any(|claim| claim.is_same(own))
@@ -198,7 +198,7 @@ impl Finder<'_> {
         let mut open = ranked.iter().filter(may);
         let top = open.find(|r| r.evidence > families[r.family].claim.needed(self.threshold))?;
         let chosen = self.simpler(families, ranked, top).unwrap_or(top);
-        Some(Held::of(families, chosen))
+        Some(NamedClaim::of(families, chosen))
     }
 
     /// The first order of a temperature effect, where the second does not gain enough over it.

@@ -7,14 +7,14 @@ use crate::rank::Ranked;
 
 /// A claim in the model, with the way in which it holds.
 #[derive(Clone, Debug)]
-pub(super) struct Held {
+pub(super) struct NamedClaim {
     pub claim: Claim,
     pub hypothesis: Hypothesis,
     /// When it was found, by the likelihood ratio.
     pub evidence: f64,
 }
 
-impl Held {
+impl NamedClaim {
     /// The best of a family's hypotheses.
     pub fn of(families: &[Family], ranked: &Ranked) -> Self {
         let family = &families[ranked.family];

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use recording::averages::median;
 
 use super::few_turns::KNOCKED;
-use super::named_claim::Held;
+use super::named_claim::NamedClaim;
 use crate::family::{Claim, Hypothesis};
 use crate::state::State;
 
@@ -22,7 +22,7 @@ const SHARE: f64 = 0.2;
 ///
 /// Noise of the biases that is estimated with such turns among the data explains them, and each hides the other: so they
 /// come before it. The worst is taken out first; at the end each has to be as far off with all others out.
-pub(super) fn outlying_turns(state: &State) -> Vec<Held> {
+pub(super) fn outlying_turns(state: &State) -> Vec<NamedClaim> {
     let suspects: Vec<&Suspect> = state
         .suspects
         .iter()
@@ -46,7 +46,7 @@ pub(super) fn outlying_turns(state: &State) -> Vec<Held> {
     out.iter()
         .copied()
         .filter(|&k| turns.is_gross(k, &beside(k)))
-        .map(|k| Held {
+        .map(|k| NamedClaim {
             claim: Claim::Disturbed(suspects[k].fault),
             hypothesis: Hypothesis {
                 shape: None,

@@ -3,7 +3,7 @@
 use faer::Mat;
 
 use super::Finder;
-use super::named_claim::Held;
+use super::named_claim::NamedClaim;
 use super::ranking::PAIRED;
 use crate::family::{Claim, beside};
 use crate::rank::{APART, Ranked};
@@ -12,7 +12,7 @@ use crate::score::{log_tail, score};
 impl Finder<'_> {
     /// Two effects found one after the other may stand for two others: all pairs of the best families at the
     /// base model, the best of them instead where it is 20 to 1 better. Whether it was.
-    pub(super) fn try_pairs(&self, held: &mut Vec<Held>) -> bool {
+    pub(super) fn try_pairs(&self, held: &mut Vec<NamedClaim>) -> bool {
         let base = &self.base;
         let ranking = self.ranked(base);
         let (families, ranked) = (&ranking.families, &ranking.ranked);
@@ -41,7 +41,7 @@ impl Finder<'_> {
             let places: f64 = families.iter().map(|f| f.log_places).sum();
             -log_tail(score.statistic, dof) - places
         };
-        let place = |h: &Held| {
+        let place = |h: &NamedClaim| {
             best.iter()
                 .position(|r| families[r.family].claim.is_same(&h.claim))
         };
@@ -59,7 +59,10 @@ impl Finder<'_> {
             }
         }
         if let Some((_, i, j)) = top {
-            *held = vec![Held::of(families, best[i]), Held::of(families, best[j])];
+            *held = vec![
+                NamedClaim::of(families, best[i]),
+                NamedClaim::of(families, best[j]),
+            ];
         }
         top.is_some()
     }

@@ -6,7 +6,7 @@ use recording::Error;
 use sensor::Sensor;
 
 use super::all_together::evidence_together;
-use super::named_claim::Held;
+use super::named_claim::NamedClaim;
 use super::names::{Either, Name, Tie};
 use super::ranking::{Earth, as_the_earth};
 use super::{Finder, MOST_NAMES};
@@ -42,13 +42,17 @@ pub(super) struct Reviewed {
 enum Verdict {
     Stays(Ranked),
     Gone,
-    Other(Held),
+    Other(NamedClaim),
 }
 
 impl Finder<'_> {
     /// Each name against all others once more, everything else named being in the model: names that are no
     /// longer evident go, and a name makes way for one that is more evident.
-    pub(super) fn review(&self, mut last: State, mut held: Vec<Held>) -> Result<Reviewed, Error> {
+    pub(super) fn review(
+        &self,
+        mut last: State,
+        mut held: Vec<NamedClaim>,
+    ) -> Result<Reviewed, Error> {
         if held.len() == 2 && self.try_pairs(&mut held) {
             last = self.state(&held)?;
         }
@@ -121,7 +125,7 @@ impl Finder<'_> {
         certain
     }
 
-    fn judge(&self, own: &Held, families: &[Family], ranked: &[Ranked]) -> Verdict {
+    fn judge(&self, own: &NamedClaim, families: &[Family], ranked: &[Ranked]) -> Verdict {
         let Some(mine) = own.found(families, ranked) else {
             return Verdict::Gone;
         };
@@ -129,14 +133,14 @@ impl Finder<'_> {
             return Verdict::Gone;
         };
         if top.evidence > mine.evidence + APART && !self.is_simpler(families, top, mine) {
-            return Verdict::Other(Held::of(families, top));
+            return Verdict::Other(NamedClaim::of(families, top));
         }
         if mine.evidence <= own.claim.needed(self.threshold) {
             return Verdict::Gone;
         }
         let found = &families[mine.family].hypotheses[mine.hypothesis];
         if found.shape != own.hypothesis.shape {
-            return Verdict::Other(Held::of(families, mine));
+            return Verdict::Other(NamedClaim::of(families, mine));
         }
         Verdict::Stays(mine.clone())
     }
@@ -179,7 +183,7 @@ impl Finder<'_> {
     /// across gravity the same as a turn that lost samples.
     fn either(
         &self,
-        held: &[Held],
+        held: &[NamedClaim],
         names: &[Name],
         certain: &[(Known, f64)],
     ) -> Result<Vec<Either>, Error> {
@@ -210,7 +214,7 @@ impl Finder<'_> {
     }
 
     /// The disturbances that do to the data what the one at place `k` of those held does, beside the others.
-    fn other_faults(&self, held: &[Held], k: usize) -> Result<Vec<Tie>, Error> {
+    fn other_faults(&self, held: &[NamedClaim], k: usize) -> Result<Vec<Tie>, Error> {
         let without = self.without(held, k)?;
         let ranking = self.ranked(&without);
         let (families, ranked) = (&ranking.families, &ranking.ranked);
@@ -224,13 +228,13 @@ impl Finder<'_> {
 
 /// The names held with the turn on the other side of the rest `k`, where a turn beside it is held as bad: a rest whose direction is
 /// open makes both the same, and rounding decides which of them is found.
-fn across(data: &Data, held: &[Held], k: usize) -> Option<Vec<Held>> {
+fn across(data: &Data, held: &[NamedClaim], k: usize) -> Option<Vec<NamedClaim>> {
     let place = held[k].hypothesis.place?;
     let rest = match held[k].claim {
         Claim::Disturbed(fault) => fault.scope.static_interval(data, place)?,
         _ => place,
     };
-    let other_side = |h: &Held| {
+    let other_side = |h: &NamedClaim| {
         if !matches!(h.claim, Claim::Disturbed(fault) if fault.scope == Scope::Turn) {
             return None;
         }

@@ -7,7 +7,7 @@ use faer::Mat;
 use nalgebra::{DMatrix, DVector};
 
 use super::Finder;
-use super::named_claim::Held;
+use super::named_claim::NamedClaim;
 use super::ranking::{PAIRED, Ranking};
 use crate::family::{Claim, Family, beside};
 use crate::noise::level::Level;
@@ -22,7 +22,7 @@ impl Finder<'_> {
         state: &State,
         ranking: &Ranking,
         unfit: &[Claim],
-    ) -> Option<[Held; 2]> {
+    ) -> Option<[NamedClaim; 2]> {
         let families = &ranking.families;
         let may = |r: &&Ranked| {
             let own = &families[r.family].claim;
@@ -37,9 +37,9 @@ impl Finder<'_> {
         let levels = state.walks();
         let places = levels
             .iter()
-            .map(|level| Seen::of(state, families, &best, level));
-        let places: Vec<Seen> = places.collect();
-        let mut top: Option<(f64, [Held; 2])> = None;
+            .map(|level| NormalEquations::of(state, families, &best, level));
+        let places: Vec<NormalEquations> = places.collect();
+        let mut top: Option<(f64, [NamedClaim; 2])> = None;
         for (i, one) in best.iter().enumerate() {
             for (k, other) in best.iter().enumerate().take(i) {
                 let pair = [*one, *other];
@@ -48,9 +48,9 @@ impl Finder<'_> {
                     continue;
                 };
                 if top.as_ref().is_none_or(|(best, _)| evidence > *best) {
-                    let held = [0, 1].map(|j| Held {
+                    let held = [0, 1].map(|j| NamedClaim {
                         evidence: own[j],
-                        ..Held::of(families, pair[j])
+                        ..NamedClaim::of(families, pair[j])
                     });
                     top = Some((evidence, held));
                 }
@@ -66,7 +66,7 @@ impl Finder<'_> {
         pair: [&Ranked; 2],
         [i, k]: [usize; 2],
         levels: &[Level],
-        seen: &[Seen],
+        seen: &[NormalEquations],
     ) -> Option<(f64, [f64; 2])> {
         let family = pair.map(|r| &families[r.family]);
         let search = family.map(|f| f.log_places + cost_of_choice(families));
@@ -94,13 +94,13 @@ impl Finder<'_> {
 }
 
 /// The normal equations of the best hypotheses at one setting of the densities.
-struct Seen {
+struct NormalEquations {
     gram: Mat<f64>,
     moved: Mat<f64>,
     columns: Vec<Range<usize>>,
 }
 
-impl Seen {
+impl NormalEquations {
     fn of(state: &State, families: &[Family], best: &[&Ranked], level: &Level) -> Self {
         let mut columns = Vec::new();
         let mut next = 0;

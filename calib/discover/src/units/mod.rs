@@ -36,7 +36,7 @@ const MOST_EFFECTS: usize = 8;
 
 /// An effect of some of the units, with what shapes it in each.
 #[derive(Clone)]
-struct Held {
+struct EffectOfUnits {
     effect: EffectRef,
     /// One flag per unit: true if its model has the effect.
     units: Vec<bool>,
@@ -73,13 +73,13 @@ struct Together<'a> {
 }
 
 impl Together<'_> {
-    fn search(&self, units: &mut [Unit<'_>]) -> Result<Vec<Held>, Error> {
-        let mut held: Vec<Held> = Vec::new();
+    fn search(&self, units: &mut [Unit<'_>]) -> Result<Vec<EffectOfUnits>, Error> {
+        let mut held: Vec<EffectOfUnits> = Vec::new();
         let mut passed: Vec<String> = Vec::new();
         while held.len() < MOST_EFFECTS {
             let pooled = pool(units, &self.candidates, self.request.threshold(), &[]);
             let may = |p: &&Pooled| {
-                let is_in = |h: &Held| h.effect.name() == p.effect.name();
+                let is_in = |h: &EffectOfUnits| h.effect.name() == p.effect.name();
                 !passed.iter().any(|name| name == p.effect.name()) && !held.iter().any(is_in)
             };
             let Some(top) = pooled.iter().find(may) else {
@@ -96,7 +96,7 @@ impl Together<'_> {
             let own = self.take_in(units, top, &wanted)?;
             if own.iter().any(|is_in| *is_in) {
                 let is_shared = own.iter().filter(|is_in| **is_in).count() > 1;
-                held.push(Held {
+                held.push(EffectOfUnits {
                     effect: top.effect.clone(),
                     units: own,
                     is_shared,
@@ -137,7 +137,7 @@ impl Together<'_> {
     }
 
     /// Every effect once more beside all others: what is no longer evident goes.
-    fn review(&self, units: &mut [Unit<'_>], held: &mut Vec<Held>) -> Result<(), Error> {
+    fn review(&self, units: &mut [Unit<'_>], held: &mut Vec<EffectOfUnits>) -> Result<(), Error> {
         let mut k = 0;
         while k < held.len() {
             let effect = held[k].effect.clone();
@@ -170,7 +170,7 @@ impl Together<'_> {
         units.iter().map(|unit| unit.without(effect)).collect()
     }
 
-    fn written(&self, units: &[Unit<'_>], held: &[Held]) -> Result<UnitFindings, Error> {
+    fn written(&self, units: &[Unit<'_>], held: &[EffectOfUnits]) -> Result<UnitFindings, Error> {
         let (mut shared, mut own) = (Vec::new(), Vec::new());
         for h in held {
             let without = self.without(units, &h.effect)?;
@@ -222,7 +222,7 @@ impl Together<'_> {
         &self,
         units: &[Unit<'_>],
         without: &[Unit<'_>],
-        held: &Held,
+        held: &EffectOfUnits,
         named: &Pooled,
     ) -> Result<Vec<UnitSize>, Error> {
         let channel = named

@@ -55,7 +55,7 @@ pub struct Truth<'a> {
 
 /// A reading at an instant.
 #[derive(Clone, Copy, Debug)]
-struct Seen {
+struct Reading {
     /// Near SI units.
     reading: Vector3<f64>,
     /// The signal's derivative by the base model, per second.
@@ -167,7 +167,7 @@ impl<'a> Truth<'a> {
         };
         (0..t.len())
             .map(|k| {
-                let rate = Seen {
+                let rate = Reading {
                     reading: readings[k],
                     slope: slope_at(t, &rates, k),
                 };
@@ -182,7 +182,7 @@ impl<'a> Truth<'a> {
     }
 
     /// The reading of a sensor at `t` and its slope; `None` without the sensor or without a model of it.
-    fn seen(&self, sensor: Sensor, t: f64) -> Option<Seen> {
+    fn seen(&self, sensor: Sensor, t: f64) -> Option<Reading> {
         let stream = self.recording.stream(sensor)?;
         let sensing = self.models.get(sensor)?;
         let near = stream
@@ -195,7 +195,7 @@ impl<'a> Truth<'a> {
             &stream.values[range.clone()],
             near - range.start,
         );
-        Some(Seen {
+        Some(Reading {
             reading: sensing.unit.to_si(&stream.at(t)?),
             slope: sensing.slope(&slope),
         })
@@ -204,8 +204,8 @@ impl<'a> Truth<'a> {
     fn instant(
         &self,
         t: f64,
-        force: Option<Seen>,
-        rate: Option<Seen>,
+        force: Option<Reading>,
+        rate: Option<Reading>,
         attitude: Attitude<f64>,
     ) -> Kinematics<f64> {
         let mut known = Kinematics {

@@ -1,7 +1,7 @@
 //! The gap and the residuals before and after, as pictures.
 
 use calib::discover::{
-    Channel, Discovery, Findings, Left, Picture, Point, left_by_interval, pictures,
+    Channel, ChannelResiduals, Discovery, Findings, Picture, Point, pictures, residuals_by_interval,
 };
 
 use super::tables::places;
@@ -50,7 +50,10 @@ pub fn plots(discovery: &Discovery) -> Vec<(String, report::Picture)> {
         all.extend(residuals.iter().flat_map(residual_plots));
     }
     let [remainder_name, names @ ..] = PLOTS;
-    let remainder = remainder(&left_by_interval(discovery), !findings.effects.is_empty());
+    let remainder = remainder(
+        &residuals_by_interval(discovery),
+        !findings.effects.is_empty(),
+    );
     let named = names
         .into_iter()
         .zip(all)
@@ -62,8 +65,8 @@ pub fn plots(discovery: &Discovery) -> Vec<(String, report::Picture)> {
 
 /// Builds the plot of the residual by interval, one panel per channel, with the base models beside it if an effect is
 /// named.
-fn remainder(all: &[Left], is_named: bool) -> Option<Plot> {
-    let axis = |left: &Left| {
+fn remainder(all: &[ChannelResiduals], is_named: bool) -> Option<Plot> {
+    let axis = |left: &ChannelResiduals| {
         let (measured, unit, _) = measured(left.channel);
         Axis::linear(format!("{measured}, {unit}"))
     };

@@ -8,8 +8,8 @@ pub(crate) mod coning;
 mod decided;
 pub(crate) mod fit;
 mod instants;
-mod left;
 pub(crate) mod sampling;
+mod turn_residuals;
 pub(crate) mod undersampled;
 pub(crate) mod windows;
 

@@ -225,7 +225,7 @@ impl StaticNumbers {
 
 /// Fit of columns to a residual.
 #[derive(Clone, Copy, Debug)]
-struct Left {
+struct ColumnsFit {
     /// Sum of squares.
     square: f64,
     /// Rank of the columns.
@@ -240,7 +240,7 @@ struct Walking {
     /// Basis of the parameters' columns.
     basis: Basis,
     /// Fit of the parameters alone.
-    base: Left,
+    base: ColumnsFit,
     /// The residuals then.
     left: Vec<f64>,
 }
@@ -256,7 +256,7 @@ impl Walking {
         let columns = Columns::cut(&whitened(&filter, jacobian), groups);
         let basis = Basis::with_tolerance(&columns, RANK_TOLERANCE);
         let left = basis.without_column(whitened(&filter, residuals).col_as_slice(0));
-        let base = Left {
+        let base = ColumnsFit {
             square: left.iter().map(|r| r * r).sum(),
             rank: basis.rank(),
             log_gram: 2.0 * basis.log_volume(),
@@ -270,7 +270,7 @@ impl Walking {
     }
 
     /// Fits the parameters and more columns together.
-    fn with(&self, columns: &DMatrix<f64>) -> Left {
+    fn with(&self, columns: &DMatrix<f64>) -> ColumnsFit {
         let mut columns = whitened(&self.filter, columns);
         let norms: Vec<f64> = columns.col_iter().map(|c| c.norm_l2()).collect();
         for (column, norm) in columns.col_iter_mut().zip(&norms) {
@@ -286,7 +286,7 @@ impl Walking {
         let square = self.base.square - (own.transpose() * r).squared_norm_l2();
         let lengths = norms.into_iter().filter(|norm| *norm > 0.0);
         let log_volume: f64 = pivots.into_iter().chain(lengths).map(f64::ln).sum();
-        Left {
+        ColumnsFit {
             square: square.max(0.0),
             rank: self.base.rank + own.ncols(),
             log_gram: self.base.log_gram + 2.0 * log_volume,

@@ -6,7 +6,6 @@ pub(crate) mod apart;
 pub(crate) mod channel;
 pub(crate) mod influence;
 mod known_noise;
-pub(crate) mod left;
 pub(crate) mod left_out;
 pub(crate) mod marginal;
 pub(crate) mod misfit;
@@ -14,6 +13,7 @@ pub(crate) mod missing;
 mod noise_levels;
 pub(crate) mod over_time;
 pub(crate) mod prediction;
+pub(crate) mod row_residuals;
 mod time_constant;
 
 use nalgebra::DMatrix;
@@ -23,9 +23,9 @@ use solver::Uncertainty;
 use super::fit::JointFit;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::noise::weights::{ComponentKind, NoiseLevel};
-use crate::methods::joint::result::left::Left;
 use crate::methods::joint::result::marginal::marginal;
 use crate::methods::joint::result::prediction::Prediction;
+use crate::methods::joint::result::row_residuals::RowResiduals;
 use crate::methods::small_sample::{LEAST_SPARE, UNREMARKABLE, by_chance, widening};
 use crate::methods::{Fitted, RawUnit};
 
@@ -114,7 +114,7 @@ impl JointFit {
     /// Where it does not, the fit has another component of noise that does. Without spare placements an effect that the
     /// model lacks leaves residuals as small, and cannot be seen.
     fn white_noise_explains_force(&self) -> bool {
-        let left = Left::of(&self.white_jacobian, &self.white_residuals);
+        let left = RowResiduals::of(&self.white_jacobian, &self.white_residuals);
         let rows = 0..self.first_rows[0];
         let square: f64 = rows.clone().map(|i| left.square(i)).sum();
         by_chance(square, rows.map(|i| left.spare(i)).sum()) > UNREMARKABLE

@@ -7,8 +7,8 @@
 
 use recording::Error;
 
-use super::left::Left;
 use super::sampling::{Share, likeliest};
+use super::turn_residuals::TurnResiduals;
 use crate::methods::joint::clock::{ClockMode, ClockState, SourceClock};
 use crate::methods::joint::data::{Data, Source};
 use crate::methods::joint::minimum::{Point, Run};
@@ -114,7 +114,7 @@ fn begin_with_a_share(data: &mut Data) {
 }
 
 /// Estimates the uncertainty of the sampling shares that kept their first value.
-fn say_how_sure(data: &mut Data, left: &Left) {
+fn say_how_sure(data: &mut Data, left: &TurnResiduals) {
     for k in 0..data.sources.len() {
         let (levels, turns) = (data.sources[k].levels(), left.of(data, k));
         let own = &mut data.sources[k].clock.sampling;
@@ -143,7 +143,7 @@ struct ClockFit<'a, 'b> {
 impl ClockFit<'_, '_> {
     /// The likeliest clocks: the shares from two starts, then what is behind the stamps, then what the samples of the
     /// recordings are that may have `either`.
-    fn choose(&mut self, either: &[usize]) -> Result<Left, Error> {
+    fn choose(&mut self, either: &[usize]) -> Result<TurnResiduals, Error> {
         let mut left = self.rounds()?;
         let scatters = |source: &Source| source.clock.floor > 0.0;
         if self.run.data.sources.iter().any(scatters) {
@@ -179,7 +179,7 @@ impl ClockFit<'_, '_> {
     }
 
     /// Fits until the shares stand still, or the data are less likely under others.
-    fn rounds(&mut self) -> Result<Left, Error> {
+    fn rounds(&mut self) -> Result<TurnResiduals, Error> {
         let mut left = self.fit()?;
         for _ in 0..ROUNDS {
             let (before, point) = (self.run.data.decided_clocks(), self.point.clone());
@@ -209,7 +209,7 @@ impl ClockFit<'_, '_> {
     ///
     /// Turns that were believed to their noise at first bend the models, and what then remains of them looks like a scatter
     /// that is the same for all.
-    fn anew_with_a_share(&mut self, left: Left) -> Result<Left, Error> {
+    fn anew_with_a_share(&mut self, left: TurnResiduals) -> Result<TurnResiduals, Error> {
         let (before, point) = (self.run.data.decided_clocks(), self.point.clone());
         begin_with_a_share(&mut self.run.data);
         let from_share = self.rounds()?;
@@ -225,7 +225,7 @@ impl ClockFit<'_, '_> {
     /// Refits with the whole scatter of the turns given to the sampling share, where the request allows the turns no
     /// scatter beyond all noise.
     /// The fits that this one is compared with do the same: a comparison needs the same noise in all of them.
-    fn with_the_whole_scatter(&mut self, left: Left) -> Result<Left, Error> {
+    fn with_the_whole_scatter(&mut self, left: TurnResiduals) -> Result<TurnResiduals, Error> {
         let shares =
             |source: &Source| source.clock.floor > 0.0 && source.clock.sampling.value > 0.0;
         if !self.run.data.sources.iter().any(shares) {
@@ -248,18 +248,18 @@ impl ClockFit<'_, '_> {
     }
 
     /// The minimum with the shares as they are.
-    fn fit(&mut self) -> Result<Left, Error> {
+    fn fit(&mut self) -> Result<TurnResiduals, Error> {
         let noise = self.run.noise_near(self.point.as_ref());
         let weights = self.run.weights_under(&noise);
         let point = self.run.approach(&weights, self.point.as_ref())?;
         let under = (&weights.whitening.white, noise.by_share.as_slice());
-        let left = Left::of_fit(self.run, &point, under, &self.open);
+        let left = TurnResiduals::of_fit(self.run, &point, under, &self.open);
         self.point = Some(point);
         Ok(left)
     }
 
     /// The likeliest sampling share of every recording; whether any moved.
-    fn sampling(&mut self, left: &Left) -> bool {
+    fn sampling(&mut self, left: &TurnResiduals) -> bool {
         let mut moved = false;
         for k in 0..self.run.data.sources.len() {
             let decided = self.decided(k);
@@ -279,7 +279,7 @@ impl ClockFit<'_, '_> {
     }
 
     /// The likeliest shares of the clocks; whether any moved.
-    fn shares(&mut self, left: &Left) -> bool {
+    fn shares(&mut self, left: &TurnResiduals) -> bool {
         let data = &mut self.run.data;
         let Some((steps, errors)) = left.steps(data) else {
             return false;
@@ -300,7 +300,7 @@ impl ClockFit<'_, '_> {
     }
 
     /// Takes 0 or 1 where `χ²` allows it.
-    fn decide(&mut self, left: &Left) {
+    fn decide(&mut self, left: &TurnResiduals) {
         let data = &mut self.run.data;
         for k in 0..data.sources.len() {
             if data.turns.iter().any(|turn| turn.recording == k) {

@@ -9,7 +9,7 @@ use sensor::Sensor;
 
 use crate::methods::joint::data::Data;
 use crate::methods::joint::minimum::{Point, Run};
-use crate::methods::joint::result::left::Left;
+use crate::methods::joint::result::row_residuals::RowResiduals;
 use crate::methods::small_sample::by_chance;
 
 /// Noise makes what is left of the means so small in fewer cases than this.
@@ -63,7 +63,7 @@ impl Run<'_> {
         let free = point.mask.free_indices();
         let white = &weights.whitening.white;
         let (residuals, jacobian) = point.linear.whitened_by(&free, white);
-        let left = Left::of(&jacobian, &residuals);
+        let left = RowResiduals::of(&jacobian, &residuals);
         let mut sums = vec![[(0.0, 0.0); 2]; self.data.sources.len()];
         for (place, sensor) in SENSORS.into_iter().enumerate() {
             for own in rows.means(sensor) {

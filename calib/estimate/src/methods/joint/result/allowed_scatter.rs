@@ -11,7 +11,7 @@ use crate::methods::joint::noise::chain::Chain;
 use crate::methods::joint::noise::exposure::Exposure;
 use crate::methods::joint::noise::likelihood::Restricted;
 use crate::methods::joint::noise::weights::{Component, ComponentKind, Form, NoiseLevel, White};
-use crate::methods::joint::result::left::Left;
+use crate::methods::joint::result::row_residuals::RowResiduals;
 use crate::methods::joint::rows::{MeanRows, Rows};
 use crate::methods::small_sample::{LEAST_SPARE, by_chance};
 
@@ -54,7 +54,7 @@ impl Analysis {
 
     /// The kinds of rows of which the quieter three quarters are off by far more than the noise.
     fn missed(&self, rows: &Rows<'_>, taken: &Columns) -> Vec<(ComponentKind, Vec<Vec<usize>>)> {
-        let left = Left::of(taken, &self.residuals);
+        let left = RowResiduals::of(taken, &self.residuals);
         let is_off = |(_, groups): &(_, Vec<Vec<usize>>)| left.quieter_ratio(groups) > MISFIT;
         groups(rows).into_iter().filter(is_off).collect()
     }
@@ -78,7 +78,7 @@ impl Analysis {
     /// The same where the quieter three quarters of them are off by so much more than the noise that whatever can be fitted
     /// to turns would pass for their cause: an effect has to be likelier than turns that scatter.
     pub fn allow_scatter_of_gross_turns(&mut self, rows: &Rows<'_>, known: &[&Suspect]) {
-        let left = Left::of(&self.with(known), &self.residuals);
+        let left = RowResiduals::of(&self.with(known), &self.residuals);
         let [_, _, (_, turns)] = groups(rows);
         if left.quieter_ratio(&turns) > GROSS {
             self.allow_scatter_of_turns(rows);
@@ -98,7 +98,7 @@ impl Analysis {
         if self.is_quiet(rows, &whitened.residuals) {
             return false;
         }
-        let left = Left::of(&whitened.columns, &whitened.residuals);
+        let left = RowResiduals::of(&whitened.columns, &whitened.residuals);
         for (kind, groups) in groups(rows) {
             if self.components.iter().any(|c| c.kind == kind) {
                 continue;

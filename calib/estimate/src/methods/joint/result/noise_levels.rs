@@ -10,7 +10,7 @@ use crate::methods::joint::noise::bias::{Within, within};
 use crate::methods::joint::noise::likelihood::Restricted;
 use crate::methods::joint::noise::walks::{NO_WALK, Walks, expected_square};
 use crate::methods::joint::noise::weights::{Component, ComponentKind, NoiseLevel};
-use crate::methods::joint::result::left::Left;
+use crate::methods::joint::result::row_residuals::RowResiduals;
 use crate::methods::joint::rows::Rows;
 
 /// Prior chance of no doubt of turns at all, over that of any.
@@ -113,7 +113,7 @@ impl Analysis {
         let whitened = self.whitened(known, levels);
         let by_turn = whitened.whitening.finish_columns(by_turn);
         let by_scatter = row_squares(&by_turn);
-        let left = Left::of(&whitened.columns, &whitened.residuals);
+        let left = RowResiduals::of(&whitened.columns, &whitened.residuals);
         let of_row = |i: usize| (left.square(i), left.spare(i), by_scatter[i]);
         let turns: Vec<(f64, f64, f64)> = (first..count).map(of_row).collect();
         let log_likelihood = |size: f64| {

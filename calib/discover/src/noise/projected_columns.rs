@@ -8,14 +8,14 @@ use nalgebra::{DMatrix, DVector};
 
 /// `P L⁻¹ F` (`q × k`) without its zeros: what recordings share reaches all of them, and is kept apart.
 #[derive(Clone, Debug)]
-pub struct Seen {
+pub struct ProjectedColumns {
     /// `L⁻¹ F`.
     pub inside: Columns,
     /// Projection `Tᵀ L⁻¹ F` (`s × k`) onto the basis `T` of the recordings' shared parameters: `P = I − T Tᵀ`.
     pub taken: Mat<f64>,
 }
 
-impl Seen {
+impl ProjectedColumns {
     /// `A = WᵀW` (`n × n`) and `b = Wᵀz` (`n`) of some of its columns `W`, `z` (`q × 1`) without what is shared.
     pub fn normal(&self, columns: Range<usize>, z: &Mat<f64>) -> (DMatrix<f64>, DVector<f64>) {
         let (first, n) = (columns.start, columns.len());

@@ -15,7 +15,7 @@ const MEDIAN_OF_TWO: f64 = 1.386_294_361_119_890_6;
 const MEDIAN_OF_ONE: f64 = 0.454_936_423_119_572_3;
 
 /// Residuals of the turns after a fit, and their dependence on the shares.
-pub(super) struct Left {
+pub(super) struct TurnResiduals {
     turns: Vec<Evidence>,
     /// Whitened residuals of all rows after the fit (`m`).
     residuals: Vec<f64>,
@@ -27,7 +27,7 @@ pub(super) struct Left {
     pub likelihood: f64,
 }
 
-impl Left {
+impl TurnResiduals {
     /// Builds the residuals after a fit; `open` are the recordings whose clock's share is fitted.
     ///
     /// `by_share_of_one`, the covariance that a share of one adds to every turn, must be the one in the weights. If it

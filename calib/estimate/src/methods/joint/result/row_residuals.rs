@@ -7,12 +7,12 @@ use crate::methods::joint::blocks::columns::Columns;
 const QUIETER: f64 = 0.75;
 
 /// Residuals and leverages of the rows after a fit of columns.
-pub(crate) struct Left {
+pub(crate) struct RowResiduals {
     residuals: Vec<f64>,
     basis: Basis,
 }
 
-impl Left {
+impl RowResiduals {
     pub fn of(columns: &Columns, r: &[f64]) -> Self {
         let basis = Basis::of(columns);
         let residuals = basis.without_column(r);
