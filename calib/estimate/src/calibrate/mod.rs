@@ -46,12 +46,14 @@ pub use request::{Frame, GyroBias, Instant, Method, NOMINAL_RATES, Request};
 pub use same_device::{Differences, differences, of_one_device};
 pub use stepwise::gyroscope_data;
 
+use findings::{Finding, Kind, Level};
 use std::borrow::Borrow;
 
 use recording::{Error, Recording};
 
 use self::cut::Cut;
 use self::fit::Fit;
+use crate::calibration::Calibration;
 use crate::methods::joint::ClockMode;
 
 pub use crate::gravity::STANDARD_GRAVITY;
@@ -103,12 +105,27 @@ fn in_steps(
         remarks: &remarks.into_iter().flatten().collect(),
     };
     let mut outcome = fit.run()?;
-    let apart = prepared::clocks::apart(&ready.originals);
-    outcome.calibration.warnings.extend(apart);
+    say_clocks(
+        &mut outcome.calibration,
+        prepared::clocks::apart(&ready.originals),
+    );
     let mut inputs = ready.originals.clone();
     inputs.extend(&for_gyroscope.originals);
     inputs::state(&mut outcome, &inputs, request);
     Ok(outcome)
+}
+
+/// States that clocks are apart. One that forbids the use of the result is why static intervals of the two sensors look disturbed.
+fn say_clocks(calibration: &mut Calibration, apart: Vec<Finding>) {
+    if apart.iter().any(Finding::forbids_use) {
+        let warnings = &mut calibration.warnings;
+        warnings.retain(|found| found.kind != Kind::DisturbedInterval);
+    }
+    let (gates, warnings): (Vec<Finding>, Vec<Finding>) = apart
+        .into_iter()
+        .partition(|found| found.level == Level::Bad);
+    calibration.failed_gates.extend(gates);
+    calibration.warnings.extend(warnings);
 }
 
 /// The recordings made ready. The stepwise method keeps stamps as they are, as published, unless an even clock is requested; the joint

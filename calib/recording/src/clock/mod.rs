@@ -7,6 +7,7 @@ pub(crate) mod held;
 pub(crate) mod offset;
 pub(crate) mod patterns;
 pub(crate) mod restarts;
+mod robust_line;
 pub(crate) mod time;
 pub(crate) mod time_of_day;
 pub(crate) mod twelve_hours;

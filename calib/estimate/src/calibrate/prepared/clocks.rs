@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use findings::{Finding, Findings, Kind, OptionName, Remedy, significant};
+use findings::{Finding, Findings, Kind, Level, OptionName, Remedy, significant};
 use recording::{
     ClockDrift, Recording, Stamps, Stream, bursts, clock_drift, clock_offset, even_clock,
 };
@@ -16,6 +16,9 @@ const WITH_ANY: f64 = 60.0;
 
 /// Clocks farther apart than this are not asked for a drift, s.
 const FAR_APART: f64 = 9.0;
+
+/// A clock that runs faster by more than this forbids the use of the gyroscope: half a degree in a turn by 90°.
+const RUNS_AWAY: f64 = 5e-3;
 
 /// Warnings about clocks that no choice makes right.
 pub(in crate::calibrate) fn doubts(fit: &JointFit) -> Vec<Finding> {
@@ -100,11 +103,14 @@ pub(in crate::calibrate) fn apart(recordings: &[&Recording]) -> Vec<Finding> {
             continue;
         };
         let offset = clock_offset(force, rate);
-        offsets.extend(offset.map(|found| late(&recording.name, found)));
         // The two halves are compared within ten seconds: farther apart they meet another turn.
-        if offset.is_none_or(|(offset, _)| offset.abs() <= FAR_APART) {
-            drifts.extend(clock_drift(force, rate).map(|drift| running(&recording.name, drift)));
+        let may_drift = offset.is_none_or(|(offset, _)| offset.abs() <= FAR_APART);
+        let drift = may_drift.then(|| clock_drift(force, rate)).flatten();
+        // No offset holds for the whole recording where a clock runs so much faster.
+        if drift.is_none_or(|drift| drift.value.abs() <= RUNS_AWAY) {
+            offsets.extend(offset.map(|found| late(&recording.name, found)));
         }
+        drifts.extend(drift.map(|drift| running(&recording.name, drift)));
     }
     offsets.append(&mut drifts);
     offsets
@@ -145,11 +151,16 @@ fn late(recording: &str, (offset, other): (f64, Option<f64>)) -> Finding {
 /// One clock that runs faster than the other.
 fn running(recording: &str, drift: ClockDrift) -> Finding {
     let is_faster = drift.value > 0.0;
-    Finding::of(Kind::ClockDrift)
+    let runs_away = drift.value.abs() > RUNS_AWAY;
+    let found = Finding::of(Kind::ClockDrift)
         .in_recording(recording)
         .of_sensor(Sensor::Gyroscope)
         .number("drift", 1e6 * drift.value.abs(), "1")
         .number("error", 1e6 * drift.error, "1")
         .detail("which", if is_faster { "faster" } else { "slower" })
-        .count("turns", drift.turns)
+        .count("turns", drift.turns);
+    match runs_away {
+        true => found.at_level(Level::Bad),
+        false => found,
+    }
 }
