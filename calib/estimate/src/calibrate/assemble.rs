@@ -147,7 +147,12 @@ fn accelerometer_triad(
     if fit.own_bias {
         let shared = fit.model.parameter_count();
         let names = recordings.iter().map(|r| r.name.as_str());
-        triad.recordings = own_biases(Sensor::Accelerometer, &fit.fitted, shared, names);
+        triad.state_biases(own_biases(
+            Sensor::Accelerometer,
+            &fit.fitted,
+            shared,
+            names,
+        ));
     }
     if request.static_means.is_empty() {
         triad.reduced_chi2 = norms.and_then(StaticNorms::reduced_chi2);
@@ -155,7 +160,7 @@ fn accelerometer_triad(
     triad
 }
 
-/// The bias of every recording; that of the last stands for the sensor's.
+/// The bias of every recording.
 pub(super) fn own_biases<'a>(
     sensor: Sensor,
     fitted: &Fitted,
@@ -247,7 +252,7 @@ fn resting_gyroscope(turning: &[(&Recording, &Segmentation)], table: &mut Table)
 }
 
 /// The gyroscope's bias: the mean over the rests of each recording, with the scatter between rests
-/// as its error; that of the last recording stands for the device.
+/// as its error.
 fn rest_biases(triad: &mut Triad, turning: &[(&Recording, &Segmentation)], table: &mut Table) {
     let biases: Vec<RecordingBias> = turning
         .iter()
@@ -269,7 +274,7 @@ fn rest_biases(triad: &mut Triad, turning: &[(&Recording, &Segmentation)], table
         table.block(names, &block);
     }
     if biases.len() > 1 {
-        triad.recordings = biases;
+        triad.state_biases(biases);
     }
 }
 

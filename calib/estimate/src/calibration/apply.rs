@@ -19,7 +19,7 @@ const AT_GRAVITY: f64 = 0.03;
 
 /// The corrected recording, each sensor on its own clock. A sensor that the calibration does not
 /// speak of stays raw, which a warning says. Of several recordings that the calibration is made from
-/// each has its own biases taken off, any other their mean, or where they differ those of the last.
+/// each has its own biases taken off, any other those that the calibration states for the device.
 ///
 /// Where effects look at static intervals these are detected.
 ///

@@ -1,6 +1,6 @@
 //! `cal.json` with sensors that are not calibrated: the reason stands in the place of the sensor.
 
-use findings::{Finding, Findings, Kind, Level, Verdict};
+use findings::{Finding, Findings, Kind, Level, Step, Verdict};
 use sensor::Sensor;
 use serde::de::Error as _;
 use serde::ser::Error as _;
@@ -89,7 +89,8 @@ impl Calibration {
             return Ok(self);
         };
         let found = Findings::deserialize(found)?;
-        let is_gate = |found: &&Finding| found.kind != Kind::LimitNotKept;
+        let of_limits = [Kind::LimitNotKept, Kind::RequiredMissing];
+        let is_gate = |found: &&Finding| !of_limits.contains(&found.kind);
         Ok(Self {
             failed_gates: found.gates().filter(is_gate).collect(),
             warnings: found.warnings().collect(),
@@ -109,6 +110,11 @@ impl Calibration {
     /// The verdict on it, with commands for the recordings that it was made of.
     pub fn verdict(&self) -> Verdict {
         self.verdict_of(&self.findings())
+    }
+
+    /// What to do next: what a front end offers in its own commands, else the steps of the verdict.
+    pub fn next_steps(&self) -> Vec<Step> {
+        self.next.clone().unwrap_or_else(|| self.verdict().next)
     }
 
     fn verdict_of(&self, findings: &[Finding]) -> Verdict {

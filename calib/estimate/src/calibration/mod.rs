@@ -38,7 +38,7 @@ pub use provenance::{
 pub use scalar::ScalarValues;
 pub use units::{TriadUnits, check_units, in_unit_of, read_in_unit_of};
 
-use findings::{Finding, Findings, Kind};
+use findings::{Finding, Findings, Kind, Step};
 use nalgebra::{Matrix3, Vector3};
 use recording::intervals::Segmentation;
 use recording::{Error, Recording};
@@ -118,6 +118,9 @@ pub struct Calibration {
     /// Biases estimated again since, oldest first.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub history: Vec<BiasUpdate>,
+    /// What a front end offers next in its own commands; no part of the document, which is the same by whatever call it was made.
+    #[serde(skip)]
+    pub next: Option<Vec<Step>>,
     /// Recordings, options and conventions.
     #[serde(flatten)]
     pub provenance: Provenance,
@@ -146,7 +149,7 @@ pub struct Triad {
     /// Scale factors and misalignments (3 × 3, rows).
     #[serde(rename = "T")]
     pub t: [[f64; 3]; 3],
-    /// Bias; of the last recording where each has its own.
+    /// Bias. Where each recording has its own, their mean, or where they differ that of the last.
     pub bias: [f64; 3],
     /// Standard errors of `T`; null where the element was held fixed.
     #[serde(rename = "T_std")]
@@ -267,6 +270,7 @@ impl Calibration {
             prior: None,
             clocks: Vec::new(),
             history: Vec::new(),
+            next: None,
             provenance: Provenance::of(Vec::new(), None),
         }
     }

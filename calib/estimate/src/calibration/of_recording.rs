@@ -14,7 +14,7 @@ const DIFFERENT: f64 = 3.0;
 
 impl Calibration {
     /// The calibration as it holds for one recording: with the biases of this one, where it was made from it among others; for
-    /// any other with their mean, weighed by their errors, or where they differ with those of the last.
+    /// any other with those that stand for the device ([`Triad::bias`]).
     pub fn of_recording(&self, recording: &Recording) -> Cow<'_, Self> {
         let triads = Sensor::ALL.into_iter().filter_map(|s| self.triad(s));
         if triads.into_iter().all(|triad| triad.recordings.is_empty()) {
@@ -26,10 +26,7 @@ impl Calibration {
             let Some(triad) = alone.triad_mut(sensor) else {
                 continue;
             };
-            let found = match own {
-                Some(own) => triad.bias_in(own),
-                None => mean(&triad.recordings),
-            };
+            let found = own.and_then(|own| triad.bias_in(own));
             triad.recordings.clear();
             if let Some(found) = found {
                 (triad.bias, triad.bias_std) = (found.bias, found.bias_std);
@@ -73,6 +70,20 @@ impl Calibration {
 }
 
 impl Triad {
+    /// States the bias of every recording. For the device stands their mean, weighed by their errors, or where they differ that of the last.
+    pub(crate) fn state_biases(&mut self, recordings: Vec<RecordingBias>) {
+        if let Some(common) = mean(&recordings).or_else(|| recordings.last().cloned()) {
+            (self.bias, self.bias_std) = (common.bias, common.bias_std);
+        }
+        self.recordings = recordings;
+    }
+
+    /// Returns true if the bias is the mean of those of several recordings.
+    pub fn has_mean_bias(&self) -> bool {
+        let last = self.recordings.last();
+        last.is_some_and(|last| last.bias != self.bias)
+    }
+
     /// The bias that a recording has, where each has its own; of one in parts the mean of theirs, or where these differ that of the last.
     pub fn bias_in(&self, recording: &str) -> Option<RecordingBias> {
         let mut all = self.recordings.iter();

@@ -51,6 +51,7 @@ fn calibration(
         prior: None,
         clocks: Vec::new(),
         history: Vec::new(),
+        next: None,
         provenance: Provenance::of(Vec::new(), None),
     };
     calibration.state_units();

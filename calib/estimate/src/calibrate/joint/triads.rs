@@ -21,7 +21,7 @@ pub fn force_triad(fit: &JointFit, fitted: &Fitted, moved: Option<&BiasMotion>) 
     triad.bias_time = moved.map(|own| bias_time(own, fit.force_unit.scale, &triad.bias));
     triad.static_intervals = Some(fit.data.rests.len());
     if fit.own_force_bias {
-        triad.recordings = biases_of_recordings(fit, Sensor::Accelerometer, fitted);
+        triad.state_biases(biases_of_recordings(fit, Sensor::Accelerometer, fitted));
     }
     triad
 }
@@ -95,7 +95,7 @@ pub fn rate_triad(fit: &JointFit, fitted: &Fitted, moved: Option<&BiasMotion>) -
     triad.residual_rms = fit.direction_rms().to_degrees();
     triad.bias_time = moved.map(|own| bias_time(own, fit.rate_unit.scale, &triad.bias));
     triad.dynamic_intervals = Some(fit.chords.len());
-    triad.recordings = biases_of_recordings(fit, Sensor::Gyroscope, fitted);
+    triad.state_biases(biases_of_recordings(fit, Sensor::Gyroscope, fitted));
     triad
 }
 

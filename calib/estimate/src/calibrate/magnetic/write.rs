@@ -77,17 +77,17 @@ fn append(calibration: &mut Calibration, own: &Fitted, between: &DMatrix<f64>) {
 
 fn triad(written: &Written<'_>, fitted: &Fitted) -> Triad {
     let fit = written.fit;
-    Triad {
+    let mut triad = Triad {
         residual_rms: fit.residual_rms,
         reduced_chi2: Some(fit.reduced_chi2),
         static_intervals: Some(fit.placements.iter().filter(|p| p.is_used).count()),
         dynamic_intervals: (fit.turns > 0).then_some(fit.turns),
-        recordings: match fit.biases.len() > 1 && !written.is_divided {
-            true => own_biases(written),
-            false => Vec::new(),
-        },
         ..assemble::triad(Sensor::Magnetometer, fitted)
+    };
+    if fit.biases.len() > 1 && !written.is_divided {
+        triad.state_biases(own_biases(written));
     }
+    triad
 }
 
 /// The fit as those of the other sensors are written down.

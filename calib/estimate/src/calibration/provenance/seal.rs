@@ -117,6 +117,7 @@ impl Calibration {
             schema: _,
             created_by: _,
             warnings: _,
+            next: _,
         } = self;
         let Provenance {
             sign_convention,

@@ -1,7 +1,9 @@
 //! The matrices and biases of a calibration in one table, in the units that people use.
 
+use std::cmp::Ordering;
+
 use calib::Calibration;
-use calib::calibration::Triad;
+use calib::calibration::{EffectParameter, EffectValues, Triad};
 use sensor::{PLACES, Sensor, base_names};
 
 use crate::commands::calibrate::tables::field_unit;
@@ -74,8 +76,29 @@ pub fn text(calibration: &Calibration) -> String {
         format!("{indent}{a:<wa$}{between}{b:>wb$}{between}{c:>wc$}{gap}{d:<wd$}{between}{e:>we$}")
     };
     let mut lines: Vec<String> = std::iter::once(&header).chain(&rows).map(line).collect();
+    lines.extend(biases_differ(&all));
+    lines.extend(calibration.effects.iter().filter_map(effect));
     lines.extend(all.iter().filter_map(of_counts));
     lines.join("\n")
+}
+
+/// An effect by the parameter that is known best beside its size.
+fn effect(values: &EffectValues) -> Option<String> {
+    let beside = |p: &&EffectParameter| Some(p.value.abs() / p.std.filter(|std| *std > 0.0)?);
+    let known = values.parameters.iter().filter(|p| beside(p).is_some());
+    let best = known.max_by(|a, b| beside(a).partial_cmp(&beside(b)).unwrap_or(Ordering::Equal))?;
+    let more = match values.parameters.len() - 1 {
+        0 => String::new(),
+        more => format!(", {more} more with -v"),
+    };
+    let (name, size) = (
+        show::name(&values.name),
+        show::with_error(best.value, best.std),
+    );
+    Some(format!(
+        "  {name}: {} {size} {}{more}",
+        best.name, best.unit
+    ))
 }
 
 /// The columns that the cells of each take.
@@ -86,20 +109,32 @@ fn widths(header: &[String; 5], rows: &[[String; 5]]) -> [usize; 5] {
     })
 }
 
-/// The bias, and of which recording it is where each has its own.
+/// The bias, and of which recordings it is where each has its own.
 fn bias_header(all: &[Shown<'_>]) -> String {
-    let own = all.iter().find(|shown| !shown.triad.recordings.is_empty());
-    let Some(own) = own else {
-        return "bias".into();
-    };
-    let names: Vec<&str> = own
-        .triad
-        .recordings
-        .iter()
-        .map(|r| r.recording.as_str())
-        .collect();
-    let last = short_names(&names).pop().unwrap_or_default();
-    format!("bias in {last}")
+    let mut said = all.iter().filter_map(of_which);
+    match said.next() {
+        None => "bias".into(),
+        Some(first) if said.all(|other| other == first) => format!("bias, {first}"),
+        Some(_) => "bias".into(),
+    }
+}
+
+/// Of which recordings the bias of each sensor is, where that differs.
+fn biases_differ(all: &[Shown<'_>]) -> Option<String> {
+    let said = |shown: &Shown<'_>| Some(format!("{} {}", shown.name, of_which(shown)?));
+    let each: Vec<String> = all.iter().filter_map(said).collect();
+    (bias_header(all) == "bias" && !each.is_empty()).then(|| format!("  bias: {}", each.join(", ")))
+}
+
+/// `mean of 3` or `of rec_3`, where each recording has a bias of its own.
+fn of_which(shown: &Shown<'_>) -> Option<String> {
+    let own = &shown.triad.recordings;
+    let names: Vec<&str> = own.iter().map(|r| r.recording.as_str()).collect();
+    let last = short_names(&names).pop()?;
+    Some(match shown.triad.has_mean_bias() {
+        true => format!("mean of {}", names.len()),
+        false => format!("of {last}"),
+    })
 }
 
 fn of_counts(shown: &Shown<'_>) -> Option<String> {
