@@ -24,13 +24,13 @@ fn a_limit_that_is_not_kept_is_exit_1_with_the_reason_and_the_outputs_are_marked
     let run = stillpoint(&folder, &call);
     assert_eq!(run.status.code(), Some(1), "{}", stderr(&run));
     assert!(
-        stderr(&run).contains("limit: accelerometer.scale is "),
+        stderr(&run).contains("limit: accelerometer.scale (standard error) is "),
         "{}",
         stderr(&run)
     );
     let first = stdout(&run);
     assert!(
-        first.starts_with("Not to be used: accelerometer.scale is "),
+        first.starts_with("Not to be used: accelerometer.scale (standard error) is "),
         "{first}"
     );
     assert!(first.contains("1 of 4 fail"), "{first}");

@@ -304,6 +304,8 @@ kinds! {
     EffectFault = "effect_fault",
     /// A limit is not kept.
     LimitNotKept = "limit_not_kept",
+    /// A sensor that the limits require is not calibrated.
+    RequiredMissing = "required_missing",
     /// A sensor is not calibrated.
     NotCalibrated = "not_calibrated",
     /// A time constant was supposed and not fitted.
@@ -889,6 +891,8 @@ kinds! {
     ZipWithin = "zip_within",
     /// A file is an old document of an office.
     OldOffice = "old_office",
+    /// A file is a document of this program.
+    OwnDocument = "own_document",
     /// A file is of a format that is not read.
     ForeignFile = "foreign_file",
     /// A MATLAB file is of version 4.

@@ -130,6 +130,18 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     warnings.extend(said.gates);
     warnings.extend(said.warnings);
     let warnings = warnings.texts(Front::CommandLine);
+    let judged: Vec<(String, Vec<LimitLine>)> = calibrations
+        .iter()
+        .zip(rows.iter().skip(1))
+        .filter_map(|((name, c), (_, e))| Some((name.clone(), judge_on(limits.as_ref()?, c, e))))
+        .collect();
+    let failed: Vec<Option<String>> = judged
+        .iter()
+        .map(|(_, lines)| limits::failing(lines))
+        .collect();
+    let (level, sentence, next) =
+        evaluation::judged(&rows, (&doubts, &failed), (&choice.segmentation, &warnings));
+    let next = steps(args, &files, &next);
     if pictures.wanted() {
         let named: Vec<_> = calibrations
             .iter()
@@ -142,15 +154,16 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             &rows,
             (&HEADER, &cells(&rows)),
             &gravities.rows(&calibrations),
-            (&doubts, &warnings),
+            evaluation::Judged {
+                level,
+                sentence: sentence.clone(),
+                next: next.iter().map(Step::in_words).collect(),
+                limits: limits::shown_of(&judged),
+            },
+            &warnings,
         )?;
         pictures.write(&plots, &page)?;
     }
-    let judged: Vec<(String, Vec<LimitLine>)> = calibrations
-        .iter()
-        .zip(rows.iter().skip(1))
-        .filter_map(|((name, c), (_, e))| Some((name.clone(), judge_on(limits.as_ref()?, c, e))))
-        .collect();
     if args.json {
         show::warn_all(&warnings);
         let row = |((name, e), gravity): (&(String, Evaluation), f64)| {
@@ -171,8 +184,6 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         };
         let verdicts: String = judged.iter().map(verdict).collect();
         let names = Names::of([&recording]);
-        let (_, sentence, next) =
-            evaluation::judged(&rows, &doubts, (&choice.segmentation, &warnings));
         let screen = Screen {
             verdict: vec![sentence],
             tables: [verdicts, table(&rows).to_string(), fields(&rows)]
@@ -180,7 +191,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
                 .map(|table| table.trim_matches('\n').to_owned())
                 .filter(|table| !table.is_empty())
                 .collect(),
-            next: steps(args, &files, &next),
+            next,
             remarks: names.all_short(&warnings),
             reserved: judged
                 .iter()

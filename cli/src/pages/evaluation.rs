@@ -11,7 +11,9 @@ use super::coverage::{self, Coverage};
 use super::residual::Residual;
 use super::session::Session;
 use super::{noise, provenance, residuals};
-use crate::report::{Axis, Figure, Level, Picture, Plot, Report, ReportTable, Series, numbered};
+use crate::report::{
+    Axis, Figure, Level, Limit, Picture, Plot, Report, ReportTable, Series, numbered,
+};
 use crate::show;
 
 /// A calibration must leave less than this share of the raw misfit to be of use.
@@ -37,29 +39,6 @@ pub enum Next {
     Advice(String),
 }
 
-impl Next {
-    /// The step in words, for calibrations of these names.
-    fn text(&self, calibrations: &[Named<'_>]) -> String {
-        match self {
-            Self::NameCalibration => {
-                "Name a calibration: stillpoint evaluate RECORDING --calibration cal.json".into()
-            }
-            Self::RecordAtRest => RECORD_AT_REST.into(),
-            Self::CalibrateThis => CALIBRATE_THIS.into(),
-            Self::Use(place) => {
-                let name = calibrations
-                    .get(*place)
-                    .map_or("it".into(), |(name, _)| show::name(name));
-                format!("Use {name}: stillpoint apply CAL RECORDING -o corrected.csv")
-            }
-            Self::EstimateBias(_) => {
-                "Estimate the gyroscope's bias again, because the rate at rest is far from zero: stillpoint bias CAL RECORDING".into()
-            }
-            Self::Advice(text) => text.clone(),
-        }
-    }
-}
-
 /// What to do where nothing could be compared.
 pub const RECORD_AT_REST: &str = "Record again and hold the device still now and then.";
 
@@ -81,7 +60,8 @@ pub fn page(
     rows: &[(String, Evaluation)],
     (header, cells): (&[&str], &[Vec<String>]),
     gravities: &[f64],
-    (doubts, warnings): (&[Vec<Finding>], &[String]),
+    judged: Judged,
+    warnings: &[String],
 ) -> Result<(Report, Vec<(String, Picture)>), calib::Error> {
     let cut = || std::iter::once((recording, segmentation));
     let mut sessions = Vec::new();
@@ -93,8 +73,6 @@ pub fn page(
     let raw = Session::of(cut(), None, of_raw)?;
     let first = sessions.first().map_or(&raw, |(_, session)| session);
     let coverage = covered(first);
-    let (level, sentence, next) = judged(rows, doubts, (segmentation, warnings));
-    let next: Vec<String> = next.iter().map(|step| step.text(calibrations)).collect();
     let mut figures = vec![Residual::measured(first).figure()];
     figures.push(bias(rows));
     figures.extend(coverage.as_ref().map(Coverage::figure));
@@ -136,9 +114,10 @@ pub fn page(
     );
     pictures.extend(numbered("noise", noise::pictures(first, units)));
     let mut report = Report::new(format!("Evaluation on {}", show::name(&recording.name)))
-        .verdict(level, sentence)
+        .verdict(judged.level, judged.sentence)
         .figures(figures)
-        .next(&next)
+        .next(&judged.next)
+        .limits(judged.limits)
         .warnings(&show::folded(warnings))
         .section("Side by side")
         .table(table)
@@ -178,10 +157,24 @@ pub const PLOTS: [&str; 10] = [
     "noise-2",
 ];
 
-/// The best calibration against the raw readings, and the doubts about it; `doubts` are those of each calibration.
+/// The verdict as a page shows it.
+#[derive(Debug)]
+pub struct Judged {
+    /// Level of the verdict.
+    pub level: Level,
+    /// Why, in one sentence.
+    pub sentence: String,
+    /// Next steps in words, with their commands.
+    pub next: Vec<String>,
+    /// Limits that were asked.
+    pub limits: Vec<Limit>,
+}
+
+/// The best calibration against the raw readings, and what speaks against it; `doubts` and `failed`, the limits that it does not keep in words,
+/// are those of each calibration.
 pub fn judged(
     rows: &[(String, Evaluation)],
-    doubts: &[Vec<Finding>],
+    (doubts, failed): (&[Vec<Finding>], &[Option<String>]),
     (segmentation, warnings): (&Segmentation, &[String]),
 ) -> (Level, String, Vec<Next>) {
     let Some((raw, calibrated)) = rows.split_first().filter(|(_, rest)| !rest.is_empty()) else {
@@ -233,6 +226,10 @@ pub fn judged(
     if share(e) > OF_USE {
         let bad = format!("{name} is no better than the raw readings. {sentence}");
         return (Level::Bad, bad, vec![Next::CalibrateThis]);
+    }
+    if let Some(Some(failed)) = failed.get(best) {
+        let bad = format!("Not to be used: {name} fails {failed}. {sentence}");
+        return (Level::Bad, bad, Vec::new());
     }
     // What is doubted is neither used nor given another bias.
     if let Some((why, advice)) = doubts.get(best).and_then(|own| doubted(own)) {

@@ -59,21 +59,34 @@ pub fn not_kept(lines: &[LimitLine]) -> Vec<&LimitLine> {
 }
 
 impl LimitLine {
+    /// What is judged, in words: a limit on a class of parameters is one on their standard errors.
+    pub fn words(&self) -> String {
+        match self.name.split_once('.') {
+            Some((_, "scale" | "misalignment" | "bias")) => {
+                format!("{} (standard error)", self.name)
+            }
+            _ => self.name.clone(),
+        }
+    }
+
     /// The finding that it is not kept.
     pub fn finding(&self) -> Finding {
+        if self.kind == Bound::Present {
+            let sensor = self.name.trim_start_matches("required.");
+            return Finding::of(Kind::RequiredMissing).detail("sensor", sensor);
+        }
         let shown = |value: f64| findings::human(value, &self.unit);
         let allowed = match (self.kind, self.limit) {
-            (Bound::Present, _) => "required".to_owned(),
             (Bound::AtLeast, Limit::One(least)) => format!("at least {}", shown(least)),
             (_, Limit::One(most)) => format!("at most {}", shown(most)),
             (_, Limit::Range([least, most])) => format!("{} to {}", shown(least), shown(most)),
         };
         let found = Finding::of(Kind::LimitNotKept)
-            .detail("name", self.name.clone())
+            .detail("name", self.words())
             .detail("allowed", allowed);
-        match (self.kind, self.value) {
-            (Bound::Present, _) | (_, None) => found.detail("value", "not known"),
-            (_, Some(value)) => found.detail("value", shown(value)),
+        match self.value {
+            None => found.detail("value", "not known"),
+            Some(value) => found.detail("value", shown(value)),
         }
     }
 

@@ -163,6 +163,31 @@ pub(crate) fn text(name: &str, unpacked: Unpacked) -> (Box<dyn Read + Send>, Fin
     (Box::new(reader), warnings)
 }
 
+/// Refuses what this program has written and is no recording: a document that begins with its schema.
+pub(crate) fn refuse_own(name: &str, head: &[u8]) -> Result<(), Error> {
+    let begin = String::from_utf8_lossy(&head[..head.len().min(BEGIN)]);
+    let schema = begin
+        .trim_start()
+        .strip_prefix('{')
+        .and_then(|text| text.trim_start().strip_prefix("\"schema\""))
+        .and_then(|text| text.trim_start().strip_prefix(':'))
+        .and_then(|text| text.trim_start().strip_prefix("\"stillpoint."));
+    let what: Option<String> = schema.map(|text| {
+        let name = text.chars().take_while(char::is_ascii_alphanumeric);
+        name.collect()
+    });
+    match what {
+        Some(what) => Err(in_file(
+            name,
+            Finding::of(Kind::OwnDocument).detail("what", what),
+        )),
+        None => Ok(()),
+    }
+}
+
+/// Bytes in which a document says its schema.
+const BEGIN: usize = 256;
+
 /// Refuses formats that are known but not read.
 pub(crate) fn refuse_other_formats(name: &str, head: &[u8]) -> Result<(), Error> {
     if is_mat4(head) {

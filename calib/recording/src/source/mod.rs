@@ -157,6 +157,7 @@ impl Source {
         options: &ReadOptions,
     ) -> Result<Self, Error> {
         let unpacked = decode::unpacked(&name, reader)?;
+        decode::refuse_own(&name, &unpacked.head)?;
         let is_nested = matches!(origin, Origin::Entry(..));
         if unpacked.head.starts_with(ZIP) && !is_nested {
             return archive(name, unpacked, &origin, options);

@@ -77,7 +77,7 @@ fn reason(line: &LimitLine, calibration: Option<&Calibration>) -> String {
     let Some(value) = line.value else {
         let what = match line.name.strip_prefix("effects.") {
             Some(effect) => format!("{effect} is not estimated; name it in --effects"),
-            None => format!("{} is not known", line.name),
+            None => format!("{} is not known", line.words()),
         };
         return format!("limit: {what} (limit {})", bound(line));
     };
@@ -92,7 +92,7 @@ fn reason(line: &LimitLine, calibration: Option<&Calibration>) -> String {
     };
     format!(
         "{own}: {} is {}, {} allowed{}",
-        line.name,
+        line.words(),
         quantity(value, &line.unit),
         bound(line),
         calibration.map_or_else(String::new, |c| over_noise(line, c))
@@ -172,6 +172,38 @@ pub fn shown(lines: &[LimitLine]) -> Vec<report::Limit> {
     own.into_iter().map(shown).collect()
 }
 
+/// The limits of several calibrations as a report shows them, each with the name of its calibration where there are several.
+pub fn shown_of(judged: &[(String, Vec<LimitLine>)]) -> Vec<report::Limit> {
+    let of = |(name, lines): &(String, Vec<LimitLine>)| {
+        let mut all = shown(lines);
+        if judged.len() > 1 {
+            let called = show::name(name);
+            all.iter_mut()
+                .for_each(|limit| limit.words = format!("{called}: {}", limit.words));
+        }
+        all
+    };
+    judged.iter().flat_map(of).collect()
+}
+
+/// Returns how many limits are not kept, and those, in words; `None` where all are.
+pub fn failing(lines: &[LimitLine]) -> Option<String> {
+    let failed = not_kept(lines);
+    let words: Vec<String> = failed.iter().map(|line| reason(line, None)).collect();
+    let words: Vec<&str> = words
+        .iter()
+        .filter_map(|w| w.split_once(": ").map(|(_, w)| w))
+        .collect();
+    (!failed.is_empty()).then(|| {
+        format!(
+            "{} of {} limits: {}",
+            failed.len(),
+            lines.len(),
+            words.join("; ")
+        )
+    })
+}
+
 /// Returns the number of limits of the file that are kept or fail, in a few words; `None` without a limits file.
 pub fn kept(lines: &[LimitLine]) -> Option<String> {
     let own = lines.iter().filter(|line| !line.built_in);
@@ -202,7 +234,7 @@ pub fn text(lines: &[LimitLine]) -> String {
         let found = match (line.kind, line.value) {
             (Bound::Present, Some(v)) if v > 0.0 => "calibrated".to_owned(),
             (Bound::Present, _) => "not calibrated".to_owned(),
-            (_, Some(v)) => number(v),
+            (_, Some(v)) => quantity(v, &line.unit),
             (_, None) => "not known".to_owned(),
         };
         let verdict = if line.pass { "pass" } else { "FAIL" };

@@ -73,6 +73,14 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             advice: "correct its formula",
             ..care(0.05)
         },
+        Kind::RequiredMissing => Entry {
+            reason: "the limits require the {sensor}, which is not calibrated",
+            text: "the limits require the {sensor}, and it is not calibrated",
+            advice: "do not use this calibration where this limit has to hold",
+            use_of_result: UseOfResult::Forbidden,
+            remedies: vec![Remedy::RecordAgain],
+            ..bad(5.0)
+        },
         Kind::LimitNotKept => Entry {
             reason: "{name} is {value}, and {allowed} is allowed",
             text: "{name} is {value}. Its limit allows {allowed}",

@@ -37,6 +37,10 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "this file is no text, where a table of one sensor was expected",
             "name a text table, such as CSV, for each sensor; a recording of both sensors in one file is named by itself",
         ),
+        Kind::OwnDocument => error(
+            "this is a document of Stillpoint ({what}), where a recording was expected",
+            "name a recording here",
+        ),
         Kind::UnknownFormat => error(
             "this file is of no known format",
             "export it as CSV with the header t,ax,ay,az,gx,gy,gz",
