@@ -211,7 +211,7 @@ fn cases() -> Vec<Case> {
             method: Method::Joint,
             damage: pause,
             level: Grade::Care,
-            reasons: &[Kind::TurnOff],
+            reasons: &[Kind::TurnMissed],
             step: |remedy| *remedy == Remedy::RecordAgain,
             ..clean()
         },

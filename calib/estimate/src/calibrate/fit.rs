@@ -65,7 +65,9 @@ impl Fit<'_> {
         for (recording, cut) in self.recordings.each().chain(self.turning.each()) {
             warnings.extend(checks::corrected_before(recording, cut));
             warnings.extend(gyroscope.and_then(|(t, _)| checks::too_fast(recording, cut, &t)));
-            let changes = changes_part_way(recording, cut, self.request.gravity, gyroscope);
+            let mut changes = changes_part_way(recording, cut, self.request.gravity, gyroscope);
+            let said = &outcome.calibration.warnings;
+            changes.retain(|change| !is_left_out(change, said, recording));
             withdraw_motion(&mut outcome.calibration.warnings, recording, &changes);
             warnings.extend(changes);
             checks::say_dead_axes(&mut outcome.calibration.failed_gates, recording);
@@ -177,6 +179,21 @@ fn with_what_placements_hide(mut outcome: Outcome) -> Outcome {
     let untested = checks::untested_linearity(&outcome.calibration);
     outcome.calibration.warnings.extend(untested);
     outcome
+}
+
+/// Returns true for a turn that misses gravity and that the fit has left out and said so.
+fn is_left_out(change: &Finding, said: &Findings, recording: &Recording) -> bool {
+    let middle = |found: &Finding| Some(0.5 * (found.place.t0? + found.place.t1?));
+    let holds = |found: &Finding, at: f64| {
+        found.place.t0.is_some_and(|t0| t0 < at) && found.place.t1.is_some_and(|t1| at < t1)
+    };
+    let is_said = |found: &Finding| {
+        let is_turn = matches!(found.kind, Kind::TurnMissed | Kind::TurnWithoutSamples);
+        let place = found.place.recording.as_deref();
+        let is_here = place.is_some_and(|own| is_of(own, &recording.name));
+        is_turn && is_here && middle(change).is_some_and(|at| holds(found, at))
+    };
+    change.kind == Kind::TurnOff && said.iter().any(is_said)
 }
 
 /// Takes back that a bias moved or wandered where something of its sensor changes part of the way: that is how it moved.

@@ -10,7 +10,7 @@ use super::shell::quoted;
 pub fn of(remedy: &Remedy, finding: &Finding, recordings: &[&str]) -> Option<String> {
     let names = match recordings {
         [] => "RECORDING".to_owned(),
-        all => all.iter().map(|r| quoted(r)).collect::<Vec<_>>().join(" "),
+        all => all.iter().map(|r| input(r)).collect::<Vec<_>>().join(" "),
     };
     let calibrate = |options: &str| format!("stillpoint calibrate {names} {options} -o cal.json");
     Some(match remedy {
@@ -53,6 +53,20 @@ pub fn of(remedy: &Remedy, finding: &Finding, recordings: &[&str]) -> Option<Str
     })
 }
 
+/// A recording as a call names it: one that was put together of a file for each sensor by both.
+fn input(recording: &str) -> String {
+    match recording.split_once(" + ") {
+        Some((force, rate)) if !rate.contains(" + ") => {
+            format!(
+                "--accel-file {} --gyro-file {}",
+                quoted(force),
+                quoted(rate)
+            )
+        }
+        _ => quoted(recording),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -63,6 +77,10 @@ mod tests {
         let found = Finding::of(Kind::Misfit);
         let command = of(&Remedy::Discover, &found, &["my phone/rec 1"]);
         let expected = "stillpoint discover 'my phone/rec 1' -o findings.json";
+        assert_eq!(command.as_deref(), Some(expected));
+        let command = of(&Remedy::Discover, &found, &["a/acc.csv + a/gyro.csv"]);
+        let expected =
+            "stillpoint discover --accel-file a/acc.csv --gyro-file a/gyro.csv -o findings.json";
         assert_eq!(command.as_deref(), Some(expected));
     }
 

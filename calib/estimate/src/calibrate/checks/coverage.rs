@@ -137,10 +137,12 @@ mod tests {
     #[test]
     fn a_refusal_names_what_is_not_known_the_requirement_and_the_placements() {
         let found = refusal(&in_plane(Vector3::z()), Kind::PlacementsLeaveOpen)
-            .detail("parameters", "accel.s_z");
+            .detail("parameters", "accel.s_z")
+            .count("rank", 8)
+            .count("free", 9);
         let words = found.to_string();
         assert!(words.starts_with(
-            "7 placements, 7 of which differ by more than 20°: accel.s_z cannot be found"
+            "7 placements, 7 of which differ by more than 20°: they determine only 8 of the accelerometer's 9 unknowns, and not accel.s_z"
         ));
         assert!(words.contains(&plan::REQUIREMENT.to_string()), "{words}");
         let advice = found.advice(Front::Plain).unwrap();

@@ -23,6 +23,9 @@ const BIAS_REFUSE: f64 = 0.05;
 /// of gravity.
 const KNOWN_WELL: f64 = 5e-4;
 
+/// Faces of a device, which another method takes by themselves.
+const FACES: usize = 6;
+
 /// The fit of an accelerometer, by whatever method.
 pub(in crate::calibrate) struct ForceEvidence<'a> {
     pub fitted: &'a Fitted,
@@ -89,7 +92,17 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
     let count = directions.len();
     if fit.fitted.rank < free {
         let open = involved(fit.fitted).join(", ");
-        let found = refusal(directions, Kind::PlacementsLeaveOpen).detail("parameters", open);
+        let found = refusal(directions, Kind::PlacementsLeaveOpen)
+            .detail("parameters", open)
+            .count("rank", fit.fitted.rank)
+            .count("free", free);
+        let is_of_faces = count == FACES && plan::coverage(directions).missing_faces.is_empty();
+        let found = match is_of_faces {
+            true => found.remedy(Remedy::OtherMethod {
+                method: "six-position".into(),
+            }),
+            false => found,
+        };
         return Err(Error::not_enough(found));
     }
     if count <= free {
@@ -154,9 +167,9 @@ fn stopped(sensor: Sensor, ending: &Ending) -> Finding {
         .detail("ending", format!("{:?}", ending.termination))
 }
 
-/// The finding with the parameter that has the largest error, a bias against gravity.
+/// The finding with the parameter that has the largest error, a bias against gravity; as it is where all are known well.
 fn with_weakest(found: Finding, fit: &ForceEvidence<'_>) -> Finding {
-    match weakest(fit) {
+    match weakest(fit).filter(|(_, error)| !(*error <= KNOWN_WELL)) {
         Some((name, error)) if name.contains(".b_") => {
             known_to(found, name, error, (error * fit.gravity, "m/s^2"))
         }

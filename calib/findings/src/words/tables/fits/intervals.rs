@@ -147,12 +147,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
         Kind::PlacementsTilted => Entry {
             reason: "the six placements are tilted by {tilt}",
             text: "the six placements are tilted by about {tilt} rms[, and at most {most} is expected]. This method takes every face as level",
-            remedies: vec![
-                Remedy::Level,
-                Remedy::OtherMethod {
-                    method: "joint".into(),
-                },
-            ],
+            advice: "record twelve placements with turns between them and use the joint method",
+            remedies: vec![Remedy::Level],
             ..care(1.0)
         },
         _ => return None,

@@ -54,8 +54,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
         Kind::TurnOff => Entry {
             reason: "{at} misses gravity, and the other turns do not",
             text: "{at} misses gravity by {size}: unlike the other turns, it does not lead to the direction that the accelerometer reads after it. Perhaps rows are lost, repeated or moved in it, or the clock jumped",
-            advice: "use this calibration if another warning says that this turn is not used",
-            use_of_result: UseOfResult::Conditional,
+            advice: "do not use the gyroscope's part of this calibration",
+            use_of_result: UseOfResult::Forbidden,
             remedies: vec![Remedy::RecordAgain],
             ..care(0.3)
         },

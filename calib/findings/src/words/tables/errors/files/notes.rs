@@ -17,7 +17,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             vec![],
         ),
         Kind::DensitiesUnknown => note(
-            "the calibration does not tell {listed}, of which Kalibr wants a number each",
+            "neither the calibration nor the noise that was given tells {listed}, of which Kalibr wants a number each",
             "write in numbers of the data sheet",
             vec![Remedy::AnalyseNoise],
         ),
