@@ -19,6 +19,9 @@ const NOT_AGAIN: [&str; 7] = [
     "--skip-existing",
 ];
 
+/// Options that name what the call has written, and that would not be written over.
+const WRITTEN: [&str; 3] = ["--emit-effect", "--report", "--plots"];
+
 /// Keeps the words of the call, the program's name first.
 pub fn remember(words: &[OsString]) {
     // A second call of one process keeps the first's words.
@@ -37,10 +40,16 @@ pub fn shown<'a>(words: impl IntoIterator<Item = &'a OsString>) -> Vec<String> {
 /// `given` and is there already, else to `output`.
 pub fn again(call: Option<&Vec<String>>, more: &str, given: bool, output: &str) -> String {
     let words = call.or(WORDS.get()).map_or(&[][..], Vec::as_slice);
-    let words = words
-        .iter()
-        .filter(|word| !NOT_AGAIN.contains(&word.as_str()));
-    let words: Vec<String> = words.map(|word| quoted(word)).collect();
+    let before = std::iter::once("").chain(words.iter().map(String::as_str));
+    let is_written = |word: &str| {
+        let option = word.split_once('=').map_or(word, |(option, _)| option);
+        !given && WRITTEN.contains(&option)
+    };
+    let words = words.iter().zip(before).filter(|(word, before)| {
+        let is_value = !given && WRITTEN.contains(before);
+        !(NOT_AGAIN.contains(&word.as_str()) || is_written(word) || is_value)
+    });
+    let words: Vec<String> = words.map(|(word, _)| quoted(word)).collect();
     let end = match given {
         true => "--force".to_owned(),
         false => format!("-o {output}"),

@@ -58,7 +58,7 @@ pub fn table_of<R: Into<Row>>(header: &[&str], rows: impl IntoIterator<Item = R>
 }
 
 /// The longest name that the first column is as wide as: a longer one leaves the others too little.
-const WHOLE: usize = 26;
+const WHOLE: usize = 30;
 
 /// Breaks no word of the first column, whose names people search for.
 pub fn keep_names_whole<'a>(table: &mut Table, names: impl Iterator<Item = &'a str>) {

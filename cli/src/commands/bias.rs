@@ -15,6 +15,7 @@ use calib::methods::online_bias::{
     update_gyroscope,
 };
 use calib::readings::symptoms;
+use sensor::Sensor;
 
 use crate::commands::shared::first_screen::{Screen, Step, wrote};
 use crate::commands::shared::inputs::{DetectorArgs, DeviceArgs, gates_of, load, read_for};
@@ -132,21 +133,11 @@ fn screen(
     doubt: Option<(&str, Option<String>)>,
     remarks: &[String],
 ) -> Screen {
-    let moved = |sensor: &str, factor: f64, unit: &str| {
-        let update = new
-            .history
-            .iter()
-            .rev()
-            .find(|update| update.sensor == sensor)?;
-        let change = (0..3).map(|k| (update.bias[k] - update.bias_before[k]).abs());
-        let change = show::rounded(factor * change.fold(0.0, f64::max), 2);
-        Some(format!("{change} {unit}"))
-    };
-    let gyroscope = moved("gyro", 3600.0 * 1f64.to_degrees(), "°/h")
-        .map(|by| format!("gyroscope's bias moved by up to {by}"));
-    let accelerometer =
-        moved("accel", 1e3, "mm/s²").map(|by| format!("accelerometer's bias moved by up to {by}"));
-    let moved: Vec<String> = gyroscope.into_iter().chain(accelerometer).collect();
+    let moved = [
+        moved(new, Sensor::Gyroscope, 3600.0 * 1f64.to_degrees(), "°/h"),
+        moved(new, Sensor::Accelerometer, 1e3, "mm/s²"),
+    ];
+    let moved: Vec<String> = moved.into_iter().flatten().collect();
     let recording = command_line(&args.recording);
     let next = match &args.output {
         Some(path) => Step::apply(&command_line(path), &recording),
@@ -169,6 +160,30 @@ fn screen(
         remarks: remarks.to_vec(),
         ..Screen::default()
     }
+}
+
+/// A change of so many standard errors of the new bias is more than chance.
+const MOVED: f64 = 2.0;
+
+/// By how much the bias of a sensor moved, on the axis where that is most; `None` where it was not estimated again.
+fn moved(new: &Calibration, sensor: Sensor, factor: f64, unit: &str) -> Option<String> {
+    let mut updates = new.history.iter().rev();
+    let update = updates.find(|update| update.sensor == sensor.prefix())?;
+    let std = new.triad(sensor)?.bias_std;
+    let of = |k: usize| {
+        let change = (update.bias[k] - update.bias_before[k]).abs();
+        (change, std[k].unwrap_or(0.0))
+    };
+    let (change, error) = (0..3).map(of).max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let is_chance = (0..3).map(of).all(|(change, std)| change <= MOVED * std);
+    let [change, error] = [change, error].map(|v| show::rounded(factor * v, 2));
+    let name = sensor.name();
+    Some(match is_chance {
+        true => {
+            format!("{name}'s bias has not moved beyond its error ({change} of ± {error} {unit})")
+        }
+        false => format!("{name}'s bias moved by up to {change} {unit}"),
+    })
 }
 
 fn text(new: &Calibration, stretches: &[Stretch]) -> String {

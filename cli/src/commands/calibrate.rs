@@ -118,6 +118,8 @@ pub(super) fn run_and_show(args: &Args, shown: Watcher<'_>) -> Result<(), Failur
         prior.inform(&mut outcome.calibration)?;
     }
     limits::state(&mut outcome.calibration, limits.as_ref());
+    let coverage = calibration::covered(&session(&recordings, &outcome)?);
+    first_screen::state_next(args, &mut outcome.calibration, coverage.as_ref());
     if pictures.wanted() {
         draw(pictures, &recordings, &outcome)?;
     }
@@ -215,12 +217,10 @@ fn finish(
         show::print(&json)?;
         return gate(calibration);
     }
-    let session = session(recordings, outcome)?;
     let shown = Shown {
         args,
         recordings,
         calibration,
-        session: Some(&session),
         residual: residual(outcome).in_words(),
     };
     first_screen::screen(&shown).show(|| {

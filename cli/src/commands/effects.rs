@@ -49,7 +49,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         return show::print(&show::json(&effects)?);
     }
     let mut table = show::texts(&["effect", "sensor", "equation", "parameters"]);
-    for effect in catalogue_with(&own) {
+    let all: Vec<_> = catalogue_with(&own).collect();
+    show::keep_names_whole(&mut table, all.iter().map(|effect| effect.name()));
+    for effect in all {
         table.add_row([
             effect.name().to_owned(),
             effect.sensor().name().to_owned(),

@@ -147,11 +147,19 @@ impl<'a> Facts<'a> {
                     .chain(found)
                     .map(|finding| finding.text(Front::CommandLine)),
             );
+        let rests = choice
+            .as_ref()
+            .map_or(0, |choice| choice.segmentation.statics.len());
+        let least = plan::REQUIREMENT.placements;
         let command = match &recording.accelerometer {
             None if recording.is_magnetometer_only() => {
                 let alone = ::findings::Finding::of(::findings::Kind::MagnetometerAlone);
                 format!("none: {}", alone.text(Front::CommandLine))
             }
+            Some(_) if rests < least => format!(
+                "none by this recording alone: it has {}, and a calibration needs {least} placements in which the device is held still",
+                show::counted(rests, "static interval")
+            ),
             Some(_) => format!(
                 "stillpoint calibrate {}{} -o cal.json",
                 crate::show::command_line(path),
@@ -380,6 +388,8 @@ impl<'a> Facts<'a> {
             "jitter ms",
             "gaps",
         ]);
+        let names = Sensor::ALL.iter().map(|sensor| sensor.name());
+        show::keep_names_whole(&mut table, names);
         for sensor in &self.recording.description.sensors {
             let Some(clock) = self.recording.stream(sensor.sensor).and_then(Clock::of) else {
                 continue;

@@ -80,10 +80,11 @@ impl Residual {
             show::arrow(self.at_rest, " mm/s² at rest"),
             show::arrow(self.after_turn, "° after a turn"),
         ];
-        let parts: Vec<String> = parts.into_iter().flatten().collect();
-        let parts = parts.join(", ");
-        let word = if parts.contains('→') { "raw " } else { "" };
-        format!("{word}{parts}")
+        let mut parts: Vec<String> = parts.into_iter().flatten().collect();
+        if let Some(first) = parts.iter_mut().find(|part| part.contains('→')) {
+            first.insert_str(0, "raw ");
+        }
+        parts.join(", ")
     }
 
     /// The figure at the head of a page.

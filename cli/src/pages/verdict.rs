@@ -6,6 +6,7 @@ use calib::Calibration;
 use super::coverage::Coverage;
 use super::parameters;
 use super::residual::Residual;
+use crate::commands::shared::first_screen as shown;
 use crate::exit::Failure;
 use crate::report::{Figure, Level};
 use crate::show::capital;
@@ -35,10 +36,14 @@ pub fn judged(calibration: &Calibration, coverage: Option<&Coverage>) -> Judged 
         Grade::Care => format!("Usable with care: {why}."),
         Grade::Bad => format!("Do not use this calibration: {why}."),
     };
-    let mut next: Vec<String> = verdict.next.iter().map(in_words).collect();
+    let steps = calibration.next_steps();
+    let mut next: Vec<String> = steps
+        .iter()
+        .map(|step| shown::Step::from(step).in_words())
+        .collect();
     if let Some(record) = coverage.and_then(Coverage::second_recording) {
         let record = format!("{record}: {TOGETHER}");
-        match verdict.next.iter().position(adds_placements) {
+        match steps.iter().position(adds_placements) {
             Some(place) => next[place] = record,
             None => next.push(record),
         }
@@ -51,16 +56,8 @@ pub fn judged(calibration: &Calibration, coverage: Option<&Coverage>) -> Judged 
 }
 
 fn adds_placements(step: &Step) -> bool {
-    step.text.starts_with("add ") && step.text.contains(" placement")
-}
-
-/// A step with its command.
-fn in_words(step: &Step) -> String {
-    let text = capital(&step.text);
-    match &step.command {
-        Some(command) => format!("{text}: {command}"),
-        None => format!("{text}."),
-    }
+    let text = step.text.to_lowercase();
+    text.starts_with("add ") && text.contains(" placement")
 }
 
 /// Raw to calibrated residual, weakest parameter, coverage.

@@ -40,6 +40,9 @@ pub struct LogStream {
     pub settings: Vec<Setting>,
 }
 
+/// Fewer samples a second show no turn, Hz.
+const SLOWEST: f64 = 5.0;
+
 impl LogContents {
     /// True where a sensor that is calibrated is there more than once.
     pub fn has_choice(&self) -> bool {
@@ -47,11 +50,13 @@ impl LogContents {
         calibrated.any(LogStream::is_one_of_several)
     }
 
-    /// The options that choose the first of them, as a front writes them.
+    /// The options that choose the first of them that a calibration can use, as a front writes them: with enough samples, and as the sensor
+    /// read it where there is one.
     pub fn first_option(&self, front: Front) -> Option<String> {
-        let of = |s: &&LogStream| s.is_calibrated() && !s.processed && s.is_one_of_several();
-        let first = self.streams.iter().find(of);
-        let first = first.or_else(|| self.streams.iter().find(|s| s.is_one_of_several()));
+        let use_of = |s: &LogStream| (s.is_calibrated(), s.rate >= SLOWEST, !s.processed);
+        let several = self.streams.iter().filter(|s| s.is_one_of_several());
+        // Of equals the first.
+        let first = several.rev().max_by_key(|s| use_of(s));
         first?.option(front)
     }
 }

@@ -10,11 +10,18 @@ use calib::{Calibration, Recording};
 use super::arguments::Args;
 use super::judgement;
 use super::{limits, reading_error};
-use crate::commands::shared::first_screen::{Screen, lines_of_failure, wrote};
+use crate::commands::shared::first_screen::{Screen, Step, lines_of_failure, wrote};
 use crate::commands::shared::names::Names;
-use crate::pages::session::Session;
-use crate::pages::{calibration as pages, parameters};
+use crate::pages::coverage::Coverage;
+use crate::pages::parameters;
 use crate::show;
+
+/// States the next steps of a calibration in commands that repeat this call's options; every output says the same.
+pub fn state_next(args: &Args, calibration: &mut Calibration, coverage: Option<&Coverage>) {
+    let judgement = judgement::of(calibration);
+    let next = steps::next(args, calibration, &judgement, coverage);
+    calibration.next = Some(next.into_iter().map(Into::into).collect());
+}
 
 /// A calibration that is to be shown, and how it was asked for.
 pub struct Shown<'a> {
@@ -24,8 +31,6 @@ pub struct Shown<'a> {
     pub recordings: &'a [Recording],
     /// The calibration.
     pub calibration: &'a Calibration,
-    /// Its recordings as they were cut, where the method has that.
-    pub session: Option<&'a Session<'a>>,
     /// Residuals in words: at rest and after a turn.
     pub residual: String,
 }
@@ -36,11 +41,9 @@ pub fn screen(shown: &Shown<'_>) -> Screen {
         args,
         recordings,
         calibration,
-        session,
         ..
     } = shown;
     let names = Names::of(*recordings);
-    let coverage = session.and_then(pages::covered);
     let judgement = judgement::of(calibration);
     let reasons = limits::reasons(calibration);
     let (mut remarks, mut said) = (Vec::new(), judgement.said.clone());
@@ -72,13 +75,13 @@ pub fn screen(shown: &Shown<'_>) -> Screen {
             .filter(|table| !table.is_empty())
             .into_iter()
             .collect(),
-        next: steps::next(args, calibration, &judgement, coverage.as_ref()),
+        next: calibration.next_steps().iter().map(Step::from).collect(),
         written: wrote(
             args.output
                 .as_deref()
                 .into_iter()
                 .chain(args.pictures.paths()),
-            "Nothing was written; -o cal.json keeps the calibration.",
+            "Nothing was written.",
         ),
         said: names.all_short(&said),
         remarks: names.all_short(&remarks),

@@ -47,6 +47,7 @@ pub fn run(
         labels,
     } = calibrate(recordings, &request.detector, gravity, args.first_order)?;
     limits::state(&mut calibration, limits.as_ref());
+    first_screen::state_next(args, &mut calibration, None);
     let json = show::json(&calibration)?;
     Output::write_given(output, &json)?;
     if pictures.wanted() {
@@ -64,7 +65,6 @@ pub fn run(
         args,
         recordings,
         calibration: &calibration,
-        session: None,
         residual: format!(
             "{} mm/s² over the six faces, which are tilted by about {:.2}°",
             show::figures(1e3 * solution.residual_rms, 3),

@@ -1,8 +1,8 @@
 //! The first screen of a discovery: what is missing, how large it is, and what could not be told.
 
-use ::findings::{Front, Kind, gravest_first};
+use ::findings::{Front, Kind, Remedy, gravest_first};
 use calib::Recording;
-use calib::discover::{Channel, EffectFinding, Findings, Integrity, Verdict};
+use calib::discover::{Channel, Confirmation, EffectFinding, Findings, Integrity, Says, Verdict};
 use calib::gravity::GravitySource;
 
 use super::advice::remedy_of;
@@ -59,7 +59,13 @@ pub fn screen(
             .into_iter()
             .filter(|table| !table.is_empty())
             .collect(),
-        next: next(args, findings),
+        next: findings
+            .calibration
+            .next
+            .iter()
+            .flatten()
+            .map(Step::from)
+            .collect(),
         written: wrote(written, "Nothing was written; -o findings.json keeps it."),
         said,
         remarks: names.all_short(&all),
@@ -75,6 +81,7 @@ const WORDS: usize = 30;
 pub fn brief(findings: &Findings) -> String {
     let verdict = findings.calibration.verdict();
     let mut sentences = vec![verdict.sentence()];
+    sentences.extend(spoken_against(findings));
     if findings.verdict == Verdict::Nothing {
         sentences.push("Nothing is missing that could show here.".into());
     }
@@ -95,6 +102,16 @@ pub fn brief(findings: &Findings) -> String {
         }
     }
     said.trim().to_owned()
+}
+
+/// The names that the validation recording speaks against, in a sentence.
+fn spoken_against(findings: &Findings) -> Option<String> {
+    let all = findings.confirmations.iter();
+    let against: Vec<&Confirmation> = all.filter(|own| own.says == Says::SpeaksAgainst).collect();
+    let names: Vec<String> = against.iter().map(|own| own.effect.clone()).collect();
+    let recording = against.first()?.recording.as_str();
+    let recording = short_names(&[recording]).pop()?;
+    Some(format!("{recording} speaks against {}.", listed(&names)))
 }
 
 /// `a, b and c`; of many the first.
@@ -259,6 +276,12 @@ fn faults(integrity: &[Integrity]) -> Vec<String> {
     kinds.iter().map(line).collect()
 }
 
+/// States the next steps in commands that repeat this call's options; every output says the same.
+pub fn state_next(args: &Args, findings: &mut Findings) {
+    let next = next(args, findings);
+    findings.calibration.next = Some(next.into_iter().map(Into::into).collect());
+}
+
 /// Commands for what comes next, the most telling first.
 fn next(args: &Args, findings: &Findings) -> Vec<Step> {
     let given = args.output.as_deref().map(command_line);
@@ -272,9 +295,19 @@ fn next(args: &Args, findings: &Findings) -> Vec<Step> {
     }
     let tied = |effect: &&EffectFinding| effect.told_apart_by.is_some();
     if findings.effects.iter().any(|effect| tied(&effect)) {
+        let by_temperature = |effect: &EffectFinding| {
+            matches!(
+                effect.told_apart_by,
+                Some(Remedy::TemperatureCycles | Remedy::WarmAndCool)
+            )
+        };
+        let warmed = match findings.effects.iter().any(by_temperature) {
+            true => " --temperature",
+            false => "",
+        };
         steps.push(Step::new(
             "plan what tells them apart",
-            format!("stillpoint plan {document}"),
+            format!("stillpoint plan {document}{warmed}"),
         ));
     }
     if !findings.effects.is_empty() && findings.validation.is_empty() {

@@ -82,6 +82,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         false => say(&remarks),
     })?;
     limits::state(&mut discovery.findings.calibration, None);
+    first_screen::state_next(args, &mut discovery.findings);
     let findings = &discovery.findings;
     let json = show::json(findings)?;
     Output::write_given(output, &json)?;

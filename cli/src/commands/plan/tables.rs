@@ -160,7 +160,7 @@ fn errors(plan: &Plan, force_only: bool) -> comfy_table::Table {
     let mut table = show::table(&["standard error", "unit", "before", "after"]);
     let number = |v: Option<&f64>, factor: f64| {
         v.filter(|v| v.is_finite())
-            .map_or("open".into(), |v| format!("{:.3}", v * factor))
+            .map_or("open".into(), |v| show::rounded(v * factor, 3))
     };
     for (k, name) in parameter_names().iter().enumerate() {
         if force_only && name.starts_with("gyro") {

@@ -69,10 +69,11 @@ pub fn screen(
     }
     let file = command_line(&args.recording);
     let read = args.read.command_line();
-    let mut next = vec![Step::new(
-        "calibrate",
-        format!("stillpoint calibrate {file}{read} -o cal.json"),
-    )];
+    let mut next = Vec::new();
+    if segmentation.statics.len() >= plan::REQUIREMENT.placements {
+        let command = format!("stillpoint calibrate {file}{read} -o cal.json");
+        next.push(Step::new("calibrate", command));
+    }
     if coverage.advice().is_some() {
         next.push(Step::new(
             "plan the placements to add",

@@ -47,6 +47,24 @@ pub struct Step {
     pub command: Option<String>,
 }
 
+impl From<&::findings::Step> for Step {
+    fn from(step: &::findings::Step) -> Self {
+        Self {
+            what: step.text.clone(),
+            command: step.command.clone(),
+        }
+    }
+}
+
+impl From<Step> for ::findings::Step {
+    fn from(step: Step) -> Self {
+        Self {
+            text: step.what,
+            command: step.command,
+        }
+    }
+}
+
 impl Step {
     /// With a command.
     pub fn new(what: impl Into<String>, command: impl Into<String>) -> Self {
@@ -67,6 +85,15 @@ impl Step {
         Self {
             what: what.into(),
             command: None,
+        }
+    }
+
+    /// The step as a sentence, its command behind it.
+    pub fn in_words(&self) -> String {
+        let what = show::capital(&self.what);
+        match &self.command {
+            Some(command) => format!("{what}: {command}"),
+            None => format!("{}.", what.trim_end_matches('.')),
         }
     }
 

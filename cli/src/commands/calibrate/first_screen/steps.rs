@@ -39,6 +39,7 @@ pub fn next(
     };
     // What forbids the use of a calibration overrules what would allow it.
     let is_forbidden = judgement.findings.iter().any(Finding::forbids_use);
+    let mut use_is_said = false;
     for finding in &judgement.findings {
         let step = match (
             finding.remedies.first(),
@@ -51,7 +52,10 @@ pub fn next(
                 let option = format!("--leave-out {which}{:.1}", 0.5 * (t0 + t1));
                 Some(Step::new("leave out what was touched", again(&option)))
             }
+            // That the result may be used all the same is said once.
+            _ if finding.allows_use() && use_is_said => None,
             _ => {
+                use_is_said |= finding.allows_use();
                 let advice = match is_forbidden && finding.allows_use() {
                     true => finding.ways_out(Front::CommandLine),
                     false => finding.advice(Front::CommandLine),
@@ -76,6 +80,9 @@ pub fn next(
     }
     if calibration.gravity_source == GravitySource::Assumed && calibration.accelerometer.is_some() {
         steps.extend(gained(calibration).map(|what| Step::new(what, again("--latitude DEG"))));
+    }
+    if given.is_none() {
+        steps.push(Step::new("keep the calibration", again("")));
     }
     let one = args.recordings.first() + &args.read.command_line();
     steps.push(Step::apply(&cal, &one));
