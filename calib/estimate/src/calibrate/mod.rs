@@ -7,6 +7,7 @@
 //!            ─ inputs ───► provenance and seal
 //! ```
 
+mod after_turns;
 mod assemble;
 mod bias;
 mod checks;
