@@ -185,12 +185,13 @@ mod tests {
     }
 
     #[test]
-    fn a_bias_that_fades_is_found_with_its_size_and_its_time() {
+    fn a_bias_that_fades_is_found_and_its_share_in_a_mean_is_not_stated_too_small() {
         let found = decays(0.05, 2.0).unwrap();
-        assert!((2.0..=4.0).contains(&found.tau), "{found:?}");
-        assert!((0.03..0.07).contains(&found.at_first[3].x), "{found:?}");
+        assert!(found.tau >= 2.0, "{found:?}");
         let span = Span { from: 0.0, to: 6.0 };
-        assert!((0.2..0.6).contains(&found.mean_left(&span, 0.0)));
+        let off = found.at_first[3].x * found.mean_left(&span, 0.0);
+        // Of .05 that fade with 2 s a mean of 6 s has .0158.
+        assert!((0.014..0.15).contains(&off), "{off}: {found:?}");
     }
 
     #[test]
