@@ -2,7 +2,8 @@
 
 use ::findings::{Finding, Kind};
 use estimate::calibrate::{
-    Account, Frame, beside_the_others, count_motion, differences, is_determined, written_down,
+    Account, Frame, beside_the_others, count_motion, differences, is_determined, too_fast,
+    written_down,
 };
 use estimate::calibration::Calibration;
 use estimate::methods::joint::JointFit;
@@ -54,6 +55,12 @@ pub(super) fn completed(
             warnings: calibration.warnings,
             ..written(&last.fit, true, session)?
         };
+    }
+    if let Some(gyroscope) = &calibration.gyroscope {
+        let t = gyroscope.base().t;
+        let each = session.recordings.iter();
+        let found = each.filter_map(|(own, choice)| too_fast(own, &choice.segmentation, &t));
+        calibration.warnings.extend(found);
     }
     let choices: Vec<_> = session.recordings.iter().map(|(_, c)| c).collect();
     beside_the_others(

@@ -284,6 +284,8 @@ kinds! {
     SameData = "same_data",
     /// The readings are cut off towards zero.
     CutTowardsZero = "cut_towards_zero",
+    /// The readings of a sensor still change after each turn.
+    SettlesAfterTurns = "settles_after_turns",
     /// The placements cannot show whether a sensor is linear.
     LinearityUntested = "linearity_untested",
     /// A sensor differs from recording to recording.

@@ -7,11 +7,14 @@ use calib::simulate::{HandHeld, Motion, Planned, PlannedLeg, PlannedStep, Spec};
 use findings::{Findings, Kind};
 use nalgebra::Vector3;
 
-const KINDS: [Kind; 4] = [
+const KINDS: [Kind; 7] = [
     Kind::RecordingsDiffer,
     Kind::PartsDiffer,
     Kind::LinearityUntested,
     Kind::CutTowardsZero,
+    Kind::SettlesAfterTurns,
+    Kind::BiasMoved,
+    Kind::TurnsTooFast,
 ];
 
 fn said(recordings: &[Recording], spec: &Spec) -> Findings {
@@ -161,4 +164,68 @@ fn a_second_device_in_the_second_half_of_a_recording_is_said() {
     assert!(said(&[glued], &own).has(Kind::PartsDiffer));
     let same = one_behind_the_other(of(&own), &of(&device(8, 1.0)));
     assert!(said(&[same], &own).is_empty());
+}
+
+/// The readings where this share of the force follows it with a time constant, s.
+fn following_late(mut recording: Recording, share: f64, tau: f64) -> Recording {
+    let readings = recording.accelerometer.as_mut().unwrap();
+    let (mut followed, mut last) = (readings.values[0], readings.t[0]);
+    for (t, value) in readings.t.iter().zip(&mut readings.values) {
+        followed += (*value - followed) * (1.0 - (-(t - last) / tau).exp());
+        last = *t;
+        *value += (*value - followed) * share;
+    }
+    recording
+}
+
+#[test]
+fn readings_that_settle_after_each_turn_are_said_and_counted_in_the_standard_errors() {
+    let spec = Spec::hand_held(9);
+    let scale_error = |recording: Recording| {
+        let request = Request {
+            gravity: spec.gravity,
+            method: Method::Joint,
+            ..Request::default()
+        };
+        let calibration = calibrate(&[recording], &[], &request).unwrap().calibration;
+        let triad = calibration.accelerometer.unwrap();
+        let says = calibration.warnings.has(Kind::SettlesAfterTurns);
+        (triad.t[2][2], triad.t_std[2][2].unwrap(), says)
+    };
+    let (right, usual, says) = scale_error(of(&spec));
+    assert!(!says);
+    let (late, larger, says) = scale_error(following_late(of(&spec), 8e-4, 3.0));
+    assert!(says && larger > 2.0 * usual);
+    assert!((late - right).abs() > 2.0 * usual && (late - right).abs() < 3.0 * larger);
+}
+
+/// A hand-held session of so many placements.
+fn placed(seed: u64, placements: usize) -> Spec {
+    let mut spec = Spec::hand_held(seed);
+    if let Motion::HandHeld(motion) = &mut spec.motion {
+        motion.placements = Some(placements);
+    }
+    spec
+}
+
+#[test]
+fn a_quadratic_accelerometer_has_no_bias_that_moves_and_no_parts_that_differ() {
+    let mut spec = placed(6, 20);
+    let quadratic = [("x", 4e-4), ("y", -4e-4), ("z", 4e-4)];
+    let quadratic = quadratic.map(|(axis, size)| (axis.to_owned(), size));
+    spec.effects
+        .insert("accel_quadratic".into(), quadratic.into());
+    assert!(said(&[of(&spec)], &spec).is_empty());
+}
+
+#[test]
+fn a_search_says_too_that_turns_are_too_fast() {
+    let mut spec = placed(4, 16);
+    spec.rate = 15.0;
+    if let Motion::HandHeld(motion) = &mut spec.motion {
+        motion.turn = [0.8, 1.2];
+    }
+    assert!(said(&[of(&spec)], &spec).has(Kind::TurnsTooFast));
+    let (said, _) = said_by_a_search(of(&spec), &spec);
+    assert!(said.has(Kind::TurnsTooFast));
 }

@@ -7,6 +7,7 @@
 //!            ─ inputs ───► provenance and seal
 //! ```
 
+mod after_turns;
 mod assemble;
 mod bias;
 mod checks;
@@ -32,7 +33,8 @@ pub use bias::count_motion;
 pub(crate) use checks::few_directions;
 pub use checks::{
     Said, corrected_before, cut_towards_zero, implausible, implausible_base, not_in_one_plane,
-    of_the_detector, readings_of_the_device, untested_linearity, without_copies,
+    of_the_detector, readings_of_the_device, too_fast, untested_linearity, withdraw_beside_a_cut,
+    without_copies,
 };
 pub use cut::of_one_recording_each;
 pub use joint::{Account, LatitudeDoubt, is_determined, refuse_unobservable, written_down};

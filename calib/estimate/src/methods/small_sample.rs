@@ -26,6 +26,11 @@ pub fn by_chance(chi2: f64, dof: f64) -> f64 {
     Gamma::new(0.5 * dof, 0.5).map_or(1.0, |law| law.sf(chi2))
 }
 
+/// Probability that chance makes the size of Student's `t` of so many degrees of freedom larger.
+pub fn two_sided(t: f64, dof: f64) -> f64 {
+    StudentsT::new(0.0, 1.0, dof).map_or(1.0, |law| 2.0 * law.sf(t))
+}
+
 /// Standard deviation of a residual: `noise` as it was measured within the intervals where the sum of squares of the residuals
 /// with `dof` degrees of freedom does not speak against it, else that of the residuals, widened for few degrees of
 /// freedom. A residual above the noise counts as it is where it has degrees of freedom enough. Where no noise was

@@ -301,6 +301,44 @@ fn a_bias_that_steps_twice_is_no_iron_nearby() {
     assert!(!found.has(Kind::FieldUneven) && !found.has(Kind::FieldLittleUneven));
 }
 
+/// The session with the readings of the magnetometer moved by what `moved` makes of the share of the time that has passed.
+fn with_bias(seed: u64, moved: impl Fn(f64) -> [f64; 3]) -> Session {
+    let mut session = spec(seed, 0.0).run().unwrap();
+    let stream = &mut session.recording.magnetometer.as_mut().unwrap().stream;
+    let end = *stream.t.last().unwrap();
+    for (t, value) in stream.t.iter().zip(&mut stream.values) {
+        *value += nalgebra::Vector3::from(moved(t / end));
+    }
+    session
+}
+
+#[test]
+fn a_bias_that_steps_before_the_last_three_placements_is_told_from_iron() {
+    let session = with_bias(4, |share| [f64::from(share > 0.88), 0.5, 0.0]);
+    let found = calibrated(&session, &request(Method::Auto)).warnings;
+    assert!(found.has(Kind::MagneticBiasStepped));
+}
+
+#[test]
+fn a_bias_that_sways_is_no_uneven_field_and_its_standard_error_counts_that() {
+    let bias_std = |size: f64| {
+        let sways = |share: f64| {
+            let phase = share * 2.2 * std::f64::consts::TAU;
+            [
+                size * phase.sin(),
+                size * phase.cos(),
+                size * (0.7 * phase).sin(),
+            ]
+        };
+        let calibration = calibrated(&with_bias(4, sways), &request(Method::Auto));
+        let said = calibration.warnings.has(Kind::BiasUnsteady);
+        assert!(!calibration.warnings.has(Kind::FieldLittleUneven));
+        (calibration.magnetometer.unwrap().bias_std[0].unwrap(), said)
+    };
+    let ((still, unsaid), (swaying, said)) = (bias_std(0.0), bias_std(0.7));
+    assert!(said && !unsaid && swaying > 0.4 && still < 0.1);
+}
+
 #[test]
 fn too_few_attitudes_leave_the_magnetometer_out_and_an_effect_of_it_is_refused() {
     let mut spec = spec(1, 0.0);

@@ -3,4 +3,4 @@
 pub(super) mod at_rest;
 mod moved;
 
-pub use moved::count_motion;
+pub use moved::{count_motion, count_motion_of};

@@ -16,9 +16,15 @@ const OF_A_STEP: f64 = 0.5;
 ///
 /// Without it the standard error is that of the mean: a gyroscope's bias that jumps by 1000 °/h would be stated to 2 °/h.
 pub fn count_motion(calibration: &mut Calibration) {
+    let found: Vec<Finding> = calibration.warnings.iter().cloned().collect();
+    count_motion_of(calibration, &found);
+}
+
+/// The same of these findings.
+pub fn count_motion_of(calibration: &mut Calibration, found: &[Finding]) {
     let n = calibration.parameters.len();
     let mut added = vec![0.0; n];
-    for found in calibration.warnings.iter() {
+    for found in found {
         let Some((sensor, motion)) = motion(calibration, found) else {
             continue;
         };

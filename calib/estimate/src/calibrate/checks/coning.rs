@@ -14,7 +14,7 @@ const WORTH: f64 = 2e-3;
 
 /// Says where the device turns so far between two samples that the order of the rotations is not known; `t` carries the
 /// readings to rad/s.
-pub(in crate::calibrate) fn too_fast(
+pub fn too_fast(
     recording: &Recording,
     segmentation: &Segmentation,
     t: &Matrix3<f64>,

@@ -16,6 +16,7 @@ use sensor::Sensor;
 pub use self::determined::{is_determined, refuse_unobservable};
 pub use self::latitude::LatitudeDoubt;
 pub use self::written_down::{Account, written_down};
+use super::bias::count_motion_of;
 use super::checks;
 use super::cut::Cut;
 use super::outcome::Outcome;
@@ -94,14 +95,13 @@ pub(super) fn calibrate(
     differ.withdraw_effects(&mut warnings);
     warnings.extend(differ.findings());
     // That is no effect of the sensor.
-    if let Some(cut) = checks::cut_towards_zero(&fit, &of_parts) {
-        warnings.retain(|found| found.kind != Kind::EffectMissing);
-        warnings.push(cut);
-    }
+    warnings.extend(checks::cut_towards_zero(&fit, &of_parts));
+    let of_a_cut = checks::withdraw_beside_a_cut(&mut warnings);
     let mut calibration = Calibration {
         warnings,
         ..calibration
     };
+    count_motion_of(&mut calibration, &of_a_cut);
     calibration.carry_gravity(request.gravity_source);
     Ok(Outcome {
         calibration,

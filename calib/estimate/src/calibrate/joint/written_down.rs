@@ -11,6 +11,7 @@ use super::doubts::{disturbances, influences, placements_apart};
 use super::latitude::LatitudeDoubt;
 use super::misfits::say_misfits;
 use super::triads::{force_triad, rate_triad};
+use crate::calibrate::after_turns::AfterTurns;
 use crate::calibrate::assemble::effect_values;
 use crate::calibrate::checks;
 use crate::calibrate::left_out::left_out;
@@ -158,6 +159,8 @@ pub fn written_down(
         failed_gates,
         ..Calibration::by("joint", account.gravity, account.gravity_source)
     };
+    let settles = AfterTurns::of(fit, recordings, &motions[0], &calibration);
+    warnings.extend(settles.map(|found| found.count(&mut calibration)));
     count_from_the_earliest(&mut calibration);
     Ok(match account.frame {
         Frame::Triangular => calibration,

@@ -120,6 +120,7 @@ impl Source<'_> {
         );
         Some(Placement {
             recording: self.number,
+            part: self.number,
             interval: k,
             span: rest.span,
             mean: field.mean * self.unit,

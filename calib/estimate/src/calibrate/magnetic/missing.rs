@@ -14,18 +14,17 @@ const UNLIKELY: f64 = 1e-5;
 /// changes with the attitude looks like an effect too, and only a part of it goes with any.
 const EXPLAINED: f64 = 0.5;
 
-/// An effect that the readings go with and the model lacks.
+/// An effect that the readings go with and the model lacks, or several.
 pub struct Missing {
-    pub effect: EffectRef,
+    pub effects: Vec<EffectRef>,
     /// Probability of so much by chance, over all effects.
     pub p_value: f64,
     /// The field's unevenness that it leaves.
     pub unevenness: f64,
 }
 
-/// The effect that is the least likely to be nothing, if that is unlikely and it explains most of what `found` leaves; `fit` fits a larger model.
-///
-/// By Wald's test in the larger model, with the degrees of freedom of its residuals.
+/// The effect that is the least likely to be nothing, if that is unlikely and it explains most of what `found` leaves; all that go by the field
+/// alone, if they explain most of what one leaves: about a bias a cube is a square too. `fit` fits a larger model.
 pub fn effect(
     model: &Model,
     found: &MagneticFit,
@@ -44,20 +43,38 @@ pub fn effect(
         let thermal = effect.needs().into_iter().any(Quantity::is_thermal);
         !own && (has_temperature || !thermal)
     });
-    let judged = candidates.filter_map(|effect| {
-        let larger = fit(&model.clone().with(effect.clone()))?;
-        if larger.unevenness >= EXPLAINED * found.unevenness {
-            return None;
-        }
-        let p_value = by_chance(&larger, effect.params().len())?;
-        Some(Missing {
-            effect,
-            p_value: p_value * magnetometer::EFFECTS.len() as f64,
-            unevenness: larger.unevenness,
-        })
-    });
-    let best = judged.min_by(|a, b| a.p_value.total_cmp(&b.p_value))?;
-    (best.p_value < UNLIKELY).then_some(best)
+    let candidates: Vec<EffectRef> = candidates.collect();
+    let by_field = |effect: &&EffectRef| effect.needs() == [Quantity::MagneticField];
+    let of_field: Vec<EffectRef> = candidates.iter().filter(by_field).cloned().collect();
+    let each = candidates.into_iter();
+    let found_alone = each.filter_map(|effect| judged(model, &[effect], found.unevenness, &fit));
+    let best = found_alone.min_by(|a, b| a.p_value.total_cmp(&b.p_value));
+    let best = best.filter(|best| best.p_value < UNLIKELY);
+    let left = best.as_ref().map_or(found.unevenness, |own| own.unevenness);
+    let all = (of_field.len() > 1).then(|| judged(model, &of_field, left, &fit));
+    let all = all.flatten().filter(|all| all.p_value < UNLIKELY);
+    all.or(best)
+}
+
+/// What effects leave that explain most of this unevenness, by Wald's test in the larger model, with the degrees of freedom of its residuals.
+fn judged(
+    model: &Model,
+    effects: &[EffectRef],
+    uneven: f64,
+    fit: impl Fn(&Model) -> Option<MagneticFit>,
+) -> Option<Missing> {
+    let with = |model: Model, effect: &EffectRef| model.with(effect.clone());
+    let larger = fit(&effects.iter().fold(model.clone(), with))?;
+    if larger.unevenness >= EXPLAINED * uneven {
+        return None;
+    }
+    let count = effects.iter().map(|effect| effect.params().len()).sum();
+    let p_value = by_chance(&larger, count)?;
+    Some(Missing {
+        effects: effects.to_vec(),
+        p_value: p_value * magnetometer::EFFECTS.len() as f64,
+        unevenness: larger.unevenness,
+    })
 }
 
 /// Probability that the last `count` parameters are as far from 0 by chance.

@@ -1,7 +1,7 @@
 //! The magnetometer, after the sensors that give it the attitude.
 //!
 //! `inertial` is what their calibration leaves open, `collect` cuts the recordings into placements and `turns` carries
-//! the heading from one to the next, `missing` asks whether
+//! the heading from one to the next, `stepped` and `wandering` look for a bias that moves, `missing` asks whether
 //! an effect of the catalogue would explain what is left, `write` puts the fit into the calibration.
 
 mod collect;
@@ -11,6 +11,7 @@ mod source;
 mod stepped;
 mod turns;
 mod units;
+mod wandering;
 mod write;
 
 use findings::{Finding, Kind};
@@ -20,6 +21,7 @@ use recording::{Error, FieldUnit, Recording, figure};
 use sensor::{EffectRef, Quantity, Sensor};
 
 use self::units::Units;
+use super::bias::count_motion_of;
 use super::checks::turned_field;
 use super::outcome::Outcome;
 use super::request::{Method, Request};
@@ -136,6 +138,7 @@ fn fitted(
         placements: collected.placements,
         changes: collected.changes,
         recordings: with_field.len(),
+        parts: with_field.len(),
         errors: inertial.errors(),
         strength: request.field,
         walk: collected.walk,
@@ -177,6 +180,12 @@ fn fitted(
     );
     outcome.calibration.warnings.extend(step);
     let calibration = &mut outcome.calibration;
+    if let Some(moves) = wandering::told_from_the_field(calibration, &fit, &units) {
+        let is_field = |kind| matches!(kind, Kind::FieldUneven | Kind::FieldLittleUneven);
+        calibration.warnings.retain(|found| !is_field(found.kind));
+        count_motion_of(calibration, std::slice::from_ref(&moves));
+        calibration.warnings.push(moves);
+    }
     let written = calibration.magnetometer.as_ref();
     let written = written.zip(calibration.magnetic_field.as_ref());
     let turned = written.and_then(|(triad, field)| {

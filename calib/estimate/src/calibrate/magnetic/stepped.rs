@@ -3,13 +3,30 @@
 use findings::{Finding, Kind};
 use nalgebra::{Vector2, Vector3};
 use sensor::Sensor;
+use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use super::units::Units;
 use crate::methods::magnetic::{Field, MagneticFit, MagneticRequest, fit_magnetometer};
 use crate::methods::small_sample::by_chance;
 
-/// Fewest placements on either side.
-const SIDE: usize = 5;
+/// What is another from a step on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Stepping {
+    /// Bias and field.
+    Both,
+    /// The bias alone: the field goes on, so that fewer placements show it.
+    Bias,
+}
+
+impl Stepping {
+    /// Fewest placements on either side.
+    fn side(self) -> usize {
+        match self {
+            Self::Both => 5,
+            Self::Bias => 2,
+        }
+    }
+}
 
 /// Steps at most: what steps more often is no step.
 const MOST: usize = 4;
@@ -19,6 +36,9 @@ const UNEVEN: f64 = 4.0;
 
 /// Steps are the cause where they leave less than this share of the unevenness.
 const LEFT: f64 = 0.3;
+
+/// Steps of the bias alone leave an even field: no more than so many noises of a mean.
+const EVEN: f64 = 1.0;
 
 /// Biases differ that are equal in fewer cases than this.
 const UNLIKELY: f64 = 1e-4;
@@ -34,7 +54,14 @@ pub fn stepped<'a>(
     if request.recordings != 1 {
         return None;
     }
-    let (steps, best) = fewest_steps(request, fit)?;
+    let noise = fit.residual_rms / fit.reduced_chi2.max(f64::MIN_POSITIVE).sqrt();
+    let both = fewest_steps(request, fit, noise, Stepping::Both);
+    let is_enough = |found: &(_, MagneticFit)| found.1.unevenness <= UNEVEN * noise;
+    let (steps, best) = match both.filter(is_enough) {
+        Some(found) => found,
+        None => steps_of_the_bias(request, fit, noise)
+            .or_else(|| fewest_steps(request, fit, noise, Stepping::Both))?,
+    };
     let (at, before) = steps.split_last()?;
     let span = request.placements[*at].span;
     let of = |kind| {
@@ -48,21 +75,19 @@ pub fn stepped<'a>(
             false => found.count("count", steps.len()),
         }
     };
-    let ([.., last_bias, bias], [.., last_field, field]) = (&*best.biases, &*best.fields) else {
+    let [.., last_bias, bias] = &*best.biases else {
         return None;
     };
     let change = Vector3::from(bias.value) - Vector3::from(last_bias.value);
     let squares =
         (0..3).map(|k| change[k].powi(2) / (last_bias.std[k].powi(2) + bias.std[k].powi(2)));
     let is_bias = by_chance(squares.sum(), 3.0) < UNLIKELY;
-    let found = match is_bias {
-        true => {
-            of(Kind::MagneticBiasStepped).number("size", change.norm(), units.reading.in_words())
-        }
-        false => {
-            let size = difference(last_field, field);
+    let found = match &*best.fields {
+        [.., last, field] if !is_bias => {
+            let size = difference(last, field);
             of(Kind::FieldStepped).number("size", size, units.field.in_words())
         }
+        _ => of(Kind::MagneticBiasStepped).number("size", change.norm(), units.reading.in_words()),
     };
     Some((best, found))
 }
@@ -71,12 +96,13 @@ pub fn stepped<'a>(
 fn fewest_steps<'a>(
     request: &MagneticRequest<'a>,
     fit: &MagneticFit,
+    noise: f64,
+    stepping: Stepping,
 ) -> Option<(Vec<usize>, MagneticFit)> {
-    let noise = fit.residual_rms / fit.reduced_chi2.max(f64::MIN_POSITIVE).sqrt();
     let (mut steps, mut found, mut left) = (Vec::new(), None, fit.unevenness);
     let mut needed = LEFT * left;
     while left > UNEVEN * noise && steps.len() < MOST {
-        let Some(best) = one_more(request, &mut steps) else {
+        let Some(best) = one_more(request, &mut steps, stepping) else {
             break;
         };
         left = best.unevenness;
@@ -91,26 +117,54 @@ fn fewest_steps<'a>(
 }
 
 /// The fit that leaves least with one step more; where the others are is looked for again beside it.
-fn one_more(request: &MagneticRequest<'_>, steps: &mut Vec<usize>) -> Option<MagneticFit> {
+fn one_more(
+    request: &MagneticRequest<'_>,
+    steps: &mut Vec<usize>,
+    stepping: Stepping,
+) -> Option<MagneticFit> {
     let others = steps.len();
-    let (place, mut best) = best_beside(request, steps)?;
+    let (place, mut best) = best_beside(request, steps, stepping)?;
     steps.push(place);
     for _ in 0..2 * others {
         steps.rotate_left(1);
-        (steps[others], best) = best_beside(request, &steps[..others])?;
+        (steps[others], best) = best_beside(request, &steps[..others], stepping)?;
     }
     Some(best)
 }
 
 /// The place of one more step, and the fit that leaves least.
-fn best_beside(request: &MagneticRequest<'_>, others: &[usize]) -> Option<(usize, MagneticFit)> {
-    let places = SIDE..request.placements.len().saturating_sub(SIDE - 1);
-    let is_apart = |at: &usize| others.iter().all(|other| other.abs_diff(*at) >= SIDE);
+fn best_beside(
+    request: &MagneticRequest<'_>,
+    others: &[usize],
+    stepping: Stepping,
+) -> Option<(usize, MagneticFit)> {
+    let side = stepping.side();
+    let places = side..request.placements.len().saturating_sub(side - 1);
+    let is_apart = |at: &usize| others.iter().all(|other| other.abs_diff(*at) >= side);
     let fits = places.filter(is_apart).filter_map(|at| {
         let all = [others, &[at]].concat();
-        Some((at, fit_magnetometer(divided(request, &all)).ok()?))
+        Some((at, fit_magnetometer(divided(request, &all, stepping)).ok()?))
     });
     fits.min_by(|a, b| a.1.unevenness.total_cmp(&b.1.unevenness))
+}
+
+/// Steps of the bias alone that leave an even field, where chance does not make so much of an uneven one.
+fn steps_of_the_bias<'a>(
+    request: &MagneticRequest<'a>,
+    fit: &MagneticFit,
+    noise: f64,
+) -> Option<(Vec<usize>, MagneticFit)> {
+    let (steps, best) = fewest_steps(request, fit, noise, Stepping::Bias)?;
+    let square = |fit: &MagneticFit| {
+        let variance = fit.unevenness.powi(2) + noise.powi(2);
+        (fit.degrees_of_freedom as f64, variance)
+    };
+    let ((dof, before), (left, after)) = (square(fit), square(&best));
+    let explained = (dof * before - left * after) / (dof - left);
+    let law = FisherSnedecor::new(dof - left, left).ok()?;
+    let places = (request.placements.len() as f64).powi(i32::try_from(steps.len()).ok()?);
+    let is_no_chance = law.sf(explained / after) * places < UNLIKELY;
+    (best.unevenness <= EVEN * noise && is_no_chance).then_some((steps, best))
 }
 
 /// The smallest difference of two fields, whose headings nothing ties.
@@ -122,19 +176,26 @@ fn difference(one: &Field, other: &Field) -> f64 {
     (part(one) - part(other)).norm()
 }
 
-/// The same with another recording from each of the places on.
-fn divided<'a>(request: &MagneticRequest<'a>, steps: &[usize]) -> MagneticRequest<'a> {
+/// The same with another part from each of the places on.
+fn divided<'a>(
+    request: &MagneticRequest<'a>,
+    steps: &[usize],
+    stepping: Stepping,
+) -> MagneticRequest<'a> {
     let mut divided = request.clone();
+    divided.parts += steps.len();
     for at in steps {
         for placement in &mut divided.placements[*at..] {
-            placement.recording += 1;
+            placement.part += 1;
         }
     }
-    divided
-        .changes
-        .retain(|change| !steps.contains(&(change.from + 1)));
-    MagneticRequest {
-        recordings: 1 + steps.len(),
-        ..divided
+    if stepping == Stepping::Both {
+        let (placements, changes) = (&mut divided.placements, &mut divided.changes);
+        placements
+            .iter_mut()
+            .for_each(|own| own.recording = own.part);
+        changes.retain(|change| !steps.contains(&(change.from + 1)));
+        divided.recordings = divided.parts;
     }
+    divided
 }

@@ -184,11 +184,11 @@ fn warnings(written: &Written<'_>) -> Vec<Finding> {
             .number("noise", noise, unit)
     }));
     all.extend(written.missing.as_ref().map(|missing| {
-        let name = missing.effect.name();
+        let names: Vec<&str> = missing.effects.iter().map(|own| own.name()).collect();
         of(Kind::MagneticEffect)
-            .detail("effect", name)
+            .detail("effect", names.join(" and "))
             .detail("p", format!("{:.0e}", missing.p_value))
-            .only_remedies([Remedy::set_to(OptionName::Effects, name)])
+            .only_remedies([Remedy::set_to(OptionName::Effects, names.join(","))])
     }));
     if written.updates_others && fit.turns_p_value <= CONTRADICTION {
         all.push(of(Kind::HeadingDisagrees).detail("p", format!("{:.0e}", fit.turns_p_value)));

@@ -24,22 +24,22 @@ impl Enlarged<'_> {
 impl Calibration {
     /// The standard errors that an effect left out would enlarge by more than `ratio`, the worst first.
     pub fn enlarged_by_more_than(&self, ratio: f64) -> Vec<Enlarged<'_>> {
-        let of = |by| {
-            let std_error = self.standard_error(by)?;
-            Some(Enlarged {
-                by,
-                std_error,
-                std_error_with: std_error.hypot(by.std_added),
-            })
-        };
-        let mut all: Vec<Enlarged<'_>> = self.left_out.iter().filter_map(of).collect();
+        let known = self.left_out.iter();
+        let known = known.filter_map(|by| Some((by, self.standard_error_of(&by.parameter)?)));
+        let each = known.map(|(by, std_error)| Enlarged {
+            by,
+            std_error,
+            std_error_with: std_error.hypot(by.std_added),
+        });
+        let mut all: Vec<Enlarged<'_>> = each.collect();
         all.retain(|own| own.ratio() > ratio);
         all.sort_by(|a, b| b.ratio().total_cmp(&a.ratio()));
         all
     }
 
-    fn standard_error(&self, of: &LeftOut) -> Option<f64> {
-        let k = self.parameters.iter().position(|p| *p == of.parameter)?;
+    /// The stated standard error of a parameter.
+    pub(crate) fn standard_error_of(&self, parameter: &str) -> Option<f64> {
+        let k = self.parameters.iter().position(|p| p == parameter)?;
         Some(self.covariance.get(k)?.get(k)?.max(0.0).sqrt())
     }
 }

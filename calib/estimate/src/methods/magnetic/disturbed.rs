@@ -33,7 +33,7 @@ pub fn readings_left(problem: &Problem<'_>, minimum: &Minimum) -> Vec<Vector3<f6
     let report = &minimum.report;
     let of = |(k, placement): (usize, &super::Placement)| {
         let blocks = &minimum.blocks;
-        let own = blocks.biases.get(placement.recording).copied();
+        let own = blocks.biases.get(placement.part).copied();
         let x: Vec<f64> = [
             blocks.model,
             blocks.fields[placement.recording],

@@ -29,6 +29,8 @@ pub struct MagneticRequest<'a> {
     pub changes: Vec<HeadingChange>,
     /// Number of recordings; each has its own field.
     pub recordings: usize,
+    /// Number of parts; each has its own bias.
+    pub parts: usize,
     /// Number of errors of the other sensors, each of variance 1.
     pub errors: usize,
     /// Strength of the field, in the unit of the readings, if it is known.
@@ -81,6 +83,7 @@ fn fit_all(request: &MagneticRequest<'_>) -> Result<(MagneticFit, Option<(usize,
         placements,
         changes,
         recordings: request.recordings,
+        parts: request.parts,
         errors: request.errors,
         strength: start.strength,
         strength_given: request.strength.is_some(),

@@ -1,6 +1,6 @@
 //! Result of a fit of a magnetometer.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, Vector3};
 
 use super::placement::Placement;
 
@@ -46,7 +46,7 @@ pub struct MagneticFit {
     pub between: DMatrix<f64>,
     /// The field of each recording.
     pub fields: Vec<Field>,
-    /// The bias of each recording: magnets that turn with the device may have moved in between. That of the last is the
+    /// The bias of each part: magnets that turn with the device may have moved in between. That of the last is the
     /// model's.
     pub biases: Vec<OwnBias>,
     /// Unevenness of the field: standard deviation per axis from place to place, in the unit of the readings.
@@ -59,6 +59,8 @@ pub struct MagneticFit {
     pub degrees_of_freedom: usize,
     /// Placements that were fitted to.
     pub placements: Vec<Placement>,
+    /// Reading less model of each of them, in the unit of the readings.
+    pub left: Vec<Vector3<f64>>,
     /// Places of those whose reading is left out because the field was another there, with its difference (norm).
     pub disturbed: Vec<(usize, f64)>,
     /// Probability that noise makes the turns about the vertical disagree so much with the headings; 1 without turns.

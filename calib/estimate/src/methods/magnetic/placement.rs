@@ -9,6 +9,8 @@ use sensor::Kinematics;
 pub struct Placement {
     /// Place of the recording.
     pub recording: usize,
+    /// Part with a bias of its own, among those of all recordings.
+    pub part: usize,
     /// Place of the static interval in that recording.
     pub interval: usize,
     /// When.
@@ -74,6 +76,7 @@ pub(super) mod tests {
     pub fn at(up: Vector3<f64>, mean: Vector3<f64>) -> Placement {
         Placement {
             recording: 0,
+            part: 0,
             interval: 0,
             span: Span { from: 0.0, to: 1.0 },
             mean,

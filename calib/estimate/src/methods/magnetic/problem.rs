@@ -27,6 +27,8 @@ pub struct Problem<'a> {
     pub changes: &'a [HeadingChange],
     /// Number of recordings.
     pub recordings: usize,
+    /// Number of parts with a bias of their own.
+    pub parts: usize,
     /// Number of errors of the other sensors.
     pub errors: usize,
     /// Strength of the field where its logarithm is 0, in the unit of the readings.
@@ -44,7 +46,7 @@ pub struct Blocks {
     pub errors: Block,
     pub fields: Vec<Block>,
     pub headings: Vec<Block>,
-    /// Difference of the bias of each recording but the last from that of the last.
+    /// Difference of the bias of each part but the last from that of the last.
     pub biases: Vec<Block>,
     /// Rate offsets of the placements that turns begin or end at.
     pub rates: Vec<Option<Block>>,
@@ -102,7 +104,7 @@ impl<'a> Problem<'a> {
             graph.add_factor(&[model], UnitDeterminant(tie));
         }
         graph.add_factor(&[errors], Linear::standard(self.errors));
-        let biases = (1..self.recordings).map(|k| add(&mut graph, format!("bias {k}"), &[0.0; 3]));
+        let biases = (1..self.parts).map(|k| add(&mut graph, format!("bias {k}"), &[0.0; 3]));
         let biases = biases.collect::<Result<Vec<_>, _>>()?;
         let mut headings = Vec::new();
         let of_each = self.placements.iter().zip(&start.headings);
@@ -111,7 +113,7 @@ impl<'a> Problem<'a> {
             let heading = add(&mut graph, format!("heading {k}"), &[*heading])?;
             let reading = Reading::new(self.model, placement, self.strength, variance.sqrt());
             if placement.is_used {
-                let own = biases.get(placement.recording);
+                let own = biases.get(placement.part);
                 let reading = reading.with_own_bias(own.is_some());
                 let shared = [model, fields[placement.recording], heading, errors];
                 let touched: Vec<Block> = shared.into_iter().chain(own.copied()).collect();

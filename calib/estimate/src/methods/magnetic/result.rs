@@ -107,6 +107,7 @@ impl<'a> Judged<'a> {
             reduced_chi2: self.over_noise() / dof as f64,
             degrees_of_freedom: dof,
             placements: self.problem.placements.to_vec(),
+            left: self.left.clone(),
             disturbed: Vec::new(),
             turns_p_value: match turns {
                 0 => 1.0,
@@ -169,15 +170,15 @@ impl<'a> Judged<'a> {
         })
     }
 
-    /// The bias of every recording with its standard errors: `b` of the last and what the others differ by.
+    /// The bias of every part with its standard errors: `b` of the last and what the others differ by.
     fn biases(&self, widened: f64) -> Vec<OwnBias> {
         let first = self.errors().end + self.field_coordinates() * self.problem.recordings;
         let bias = &self.values(self.minimum.blocks.model)[PLACES.len()..BASE_PARAMETERS];
-        let of = |recording: usize| {
-            let block = self.minimum.blocks.biases.get(recording);
+        let of = |part: usize| {
+            let block = self.minimum.blocks.biases.get(part);
             let moved = block.map_or_else(|| vec![0.0; 3], |block| self.values(*block));
             let variance = |axis: usize| {
-                let (b, own) = (PLACES.len() + axis, first + 3 * recording + axis);
+                let (b, own) = (PLACES.len() + axis, first + 3 * part + axis);
                 let c = &self.covariance;
                 match block {
                     Some(_) => c[b][b] + 2.0 * c[b][own] + c[own][own],
@@ -189,7 +190,7 @@ impl<'a> Judged<'a> {
                 std: [0, 1, 2].map(|axis| (variance(axis) * widened).max(0.0).sqrt()),
             }
         };
-        (0..self.problem.recordings).map(of).collect()
+        (0..self.problem.parts).map(of).collect()
     }
 
     fn fields(&self, widened: f64) -> Vec<Field> {

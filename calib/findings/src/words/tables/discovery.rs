@@ -128,8 +128,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             ..care(0.1)
         },
         Kind::DriftAtRest => Entry {
-            reason: "readings of the {sensor} drift or sway at rest",
-            text: "readings of the {sensor} drift or sway within static intervals by more than the noise",
+            reason: "readings of the {sensor} drift, sway or vibrate at rest",
+            text: "readings of the {sensor} drift, sway or vibrate within static intervals by more than the noise",
             advice: ONCE_MORE,
             ..care(0.1)
         },

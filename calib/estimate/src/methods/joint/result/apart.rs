@@ -56,7 +56,8 @@ impl JointFit {
     /// determine, by the scale factors and misalignments that the fit would have with as many more for a part alone: an F test, as
     /// the misfit that they make is in the weights. Biases are free in every part.
     pub fn apart(&self) -> Vec<Apart> {
-        let taken = Basis::of(&self.jacobian);
+        // What the misfit depends on besides is no difference of parts.
+        let taken = Basis::of(&self.jacobian.beside(&self.carried));
         let parts = self.parts();
         let both = [Sensor::Accelerometer, Sensor::Gyroscope].into_iter();
         let both = both.filter(|sensor| *sensor == Sensor::Accelerometer || self.has_gyroscope());

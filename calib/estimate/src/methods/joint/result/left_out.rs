@@ -37,6 +37,28 @@ impl JointFit {
         effects.iter().map(of).collect()
     }
 
+    /// The free shared parameters and how far an error of the readings moves them, in their units; `column` is what it adds to the rows.
+    pub(crate) fn moved_by(&self, column: &[f64]) -> Vec<(String, f64)> {
+        let whitened = self.whitening.whiten_column(column);
+        let along = |b: usize| -> f64 {
+            let rows = whitened.iter().enumerate().filter(|(_, v)| **v != 0.0);
+            rows.map(|(i, v)| self.reduced.get(i, b) * v).sum()
+        };
+        let covariance = self.covariance_of_weights();
+        let gradient: Vec<f64> = (0..covariance.len()).map(along).collect();
+        let shared = self.free.iter().copied().filter(|&k| k < self.shared);
+        let each = shared.zip(&covariance);
+        let moved = each.map(|(k, of)| {
+            let moved: f64 = of.iter().zip(&gradient).map(|(c, g)| c * g).sum();
+            let (unit, place) = self.unit_of(k);
+            (
+                self.parameters.names()[k].clone(),
+                moved * unit.factor(place),
+            )
+        });
+        moved.collect()
+    }
+
     /// A basis of the columns of all parameters that are not shared.
     fn columns_of_others(&self) -> Basis {
         let is_other = |k: &usize| self.free[*k] >= self.shared;

@@ -41,7 +41,8 @@ impl JointFit {
 
     /// The motion of the biases of the accelerometer and the gyroscope in each recording; `None` of one with fewer than two chunks.
     pub fn bias_motions(&self) -> [Vec<Option<BiasMotion>>; 2] {
-        let model = Basis::of(&self.jacobian);
+        // What the misfit depends on besides is no motion.
+        let model = Basis::of(&self.jacobian.beside(&self.carried));
         [Sensor::Accelerometer, Sensor::Gyroscope].map(|sensor| {
             let recordings = 0..self.data.sources.len();
             let of = |recording| self.bias_motion(sensor, recording, &model);

@@ -31,6 +31,12 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             advice: "round the readings where they are made, and record again",
             ..care(0.1)
         },
+        Kind::SettlesAfterTurns => Entry {
+            reason: "the {sensor} still settles after each turn, by {size}",
+            text: "the readings of the {sensor} still change when the device rests after a turn: they begin {size} (rms) off and settle with a time constant of about {within}. Scale factors and biases are those of means over the rests. The standard errors include what the readings show of it",
+            advice: "record again and let the device rest longer in every placement",
+            ..care(0.1)
+        },
         Kind::WeakParameter => Entry {
             reason: "{parameter} is known to {error} only",
             text: "{parameter} is known to {error} only[ ({evidence})]",

@@ -1,0 +1,126 @@
+//! Readings of an accelerometer that still change after each turn, and what that does to the parameters.
+
+mod decay;
+mod rested;
+mod way;
+
+use findings::{Finding, Kind};
+use nalgebra::{DVector, Vector3};
+use recording::Recording;
+use sensor::{Quantity, Sensor};
+
+use self::decay::{Decay, slowest};
+use self::rested::Rested;
+use crate::calibration::Calibration;
+use crate::methods::joint::{BiasMotion, JointFit};
+
+/// It is said where it moves a parameter by more than so many of its standard errors.
+const WORTH: f64 = 1.0;
+
+/// Readings that settle after the turns.
+#[derive(Clone, Debug)]
+pub struct AfterTurns {
+    finding: Finding,
+    /// The parameters and how far the means of the static intervals put them off.
+    off: Vec<(String, f64)>,
+}
+
+impl AfterTurns {
+    /// Looks for readings that settle; `None` where they do not, where it does not matter, or where the model has that error.
+    pub fn of(
+        fit: &JointFit,
+        recordings: &[&Recording],
+        motions: &[Option<BiasMotion>],
+        calibration: &Calibration,
+    ) -> Option<Self> {
+        let mut effects = fit.models[0].effects().iter();
+        if effects.any(|effect| effect.needs().contains(&Quantity::SinceTurn)) {
+            return None;
+        }
+        let rests = 0..fit.data.rests.len();
+        let rests = rests.map(|k| rested(fit, recordings, motions, k));
+        let rests: Vec<Rested<'_>> = rests.collect::<Option<_>>()?;
+        let decay = slowest(&rests)?;
+        let mut column = vec![0.0; fit.residuals.len()];
+        for own in fit.sensitivities().means {
+            let chunk = &fit.data.chunks[own.chunk];
+            let mean = chunk.mean(own.sensor);
+            if let (Sensor::Accelerometer, Some(mean)) = (own.sensor, mean) {
+                let left = decay.mean_left(&mean.span, fit.data.rests[chunk.rest].turned);
+                let off = decay.at_first[chunk.rest] * left;
+                column[own.row..own.row + 3].copy_from_slice(off.as_slice());
+            }
+        }
+        let off = fit.moved_by(&column);
+        let matters = off.iter().any(|(name, off)| {
+            let std = calibration.standard_error_of(name);
+            std.is_some_and(|std| off.abs() > WORTH * std)
+        });
+        matters.then(|| Self {
+            finding: said(&decay),
+            off,
+        })
+    }
+
+    /// Counts in the standard errors what the parameters are off by, and returns what is to be said.
+    pub fn count(self, calibration: &mut Calibration) -> Finding {
+        let values = calibration.parameter_values();
+        let mut covariance = calibration.covariance_matrix();
+        let own = |name: &String| {
+            let mut off = self.off.iter();
+            off.find(|(of, _)| of == name).map_or(0.0, |(_, off)| *off)
+        };
+        let off = calibration.parameters.iter().map(own);
+        let off = DVector::from_iterator(calibration.parameters.len(), off);
+        covariance += &off * off.transpose();
+        calibration.write_parameters(&values, &covariance);
+        self.finding
+    }
+}
+
+/// The readings in static interval `k`; `None` without an accelerometer.
+fn rested<'a>(
+    fit: &JointFit,
+    recordings: &[&'a Recording],
+    motions: &[Option<BiasMotion>],
+    k: usize,
+) -> Option<Rested<'a>> {
+    let rests = &fit.data.rests;
+    let rest = &rests[k];
+    let mut flagged = fit.flagged.iter();
+    let disturbed = flagged.any(|a| a.recording == rest.recording && a.interval == rest.interval);
+    // Before the first of a recording is no turn.
+    let is_first = k == 0 || rests[k - 1].recording != rest.recording;
+    let stream = recordings.get(rest.recording)?.accelerometer.as_ref()?;
+    let moved = motions.get(rest.recording).copied().flatten();
+    let moved = moved.map(|own| own.change / own.span.length());
+    let chunks = &fit.data.chunks[rest.chunks.clone()];
+    let rows = fit.plain_rows();
+    let x = &fit.parameters.values()[..rows.layout.disturbance(0)];
+    let modelled = chunks
+        .iter()
+        .map(|chunk| rows.slope_within(x, Sensor::Accelerometer, chunk));
+    let modelled = modelled.sum::<Vector3<f64>>() / chunks.len().max(1) as f64;
+    let range = stream.between(rest.span.from, rest.span.to);
+    Some(Rested {
+        recording: rest.recording,
+        t: &stream.t[range.clone()],
+        values: &stream.values[range],
+        unit: fit.force_unit.scale,
+        turned: rest.turned,
+        force: fit.data.mean_force(rest)?,
+        drift: modelled + moved.unwrap_or_default(),
+        is_sound: !disturbed && !is_first,
+    })
+}
+
+/// What is said of a decay.
+fn said(decay: &Decay) -> Finding {
+    let squares = decay.at_first.iter().map(|error| error.norm_squared());
+    let size = (squares.sum::<f64>() / decay.at_first.len().max(1) as f64).sqrt();
+    Finding::of(Kind::SettlesAfterTurns)
+        .of_sensor(Sensor::Accelerometer)
+        .number("size", size, "m/s^2")
+        .number("within", decay.tau, "s")
+        .affects("corrected_reading", size, "m/s^2")
+}
