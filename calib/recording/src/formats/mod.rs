@@ -25,8 +25,8 @@ use robots::{
 };
 use serial_logs::{adafruit, headings, serial};
 use texts::{
-    brackets, clock_columns, clock_text, date_and_time, documents, fields, labview, long, per_axis,
-    split_stamp, start_and_rate, tagged, two_headers, unpadded, wide,
+    axis_rows, brackets, clock_columns, clock_text, date_and_time, documents, fields, labview,
+    long, per_axis, split_stamp, start_and_rate, tagged, two_headers, unpadded, wide,
 };
 
 pub use crate::formats::format::Format;
@@ -75,6 +75,7 @@ pub static FORMATS: &[&dyn Format] = &[
     &wide::WIDE,
     &two_headers::TWO_HEADERS,
     &long::LONG,
+    &axis_rows::AXIS_ROWS,
     &fields::FIELDS,
     &documents::DOCUMENTS,
     &adafruit::ADAFRUIT,

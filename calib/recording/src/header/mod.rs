@@ -11,7 +11,6 @@ pub(crate) mod preface;
 pub(crate) mod questions;
 pub(crate) mod quotes;
 mod row_shape;
-pub(crate) mod said_rate;
 pub(crate) mod sniff;
 mod time_column;
 pub(crate) mod triads;

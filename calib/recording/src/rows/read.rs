@@ -7,7 +7,7 @@ use crate::Error;
 use crate::clock::Clock;
 use crate::devices;
 use crate::header::affine::Affine;
-use crate::header::said_rate::said_rate;
+use crate::header::questions::said_rate::said_rate;
 use crate::header::sniff::Start;
 use crate::header::suggest::{entry, suggestion};
 use crate::header::unnamed::with_temperature;

@@ -1,7 +1,7 @@
 //! The sampling rate that the lines above a table state: `# Sample rate: 100.0 Hz`, `Fs;50`, `sample interval: 20 ms`.
 
-use super::look::Look;
-use super::preface::is_comment;
+use crate::header::look::Look;
+use crate::header::preface::is_comment;
 
 /// Rates that a sensor may have, Hz.
 const RATES: std::ops::Range<f64> = 1.0..40_000.0;
