@@ -224,7 +224,8 @@ fn the_samples_of_a_cameras_streams_are_read() {
     let s = session();
     let stream = |values: &[Vector3<f64>], unit: &str| {
         let sample = |k: usize| {
-            let value = xyz(&values[k], 1.0);
+            // The order is that of the stream's name.
+            let value = xyz(&Vector3::new(values[k].z, values[k].x, values[k].y), 1.0);
             format!(
                 "{{\"value\":[{value}],\"cts\":{:.1},\"date\":\"2026-05-01T12:00:00.000Z\"}}",
                 s.t[k] * 1e3
@@ -232,7 +233,7 @@ fn the_samples_of_a_cameras_streams_are_read() {
         };
         let samples: Vec<String> = (0..1600).map(sample).collect();
         format!(
-            "{{\"samples\":[{}],\"units\":\"{unit}\"}}",
+            "{{\"samples\":[{}],\"name\":\"Sensor (z,x,y)\",\"units\":\"{unit}\"}}",
             samples.join(",")
         )
     };
