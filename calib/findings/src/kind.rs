@@ -903,8 +903,6 @@ kinds! {
     GitPointer = "git_pointer",
     /// A file is a page of the web.
     HtmlPage = "html_page",
-    /// A text was made of an ArduPilot log.
-    ArdupilotText = "ardupilot_text",
     /// A file is a Blackbox log.
     BlackboxLog = "blackbox_log",
     /// A header stands in a text again.

@@ -4,6 +4,7 @@ pub(crate) mod digits_of_the_day;
 pub(crate) mod drift;
 pub(crate) mod even;
 pub(crate) mod held;
+mod nominal;
 pub(crate) mod offset;
 pub(crate) mod patterns;
 pub(crate) mod restarts;

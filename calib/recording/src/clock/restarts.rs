@@ -7,6 +7,8 @@ use crate::rows::table::Table;
 const FEWEST: usize = 20;
 /// Steps that time goes back by rows that are out of order.
 const SHUFFLED: f64 = 50.0;
+/// Steps by which a clock is set back; two rows may change places.
+const SET_BACK: f64 = 5.0;
 /// Steps without a row before a header: ten seconds at 100 Hz.
 const PAUSE: f64 = 1000.0;
 /// More often no device begins again in one file.
@@ -70,7 +72,12 @@ fn restarts(rows: &[(u64, f64)]) -> Vec<usize> {
         let to_the_start = back > 2.0 * usual
             && (t(at) <= t(start) + 2.0 * usual
                 || (t(at) <= t(start) + SHUFFLED * usual && goes_on(&rows[at..], latest, usual)));
-        if t(at) < t(at - 1) && (back > SHUFFLED * usual || to_the_start) {
+        let set_back = || {
+            back > SET_BACK * usual
+                && covers(&rows[start..at], t(at), usual)
+                && goes_on(&rows[at..], latest, usual)
+        };
+        if t(at) < t(at - 1) && (back > SHUFFLED * usual || to_the_start || set_back()) {
             if at - start < FEWEST || found.len() == MOST {
                 return Vec::new();
             }
@@ -118,6 +125,22 @@ fn begun_again(rows: &[(u64, f64)], headers: &[u64]) -> Vec<usize> {
     }
 }
 
+/// Returns true if rows stand at every step from the time `from` on: those that follow from there were not written late.
+fn covers(rows: &[(u64, f64)], from: f64, usual: f64) -> bool {
+    let last = rows
+        .iter()
+        .rev()
+        .take_while(|(_, t)| *t > from - 1.5 * usual);
+    let stamps: Vec<f64> = last.map(|(_, t)| *t).collect();
+    let are_even = stamps
+        .windows(2)
+        .all(|pair| (0.0..2.5 * usual).contains(&(pair[0] - pair[1])));
+    are_even
+        && stamps
+            .last()
+            .is_some_and(|first| *first < from + 1.5 * usual)
+}
+
 /// Returns true if the rows ascend without a jump up to the time `latest`. Rows that were written late leave a jump behind them.
 fn goes_on(rows: &[(u64, f64)], latest: f64, usual: f64) -> bool {
     rows.windows(2)
@@ -145,6 +168,8 @@ mod tests {
         );
         // A first boot of a third of a second.
         assert_eq!(restarts(&rows(&[(30, 0.0), (1000, 0.0)])), [30]);
+        // The clock was set back by a third of a second.
+        assert_eq!(restarts(&rows(&[(1000, 0.0), (1000, 9.66)])), [1000]);
         // The second took longer until its first row.
         assert_eq!(restarts(&rows(&[(40, 0.0), (1000, 0.3)])), [40]);
     }

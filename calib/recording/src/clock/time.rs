@@ -1,5 +1,6 @@
 //! From stamps in the file's unit to seconds.
 
+use super::nominal::ticked;
 use crate::Error;
 use crate::header::affine::Affine;
 use crate::header::names::{is_of_ticks, per_second, says_unknown_unit};
@@ -26,6 +27,9 @@ const YEARS_OF_TENTHS: [f64; 2] = [1601.0, 1.0];
 
 /// A mean Gregorian year, s.
 const SECONDS_OF_A_YEAR: f64 = 31_556_952.0;
+
+/// Clocks of processors without a unit, per second: that of Apple's `mach_absolute_time`, and the 4.5 MHz of DJI's logs.
+const PROCESSORS: [f64; 2] = [24e6, 4.5e6];
 
 /// Rates of most recordings, Hz: of two units the one with such a rate is meant.
 const USUAL: std::ops::Range<f64> = 20.0..2000.0;
@@ -254,10 +258,21 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
     if fitted.len() > 1 {
         fitted = fitting(USUAL);
     }
+    // A counter that is called after its ticks may count those of Windows.
+    let tenths = TimeUnit::TenthMicroseconds;
+    let is_slow = |unit: &TimeUnit| unit.per_second() / step < USUAL.start;
+    if ticks.is_some() && fitted.iter().all(is_slow) && is_usual(&tenths, step) {
+        fitted = vec![tenths];
+    }
     match fitted[..] {
         [unit] if !is_open => {
             let rate = (unit.per_second() / step).round();
-            warnings.push(decided(table, unit).number("rate", rate, "Hz"));
+            let told = decided(table, unit).number("rate", rate, "Hz");
+            let ticked = ticked(&table.longer().t).filter(|_| unit == TimeUnit::Milliseconds);
+            warnings.push(match ticked {
+                Some(rate) => told.number("rate_in_ticks", rate, "Hz"),
+                None => told,
+            });
             Ok(unit)
         }
         // Seconds by contract, unless no sensor has that rate.
@@ -278,6 +293,7 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
             let name = table.roles.iter().find(is_time).map(|(_, name)| name);
             let clock = CLOCKS
                 .into_iter()
+                .chain(PROCESSORS)
                 .find(|clock| USUAL.contains(&(clock / step)));
             let long = LONG.iter().find(|unit| is_usual(unit, step));
             let remedy = match (long, clock.zip(name)) {

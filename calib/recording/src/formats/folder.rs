@@ -16,7 +16,7 @@ use crate::source::files::Files;
 #[derive(Debug)]
 pub(crate) struct Folder;
 
-const ACCEL: [&str; 4] = ["acc", "acce", "accel", "accelerometer"];
+const ACCEL: [&str; 5] = ["acc", "acce", "accl", "accel", "accelerometer"];
 const GYRO: [&str; 3] = ["gyro", "gyr", "gyroscope"];
 const THERMOMETER: [&str; 3] = ["temp", "temperature", "thermometer"];
 const EXTENSIONS: [&str; 6] = ["csv", "txt", "tsv", "dat", "parquet", "json"];
@@ -99,19 +99,35 @@ fn add_thermometer(
     Ok(())
 }
 
-/// The two files in whose names a word is a sensor's, as in `Sensor1_2026_Accelerometer_100Hz.csv` and `VID_20261121accel.csv`.
+/// The words of a name in small letters: those of `RawAccel.csv` are `raw`, `accel` and `csv`.
+fn words(name: &str) -> Vec<String> {
+    let mut words = vec![String::new()];
+    let mut was_small = false;
+    for c in name.chars() {
+        let begins = !c.is_alphabetic() || (was_small && c.is_uppercase());
+        if begins {
+            words.push(String::new());
+        }
+        if let Some(word) = words.last_mut().filter(|_| c.is_alphabetic()) {
+            word.extend(c.to_lowercase());
+        }
+        was_small = c.is_lowercase();
+    }
+    words
+}
+
+/// The two files in whose names a word is a sensor's, as in `Sensor1_2026_Accelerometer_100Hz.csv` and `VID_20261121accel.csv`;
+/// or tables of a document, as `streams/ACCL/samples`.
 fn by_words(files: &Files) -> Option<[(&Entry, Sensor); 2]> {
     const DERIVED: [&str; 4] = ["linear", "gravity", "user", "free"];
     let only = |names: &[&str]| {
         let mut called = files.entries().iter().filter(|entry| {
-            let name = entry
-                .name
-                .rsplit('/')
-                .next()
-                .unwrap_or_default()
-                .to_lowercase();
-            let words: Vec<&str> = name.split(|c: char| !c.is_alphabetic()).collect();
-            let has = |all: &[&str]| words.iter().any(|word| all.contains(word));
+            let name = match files.are_tables() {
+                true => &entry.name,
+                false => entry.name.rsplit('/').next().unwrap_or_default(),
+            };
+            let words = words(name);
+            let has = |all: &[&str]| words.iter().any(|word| all.contains(&word.as_str()));
             has(names) && (has(&EXTENSIONS) || files.are_tables()) && !has(&DERIVED)
         });
         called.next().filter(|_| called.next().is_none())
@@ -141,4 +157,21 @@ fn is_called(path: &str, names: &[&str], is_table: bool) -> bool {
         return is_table && names.contains(&name);
     };
     names.contains(&stem) && EXTENSIONS.contains(&extension)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn capitals_begin_words_within_names() {
+        for (name, expected) in [
+            ("RawAccel.csv", "raw accel csv"),
+            ("1/streams/ACCL/samples", "streams accl samples"),
+            ("VID_20261121accel.csv", "vid accel csv"),
+        ] {
+            let words: Vec<String> = words(name).into_iter().filter(|w| !w.is_empty()).collect();
+            assert_eq!(words.join(" "), expected);
+        }
+    }
 }

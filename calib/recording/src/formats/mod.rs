@@ -19,11 +19,14 @@ pub use file_formats::catches_panics;
 use findings::{Finding, Kind};
 pub use log_streams::{LogContents, LogStream};
 use phones::{androsensor, phyphox, physics_toolbox, sensor_logger, sensorlog, sensorstream};
-use robots::{betaflight, gyroflow, kalibr, novatel, px4_text, razor, ros_text, trackers, vmu931};
+use robots::{
+    ardupilot_log, betaflight, gyroflow, kalibr, novatel, px4_text, razor, ros_text, trackers,
+    vmu931,
+};
 use serial_logs::{adafruit, headings, serial};
 use texts::{
-    brackets, clock_columns, clock_text, date_and_time, documents, fields, labview, long, per_axis,
-    split_stamp, start_and_rate, tagged, two_headers, unpadded, wide,
+    axis_rows, brackets, clock_columns, clock_text, date_and_time, documents, fields, labview,
+    long, per_axis, split_stamp, start_and_rate, tagged, two_headers, unpadded, wide,
 };
 
 pub use crate::formats::format::Format;
@@ -58,6 +61,7 @@ pub static FORMATS: &[&dyn Format] = &[
     &px4_text::SENSOR_COMBINED,
     &trackers::XSENS,
     &trackers::SHIMMER,
+    &ardupilot_log::ARDUPILOT_LOG,
     &betaflight::BETAFLIGHT,
     &razor::RAZOR,
     &vmu931::VMU931,
@@ -71,6 +75,7 @@ pub static FORMATS: &[&dyn Format] = &[
     &wide::WIDE,
     &two_headers::TWO_HEADERS,
     &long::LONG,
+    &axis_rows::AXIS_ROWS,
     &fields::FIELDS,
     &documents::DOCUMENTS,
     &adafruit::ADAFRUIT,

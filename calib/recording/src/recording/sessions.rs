@@ -148,11 +148,16 @@ fn several(table: &Table, sessions: &[Session], long: &[usize], given: Option<us
         .collect();
     let again = &sessions[long.get(1).copied().unwrap_or(0)];
     let before = long.first().map_or(again, |&at| &sessions[at]);
+    // Dates are counted in nanoseconds.
+    let shown = |stamp: f64| match table.clock.dates {
+        true => figure((stamp / 1e3).round() / 1e6),
+        false => figure(stamp),
+    };
     let found = Finding::of(Kind::PartOpen)
         .in_file(&table.name)
         .at_line(again.first)
-        .detail("from", figure(before.to))
-        .detail("to", figure(again.from))
+        .detail("from", shown(before.to))
+        .detail("to", shown(again.from))
         .count("count", long.len())
         .detail("rows", rows.join(" and "));
     let found = match given {

@@ -7,6 +7,7 @@ use crate::Error;
 use crate::clock::Clock;
 use crate::devices;
 use crate::header::affine::Affine;
+use crate::header::questions::said_rate::said_rate;
 use crate::header::sniff::Start;
 use crate::header::suggest::{entry, suggestion};
 use crate::header::unnamed::with_temperature;
@@ -32,7 +33,7 @@ impl Table {
     ) -> Result<Self, Error> {
         let start = Start::look(&input.name, &input.head, only, options)?;
         if start.layout.time.is_none() && options.rate.is_none() {
-            return Err(no_time(&input.name, &start));
+            return Err(no_time(&input, &start));
         }
         let mut table = Self {
             name: input.name.clone(),
@@ -179,17 +180,21 @@ impl Table {
 }
 
 /// Builds the error about a text without stamps, with the columns that may be stamps.
-fn no_time(name: &str, start: &Start) -> Error {
+fn no_time(input: &Input, start: &Start) -> Error {
     let names = &start.layout.names;
     let likely = start.layout.times.iter().map(|&at| &names[at]);
     let first = start.layout.times.first();
     let column = first.map_or("t=1".to_owned(), |&at| format!("t={}", entry(names, at)));
-    let none = Finding::of(Kind::NoTime)
-        .in_file(name)
-        .only_remedies([Remedy::examples([
+    let none = Finding::of(Kind::NoTime).in_file(&input.name);
+    let none = match said_rate(&input.head) {
+        Some(rate) => none
+            .number("said", rate, "Hz")
+            .only_remedies([Remedy::set_to(OptionName::Rate, rate.to_string())]),
+        None => none.only_remedies([Remedy::examples([
             (OptionName::Rate, "100".to_owned()),
             (OptionName::Columns, column),
-        ])]);
+        ])]),
+    };
     Error::usage(match first {
         Some(_) => none.detail("likely", shown_list(likely)),
         None => none,

@@ -64,7 +64,6 @@ const SIGNATURES: &[Signature] = &[
     (b"<!DOCTYPE", Kind::HtmlPage, "", None),
     (b"<html", Kind::HtmlPage, "", None),
     (b"<?xml", FOREIGN, "an XML file", None),
-    (b"FMT, 128,", Kind::ArdupilotText, "", None),
     (b"H Product:Blackbox", Kind::BlackboxLog, "", None),
     // The last one, which an array of them is refused as.
     (

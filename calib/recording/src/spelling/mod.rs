@@ -4,6 +4,7 @@ mod cells;
 mod comma_stamp;
 mod framed;
 mod grouped;
+mod lists;
 mod packed_date;
 mod respell;
 mod unit_cells;
@@ -11,8 +12,9 @@ mod unit_cells;
 pub(crate) use respell::Spelling;
 
 /// Every way; what one respells the next one sees.
-pub(crate) static SPELLINGS: [&Spelling; 5] = [
+pub(crate) static SPELLINGS: [&Spelling; 6] = [
     &framed::FRAMED,
+    &lists::LISTS,
     &packed_date::PACKED_DATE,
     &comma_stamp::COMMA_STAMP,
     &unit_cells::UNIT_CELLS,

@@ -195,3 +195,71 @@ fn a_label_of_one_sensor_is_another_program_s_where_the_cells_are_fewer() {
     let accel = found.accelerometer.unwrap();
     assert_eq!(accel.len(), s.t.len());
 }
+
+#[test]
+fn names_before_the_numbers_of_examples_are_those_of_their_numbers() {
+    let s = session();
+    let at_50_hz = ReadOptions {
+        rate: Some(50.0),
+        ..ReadOptions::default()
+    };
+    let (mg, mdps) = (1e3 / G, 180e3 / std::f64::consts::PI);
+    for block in [
+        |f: &str, w: &str| format!("LSM6DSL [acc/mg]:  {f}\nLSM6DSL [gyro/mdps]: {w}"),
+        |f: &str, w: &str| {
+            let [f, w] = [f, w].map(|numbers| numbers.replace(',', "\t"));
+            format!("Acceleration [mg]:{f}\nAngular rate [mdps]:{w}\nTemperature [degC]: 25.1")
+        },
+        |f: &str, w: &str| {
+            let lines = |numbers: &str| {
+                let axes = ["x", "y", "z"].into_iter().zip(numbers.split(','));
+                axes.map(|(axis, number)| format!("{axis}: {number}\n"))
+                    .collect::<String>()
+            };
+            format!(
+                "Accelerometer data in mg\n{}Gyroscope data in mdps\n{}Temp: 25.1 C",
+                lines(f),
+                lines(w)
+            )
+        },
+    ] {
+        let text = table("", |k| block(&xyz(&s.force[k], mg), &xyz(&s.rate[k], mdps)));
+        is_it(&read_as(&text, &at_50_hz).unwrap(), &s, 1e-4);
+    }
+    // An old sketch that everybody has: counts below the names of their axes.
+    let counts = |value: &nalgebra::Vector3<f64>, scale: f64| {
+        let whole = |v: &f64| format!("{:.0}", v * scale);
+        value.iter().map(whole).collect::<Vec<_>>().join(", ")
+    };
+    let text = table("InvenSense MPU-6050\nWHO_AM_I : 68, error = 0", |k| {
+        let (force, rate) = (counts(&s.force[k], 1671.0), counts(&s.rate[k], 7506.0));
+        format!(
+            "MPU-6050\nRead accel, temp and gyro, error = 0\naccel x,y,z: {force}\ntemperature: 31.047 degrees Celsius\ngyro x,y,z : {rate}, "
+        )
+    });
+    let found = read_as(&text, &at_50_hz).unwrap();
+    let force = found.accelerometer.unwrap();
+    assert_eq!(force.len(), 1600);
+    assert!((force.values[150] / 1671.0 - s.force[150]).amax() < 1e-3);
+}
+
+#[test]
+fn lists_in_cells_are_read() {
+    let s = session();
+    for (header, begin, end) in [
+        ("t,acc,gyro", "\"[", "]\""),
+        ("t,acc,gyro", "(", ")"),
+        ("", "(", ")"),
+    ] {
+        let text = table(header, |k| {
+            let (force, rate) = (xyz(&s.force[k], 1.0), xyz(&s.rate[k], 1.0));
+            let row = format!("{:.3},{begin}{force}{end},{begin}{rate}{end}", s.t[k]);
+            if header.is_empty() {
+                format!("({row})")
+            } else {
+                row
+            }
+        });
+        is_it(&read(&text), &s, 1e-4);
+    }
+}

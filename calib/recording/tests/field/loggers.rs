@@ -201,3 +201,60 @@ fn acceleration_in_the_frame_of_the_earth_is_named_as_lacking_gravity() {
     let words = error.text(findings::Front::CommandLine);
     assert!(words.contains("without gravity"), "{words}");
 }
+
+#[test]
+fn the_text_of_an_ardupilot_log_is_read_as_corrected() {
+    let s = session();
+    let header = "FMT, 128, 89, FMT, BBnNZ, Type,Length,Name,Format,Columns\nFMT, 131, 43, IMU, Qffffff, TimeUS,GyrX,GyrY,GyrZ,AccX,AccY,AccZ\nPARM, 1000, INS_GYROFFS_X, 0.01";
+    let text = table(header, |k| {
+        let (force, rate) = (xyz(&s.force[k], 1.0), xyz(&s.rate[k], 1.0));
+        format!(
+            "IMU, {:.0}, {rate}, {force}\nATT, 1000, 0.1, 0.2",
+            s.t[k] * 1e6
+        )
+    });
+    let found = read(&text);
+    is_it(&found, &s, 1e-4);
+    let corrected = findings::Kind::CorrectedBySystem;
+    assert!(found.warnings.iter().any(|own| own.kind == corrected));
+}
+
+#[test]
+fn the_samples_of_a_cameras_streams_are_read() {
+    let s = session();
+    let stream = |values: &[Vector3<f64>], unit: &str| {
+        let sample = |k: usize| {
+            // The order is that of the stream's name.
+            let value = xyz(&Vector3::new(values[k].z, values[k].x, values[k].y), 1.0);
+            format!(
+                "{{\"value\":[{value}],\"cts\":{:.1},\"date\":\"2026-05-01T12:00:00.000Z\"}}",
+                s.t[k] * 1e3
+            )
+        };
+        let samples: Vec<String> = (0..1600).map(sample).collect();
+        format!(
+            "{{\"samples\":[{}],\"name\":\"Sensor (z,x,y)\",\"units\":\"{unit}\"}}",
+            samples.join(",")
+        )
+    };
+    let text = format!(
+        "{{\"1\":{{\"streams\":{{\"ACCL\":{},\"GYRO\":{}}},\"device name\":\"HERO9\"}},\"frames/second\":29.97}}",
+        stream(&s.force, "m/s2"),
+        stream(&s.rate, "rad/s"),
+    );
+    let found = Recording::from_bytes("a.json", text.as_bytes(), &ReadOptions::default());
+    is_it(&found.unwrap(), &s, 1e-4);
+}
+
+#[test]
+fn a_rate_above_rows_without_stamps_is_the_one_that_is_asked_for() {
+    let s = session();
+    let header = "# range 4 g\n# Sample rate: 50.0Hz\nax,ay,az,gx,gy,gz";
+    let text = table(header, |k| {
+        let cells = row(&s, k, IN_SI);
+        cells.split_once(',').unwrap().1.to_owned()
+    });
+    let refused = read_as(&text, &ReadOptions::default()).unwrap_err();
+    let words = refused.text(findings::Front::CommandLine);
+    assert!(words.contains("--rate 50"), "{words}");
+}

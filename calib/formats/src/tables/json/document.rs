@@ -2,6 +2,7 @@
 
 use serde_json::{Deserializer, Map, Value};
 
+use super::axis_order::in_order;
 use super::flat::{Row, flatten};
 use super::packets;
 use super::records::{Budgeted, first_byte};
@@ -64,11 +65,14 @@ impl Document {
         let Some(root) = values.next() else {
             return Ok(None);
         };
-        let root = root.map_err(|error| no_json(&error))?;
+        let mut root = root.map_err(|error| no_json(&error))?;
         // What follows is looked at to its end at most.
         left.set(u64::MAX);
         match values.next() {
-            None => Ok(Some(Self { root })),
+            None => {
+                in_order(&mut root);
+                Ok(Some(Self { root }))
+            }
             Some(_) => Ok(None),
         }
     }

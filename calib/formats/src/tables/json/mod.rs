@@ -1,6 +1,7 @@
 //! JSON: a record per line or in an array, of a sample or of a packet of them; lists that are columns; and documents with
 //! such in them.
 
+mod axis_order;
 mod document;
 mod flat;
 mod packets;

@@ -1,5 +1,6 @@
 //! Text formats of robots, drones and their tools.
 
+pub(crate) mod ardupilot_log;
 pub(crate) mod ardupilot_text;
 pub(crate) mod betaflight;
 pub(crate) mod gyroflow;

@@ -1,5 +1,6 @@
-//! Three numbers below a line that names their sensor: `Acceleration:` and then `X: 0.1  Y: 0.2 Z: 9.8  m/s^2`.
+//! Three numbers below a line that names their sensor: `Acceleration:` and then `X: 0.1  Y: 0.2 Z: 9.8  m/s^2`, or a line for each.
 
+use std::borrow::Cow;
 use std::io::Read;
 
 use sensor::Sensor;
@@ -28,6 +29,8 @@ enum Said<'a> {
     Heading(Option<Sensor>, &'a str),
     /// Three numbers, and the unit behind them.
     Numbers([&'a str; 3], &'a str),
+    /// The number of an axis.
+    Axis(usize, &'a str),
     /// Anything else.
     Other,
 }
@@ -59,6 +62,10 @@ fn said(line: &str) -> Said<'_> {
                 false => Said::Other,
             }
         }
+        ([number], [axis, _]) => match "xyz".find(&axis.to_lowercase()) {
+            Some(at) if axis.len() == 1 => Said::Axis(at, number),
+            _ => Said::Other,
+        },
         _ => Said::Other,
     }
 }
@@ -68,13 +75,15 @@ fn said(line: &str) -> Said<'_> {
 struct Below {
     sensor: Option<Sensor>,
     unit: String,
+    /// Those of the first axes, a line for each.
+    axes: Vec<String>,
 }
 
 /// The row of a sensor: its stamp, its numbers and their unit.
 struct Row<'a> {
     sensor: Sensor,
     stamp: Option<Stamp>,
-    numbers: [&'a str; 3],
+    numbers: [Cow<'a, str>; 3],
     unit: String,
 }
 
@@ -86,20 +95,33 @@ impl Below {
             None => (None, line),
         };
         match said(line) {
+            Said::Axis(at, number) if at == self.axes.len() && self.sensor.is_some() => {
+                self.axes.push(number.to_owned());
+                let numbers = <[String; 3]>::try_from(self.axes.clone()).ok()?;
+                self.axes.clear();
+                Some(Row {
+                    sensor: self.sensor.take()?,
+                    stamp,
+                    numbers: numbers.map(Cow::Owned),
+                    unit: std::mem::take(&mut self.unit),
+                })
+            }
             Said::Heading(sensor, unit) => {
+                self.axes.clear();
                 (self.sensor, self.unit) = (sensor, unit.to_owned());
                 None
             }
             Said::Numbers(numbers, unit) => Some(Row {
                 sensor: self.sensor.take()?,
                 stamp,
-                numbers,
+                numbers: numbers.map(Cow::Borrowed),
                 unit: match unit.is_empty() {
                     true => std::mem::take(&mut self.unit),
                     false => unit.to_owned(),
                 },
             }),
-            Said::Other => {
+            Said::Axis(..) | Said::Other => {
+                self.axes.clear();
                 self.sensor = None;
                 None
             }
@@ -112,8 +134,8 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
     let lines: Vec<&str> = look.lines().collect();
     let rows: Vec<Row> = lines.iter().filter_map(|line| below.next(line)).collect();
     let of = |sensor: Sensor| rows.iter().filter(move |row| row.sensor == sensor);
-    // Most lines are headings and their numbers.
-    if 4 * rows.len() < lines.len() {
+    // Most lines are headings and their numbers, which may be a line each.
+    if 5 * rows.len() + 5 < lines.len() {
         return None;
     }
     let part = |(sensor, change): (Sensor, Change)| {
@@ -148,7 +170,8 @@ fn rows_of(text: Box<dyn Read + Send>, sensor: Sensor) -> Box<dyn Read + Send> {
         let text = std::str::from_utf8(line).unwrap_or_default();
         if let Some(row) = below.next(text).filter(|row| row.sensor == sensor) {
             let stamp = row.stamp.map(|stamp| stamp.written(&mut clock));
-            let cells: Vec<&str> = stamp.as_deref().into_iter().chain(row.numbers).collect();
+            let numbers = row.numbers.iter().map(|number| &**number);
+            let cells: Vec<&str> = stamp.as_deref().into_iter().chain(numbers).collect();
             out.extend_from_slice(cells.join(",").as_bytes());
         }
     })
@@ -170,6 +193,11 @@ mod tests {
             (
                 "Acceleration in g (x,y,z):\n0.1   0.2   1.0\nResultant g: 1.02\nGyroscope data in degrees/s: \n1   2   3\n*****\n",
                 "0.1,0.2,1.0",
+                "1,2,3",
+            ),
+            (
+                "Accelerometer data\nx: 0.1\ny: 0.2\nz: 9.8\nGyroscope data\nx: 1\ny: 2\nz: 3\nTemp: 25.1 C\n",
+                "0.1,0.2,9.8",
                 "1,2,3",
             ),
         ] {

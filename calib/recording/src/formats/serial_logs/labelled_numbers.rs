@@ -2,6 +2,7 @@
 
 use sensor::Sensor;
 
+use super::listed_names::{Listed, between_strokes, in_brackets_of, sensor_and_unit};
 use super::log_prefix::{Stamp, by_terminal, logged, without_checksum};
 use crate::header::names::{compact, is_field, role_of, sensor_of, stated_unit};
 use crate::recording::options::Role;
@@ -13,6 +14,8 @@ pub(super) struct Numbers<'a> {
     pub stamp: Option<Stamp>,
     /// Part of the program that wrote it.
     pub tag: Option<&'a str>,
+    /// The word that the message begins with; empty for a number.
+    pub begins_with: &'a str,
     pub pairs: Vec<(&'a str, &'a str)>,
     /// The sensor that was named last before each number; the `Accel` of `Accel: X=1 Y=2`.
     pub sensors: Vec<Option<Sensor>>,
@@ -115,6 +118,7 @@ pub(super) fn numbers(line: &str) -> Option<Numbers<'_>> {
     let mut found = Numbers {
         stamp,
         tag: logged.map(|logged| logged.tag),
+        begins_with: "",
         pairs: counted.map(|number| ("time", number)).into_iter().collect(),
         sensors: counted.map(|_| None).into_iter().collect(),
         accel_unit: None,
@@ -167,18 +171,27 @@ const OF_EPOCH: usize = 10;
 impl<'a> Numbers<'a> {
     /// Adds what a message says; `None` where a word is neither a name nor a number nor a unit.
     fn read(&mut self, message: &'a str) -> Option<()> {
-        let (mut name, mut sensor) = ("", None);
+        let (mut names, mut sensor) = (Listed::default(), None);
+        let first = words(message).find(|word| number(word).is_none());
+        self.begins_with = first
+            .filter(|word| message.trim_start().starts_with(word))
+            .unwrap_or_default();
         for word in words(message) {
             if let Some(number) = number(word) {
-                self.pairs.push((std::mem::take(&mut name), number));
+                self.pairs.push((names.next(), number));
                 self.sensors.push(sensor);
-            } else if !self.take_unit(message, word, name, sensor) {
+            } else if let Some((name, own, unit)) = sensor_and_unit(message, word) {
+                names.push(name);
+                sensor = Some(own);
+                self.set_unit(unit, own);
+            } else if !self.take_unit(message, word, names.last(), sensor) {
                 // Dates and torn numbers are no names.
                 word.starts_with(char::is_alphabetic).then_some(())?;
-                name = word;
-                sensor = sensor_of(&compact(word)).or(sensor);
+                between_strokes(word).for_each(|name| names.push(name));
+                sensor = names.sensor().or(sensor);
             }
         }
+        let name = names.last();
         // A unit that ends the line is that of its numbers.
         if !name.is_empty() && message.trim_end().ends_with(name) {
             if self.accel_unit.is_none() && self.is_of_one(Sensor::Accelerometer) {
@@ -191,7 +204,7 @@ impl<'a> Numbers<'a> {
         Some(())
     }
 
-    /// Takes a word that is the unit of the numbers before it, or, in parentheses, of those that follow: `Acc (mg) [ 1, 2, 3 ]`.
+    /// Takes a word that is the unit of the numbers before it, or, in brackets, of those that follow: `Acc (mg) [ 1, 2, 3 ]`.
     fn take_unit(&mut self, message: &str, word: &str, name: &str, sensor: Option<Sensor>) -> bool {
         if !self.pairs.is_empty() && word.contains('/') {
             let (accel, gyro) = (word.parse::<AccelUnit>(), word.parse::<GyroUnit>());
@@ -204,20 +217,29 @@ impl<'a> Numbers<'a> {
                 return true;
             }
         }
-        let begin = word.as_ptr() as usize - message.as_ptr() as usize;
-        let is_in_parentheses =
-            message[..begin].ends_with('(') && message[begin + word.len()..].starts_with(')');
-        let is_unit = is_in_parentheses && !name.is_empty();
-        if is_unit {
-            match sensor {
-                Some(Sensor::Accelerometer) => {
-                    self.accel_unit = word.parse().ok().or(self.accel_unit);
-                }
-                Some(Sensor::Gyroscope) => self.gyro_unit = word.parse().ok().or(self.gyro_unit),
-                _ => {}
+        let (is_in_brackets, after) = in_brackets_of(message, word);
+        // Behind a number: `X=1 Y=2 Z=3 mg`.
+        let is_behind = name.is_empty() && !self.pairs.is_empty() && word.len() > 1;
+        match sensor {
+            Some(own) if is_behind && !after.starts_with([':', '=']) => self.set_unit(word, own),
+            Some(own) if is_in_brackets && !name.is_empty() => {
+                self.set_unit(word, own);
+                true
             }
+            _ => is_in_brackets && !name.is_empty(),
         }
-        is_unit
+    }
+
+    /// Takes a word that is a unit of a sensor.
+    fn set_unit(&mut self, word: &str, sensor: Sensor) -> bool {
+        let (accel, gyro) = match sensor {
+            Sensor::Accelerometer => (word.parse().ok(), None),
+            Sensor::Gyroscope => (None, word.parse().ok()),
+            Sensor::Magnetometer => (None, None),
+        };
+        self.accel_unit = accel.or(self.accel_unit);
+        self.gyro_unit = gyro.or(self.gyro_unit);
+        accel.is_some() || gyro.is_some()
     }
 
     /// Calls a count since 1970 behind numbers that all have names the time: `imu ax=1,ay=2,az=3 1700000000000000000`.

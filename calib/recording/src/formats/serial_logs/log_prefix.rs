@@ -96,13 +96,13 @@ pub(super) fn logged(line: &str) -> Option<Logged<'_>> {
         .or_else(|| dated(line))
 }
 
-/// A line without the colours of a terminal around it.
+/// A line without what tells a terminal colours and places: `ESC[0;32m`, `ESC[8D`.
 fn without_colours(line: &str) -> &str {
-    let line = line.trim();
-    let colour = line
-        .strip_prefix("\u{1b}[")
-        .and_then(|rest| rest.split_once('m'));
-    let line = colour.map_or(line, |(_, rest)| rest);
+    let mut line = line.trim();
+    while let Some(rest) = line.strip_prefix("\u{1b}[") {
+        let end = rest.find(|c: char| c.is_ascii_alphabetic());
+        line = end.map_or(rest, |end| &rest[end + 1..]);
+    }
     line.trim_end_matches("\u{1b}[0m").trim()
 }
 
@@ -297,6 +297,10 @@ mod tests {
         );
         assert_eq!(
             of("[00:00:12.345,678] <inf> imu: ax:1 ay:2"),
+            Some((Stamp::OfDay(12.345678), imu, said))
+        );
+        assert_eq!(
+            of("\u{1b}[8D\u{1b}[J[00:00:12.345,678] <inf> imu: ax:1 ay:2\u{1b}[0m"),
             Some((Stamp::OfDay(12.345678), imu, said))
         );
         let noon = Stamp::OfDay(43_200.01);

@@ -3,5 +3,6 @@
 pub(crate) mod adafruit;
 pub(crate) mod headings;
 mod labelled_numbers;
+mod listed_names;
 mod log_prefix;
 pub(crate) mod serial;

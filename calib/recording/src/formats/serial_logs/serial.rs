@@ -65,7 +65,11 @@ fn labelled(look: &Look) -> Option<Vec<Part>> {
         // Where as many are of the one as of the other, lines of other sensors and rules between the blocks may be more.
         let are_blocks = accel.abs_diff(gyro) <= 1 && 8 * (accel + gyro) >= lines.len();
         let are_most = 4 * (accel + gyro) >= 3 * lines.len().saturating_sub(5);
-        if accel.min(gyro) < 2 || !(are_blocks || are_most) {
+        // Two chips, each of which says its name first.
+        let begin = |sensor| of(sensor).map(|row| row.begins_with);
+        let are_of_one = |sensor| begin(sensor).all(|word| begin(sensor).next() == Some(word));
+        let of_others = !are_of_one(Sensor::Accelerometer) || !are_of_one(Sensor::Gyroscope);
+        if accel.min(gyro) < 2 || of_others || !(are_blocks || are_most) {
             return None;
         }
         return Some(vec![
@@ -218,6 +222,18 @@ mod tests {
         };
         assert_eq!(rows(accel), ["0.1,0.2,1.0"; 20]);
         assert_eq!(rows(gyro), ["1,2,3"; 20]);
+    }
+
+    #[test]
+    fn lines_of_two_chips_are_no_sensor() {
+        let block = |other: &str| {
+            format!(
+                "{other} [acc/mg]: 1, 2, 1003\nLSM6 [gyro/mdps]: 1, 2, 3\nLSM6 [acc/mg]: 1, 2, 1000\n"
+            )
+        };
+        let is_read = |block: String| labelled(&Look::at(block.repeat(10).as_bytes())).is_some();
+        assert!(is_read(block("LSM6")));
+        assert!(!is_read(block("LSM3")));
     }
 
     #[test]

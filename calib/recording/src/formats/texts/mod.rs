@@ -1,5 +1,6 @@
 //! Texts of comma-separated and other cells that no single program writes.
 
+pub(crate) mod axis_rows;
 pub(crate) mod brackets;
 pub(crate) mod documents;
 pub(crate) mod fields;

@@ -91,6 +91,8 @@ pub(crate) fn suggestion(names: &[String]) -> Remedy {
     let (accel, gyro) = match (accel, gyro) {
         (Some(accel), None) => (Some(accel), other),
         (None, Some(gyro)) => (other, Some(gyro)),
+        // Of one alone it is the sensor that nearly every table has.
+        (None, None) if time(names).is_some() => (other, None),
         both => both,
     };
     let mut entries: Vec<String> = time(names)
@@ -210,5 +212,9 @@ mod tests {
             "t=1,ax=2,ay=3,az=4,gx=5,gy=6,gz=7"
         );
         assert!(!of(&["sensor", "t", "x", "y", "z"]).contains("gy="));
+        assert_eq!(
+            of(&["accuracy", "timestamp", "values.x", "values.y", "values.z"]),
+            "t=timestamp,ax=values.x,ay=values.y,az=values.z"
+        );
     }
 }

@@ -8,6 +8,7 @@ use super::apart::ForceFit;
 use super::columns::Columns;
 use super::odd_axis::say_odd_axis;
 use super::scales::{Scales, rounded, undone};
+use super::ticked::ticked;
 use crate::gravity::STANDARD_GRAVITY;
 
 /// All axes off by so much, alike to this part of it, are the unit or gravity rather than the sensor ...
@@ -27,7 +28,11 @@ const GRAVITY: std::ops::Range<f64> = 0.9..1.1;
 impl ForceFit<'_> {
     /// Gravity's word on it.
     pub fn said(&self) -> Said {
-        said(self, &Columns::of(self.recordings, Sensor::Accelerometer))
+        let mut said = said(self, &Columns::of(self.recordings, Sensor::Accelerometer));
+        if let Some(found) = ticked(self.recordings) {
+            said.warn(found);
+        }
+        said
     }
 }
 

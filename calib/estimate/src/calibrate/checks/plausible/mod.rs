@@ -18,6 +18,7 @@ mod odd_axis;
 mod rate;
 mod readings;
 mod scales;
+mod ticked;
 mod turned;
 
 pub(in crate::calibrate) use apart::{ForceFit, RateFit};

@@ -89,7 +89,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
         },
         Kind::ClockOfTicks => Entry {
             reason: "the time stamps may count 1/1024 s",
-            text: "the gyroscope's scale factor is {ratio} on all axes, as if the time stamps counted 1/1024 s instead of ms. The file does not state their unit",
+            text: "[the gyroscope's scale factor is {ratio} on all axes, as if the time stamps counted 1/1024 s instead of ms. ]The file does not state the unit of the time stamps[. The rate is {rate} if they count 1/1024 s, and it is no usual one if they count ms]",
             advice: "compare the length of the recording with its true duration: if it is too long by 2.4 %, the stamps count 1/1024 s",
             ..care(2.3)
         },

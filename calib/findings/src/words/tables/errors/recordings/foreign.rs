@@ -33,10 +33,6 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "this is an HTML page, perhaps of a failed download",
             "download the file itself",
         ),
-        Kind::ArdupilotText => error(
-            "this is an ArduPilot log that was made a text",
-            "name the .BIN that it was made of",
-        ),
         Kind::BlackboxLog => error(
             "this is a Blackbox log of Betaflight or INAV",
             "decode it, `blackbox_decode FILE`, and name the .csv",

@@ -7,7 +7,7 @@ use crate::words::entry::{Entry, error, error_by, error_with};
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
         Kind::NoTime => error_by(
-            "the table has no column with the time of each row[; {likely} may be one]",
+            "the table has no column with the time of each row[; {likely} may be one][. The lines above it state a rate of {said}]",
             vec![Remedy::examples([
                 (OptionName::Rate, "100"),
                 (OptionName::Columns, "t=1"),
