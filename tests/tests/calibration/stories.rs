@@ -220,7 +220,7 @@ fn three_placements_name_what_is_not_observable() {
     });
     let what = refusal(&spec);
     assert!(
-        what.contains("unknowns, and not") && what.contains("accel."),
+        what.contains("cannot be found from them") && what.contains("accel."),
         "{what}"
     );
     assert!(

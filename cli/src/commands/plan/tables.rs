@@ -21,7 +21,9 @@ pub fn text(
     force_only: bool,
 ) -> String {
     let mut text = String::new();
+    let mut open: &[&str] = &[];
     if let Some(found) = input.and_then(|input| input.coverage.as_ref()) {
+        open = &found.unknown;
         let unknown = match found.unknown.as_slice() {
             [] => "every parameter of the accelerometer is determined".into(),
             names => format!("not known: {}", names.join(", ")),
@@ -47,7 +49,7 @@ pub fn text(
         show::counted((plan.duration / 60.0).ceil() as usize, "minute")
     );
     if ties.is_empty() {
-        let _ = writeln!(text, "{}\n", errors(plan, force_only));
+        let _ = writeln!(text, "{}\n", errors(plan, open, force_only));
     } else {
         let _ = writeln!(text, "{}\n", separations(ties));
     }
@@ -155,8 +157,8 @@ fn separations(ties: &[Row]) -> comfy_table::Table {
     table
 }
 
-/// The standard errors before and after.
-fn errors(plan: &Plan, force_only: bool) -> comfy_table::Table {
+/// The standard errors before and after, those before that are `open` without a number.
+fn errors(plan: &Plan, open: &[&str], force_only: bool) -> comfy_table::Table {
     let mut table = show::table(&["standard error", "unit", "before", "after"]);
     let number = |v: Option<&f64>, factor: f64| {
         v.filter(|v| v.is_finite())
@@ -168,7 +170,11 @@ fn errors(plan: &Plan, force_only: bool) -> comfy_table::Table {
         }
         let (factor, unit) = unit_of(name);
         let of = |p: &Prediction| number(p.standard_errors.get(k), factor);
-        table.add_row([name.clone(), unit.into(), of(&plan.before), of(&plan.after)]);
+        let before = match open.contains(&name.as_str()) {
+            true => "open".into(),
+            false => of(&plan.before),
+        };
+        table.add_row([name.clone(), unit.into(), before, of(&plan.after)]);
     }
     let of = |v: f64, factor: f64| number(Some(&v), factor);
     let reading = "a reading of 1 g, rms".to_owned();

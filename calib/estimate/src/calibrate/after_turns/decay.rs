@@ -158,14 +158,22 @@ pub fn slowest(rests: &[Rested<'_>]) -> Option<Decay> {
 mod tests {
     use super::*;
 
+    /// Even noise between -.5 and .5 by place and seed (splitmix64).
+    fn noise(place: u64, seed: u64) -> f64 {
+        let mut z = (place << 32 | seed).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+    }
+
     /// Eight intervals of 6 s whose readings of x are off by `error` right after the turn, with a ripple for noise.
     fn decays(error: f64, tau: f64) -> Option<Decay> {
         let t: Vec<f64> = (0..600).map(|k| f64::from(k) * 0.01).collect();
-        let values = |seed: u32| -> Vec<Vector3<f64>> {
-            let noise = |k: u32| f64::from((k * 7919 + seed * 104_729) % 1009) / 1009.0 - 0.5;
-            let of = |(k, t): (u32, &f64)| {
-                let x = error * (-t / tau).exp() + 0.05 * noise(k);
-                Vector3::new(x, 0.05 * noise(k + 300), 9.8)
+        let values = |seed: u64| -> Vec<Vector3<f64>> {
+            let of = |(k, t): (u64, &f64)| {
+                let x = error * (-t / tau).exp() + 0.05 * noise(k, seed);
+                let [y, z] = [1000, 2000].map(|axis| 0.05 * noise(k + axis, seed));
+                Vector3::new(x, y, 9.8 + z)
             };
             (0..).zip(&t).map(of).collect()
         };

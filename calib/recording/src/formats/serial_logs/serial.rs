@@ -231,7 +231,7 @@ mod tests {
                 "{other} [acc/mg]: 1, 2, 1003\nLSM6 [gyro/mdps]: 1, 2, 3\nLSM6 [acc/mg]: 1, 2, 1000\n"
             )
         };
-        let is_read = |block: String| labelled(&Look::at(block.repeat(10).as_bytes())).is_some();
+        let is_read = |block: String| labelled(&Look::at(block.repeat(20).as_bytes())).is_some();
         assert!(is_read(block("LSM6")));
         assert!(!is_read(block("LSM3")));
     }

@@ -29,8 +29,8 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
         },
         Kind::ClockOffset => Entry {
             reason: "the clock of the {sensor} is {late} late",
-            text: "the clock of the {sensor} is {late} late against that of the {other}, by their motion[. An offset of {also} fits about as well]. The program does not correct this: do not use the calibration",
-            advice: "record both sensors with one app or logger",
+            text: "the clock of the {sensor} is {late} late against that of the {other}, by their motion[. An offset of {also} fits about as well]. The program does not correct this",
+            advice: "do not use this calibration; record both sensors with one app or logger",
             remedies: vec![Remedy::OneClock],
             use_of_result: UseOfResult::Forbidden,
             ..care(1.0)

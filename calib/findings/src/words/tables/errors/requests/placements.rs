@@ -21,7 +21,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "",
         ),
         Kind::PlacementsLeaveOpen => error_by(
-            "{count:placement}, {distinct} of which differ by more than 20°: they determine only {rank} of the accelerometer's {free} unknowns, and not {parameters}[; no placement has {missing}]",
+            "{count:placement}, {distinct} of which differ by more than 20°: they determine only {rank} of the accelerometer's {free} unknowns: {parameters} cannot be found from them[; no placement has {missing}]",
             vec![Remedy::Plan],
         ),
         Kind::PlacementsTooFew => error_by(
