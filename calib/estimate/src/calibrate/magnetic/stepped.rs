@@ -6,7 +6,8 @@ use sensor::Sensor;
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use super::units::Units;
-use crate::methods::magnetic::{Field, MagneticFit, MagneticRequest, fit_magnetometer};
+use super::wandering::neighbours_are_alike;
+use crate::methods::magnetic::{Field, MagneticFit, MagneticRequest, fit_magnetometer, fit_to_all};
 use crate::methods::small_sample::by_chance;
 
 /// What is another from a step on.
@@ -34,6 +35,12 @@ const MOST: usize = 4;
 /// Noises of a mean by which the field has to differ from place to place before a step is looked for.
 const UNEVEN: f64 = 4.0;
 
+/// Steps of the bias alone are looked for where neighbours are alike as in fewer than this share of all orders: a bias turns with the device.
+const IN_ORDER: f64 = 0.1;
+
+/// Placements to either side of a step among which it is looked for again beside another.
+const NEAR: usize = 3;
+
 /// Steps are the cause where they leave less than this share of the unevenness.
 const LEFT: f64 = 0.3;
 
@@ -56,11 +63,9 @@ pub fn stepped<'a>(
     }
     let noise = fit.residual_rms / fit.reduced_chi2.max(f64::MIN_POSITIVE).sqrt();
     let both = fewest_steps(request, fit, noise, Stepping::Both);
-    let is_enough = |found: &(_, MagneticFit)| found.1.unevenness <= UNEVEN * noise;
-    let (steps, best) = match both.filter(is_enough) {
-        Some(found) => found,
-        None => steps_of_the_bias(request, fit, noise)
-            .or_else(|| fewest_steps(request, fit, noise, Stepping::Both))?,
+    let (steps, best) = match both {
+        Some((steps, best)) if best.unevenness <= UNEVEN * noise => (steps, best),
+        both => steps_of_the_bias(request, fit, noise).or(both)?,
     };
     let (at, before) = steps.split_last()?;
     let span = request.placements[*at].span;
@@ -123,29 +128,33 @@ fn one_more(
     stepping: Stepping,
 ) -> Option<MagneticFit> {
     let others = steps.len();
-    let (place, mut best) = best_beside(request, steps, stepping)?;
-    steps.push(place);
+    steps.push(best_beside(request, steps, stepping, None)?);
     for _ in 0..2 * others {
         steps.rotate_left(1);
-        (steps[others], best) = best_beside(request, &steps[..others], stepping)?;
+        let near = Some(steps[others]);
+        steps[others] = best_beside(request, &steps[..others], stepping, near)?;
     }
-    Some(best)
+    fit_magnetometer(divided(request, steps, stepping)).ok()
 }
 
-/// The place of one more step, and the fit that leaves least.
+/// The place of one more step whose fit leaves least, near another where one is given.
 fn best_beside(
     request: &MagneticRequest<'_>,
     others: &[usize],
     stepping: Stepping,
-) -> Option<(usize, MagneticFit)> {
+    near: Option<usize>,
+) -> Option<usize> {
     let side = stepping.side();
     let places = side..request.placements.len().saturating_sub(side - 1);
     let is_apart = |at: &usize| others.iter().all(|other| other.abs_diff(*at) >= side);
-    let fits = places.filter(is_apart).filter_map(|at| {
+    let is_near = |at: &usize| near.is_none_or(|near| near.abs_diff(*at) <= NEAR);
+    let fits = places.filter(is_apart).filter(is_near).filter_map(|at| {
         let all = [others, &[at]].concat();
-        Some((at, fit_magnetometer(divided(request, &all, stepping)).ok()?))
+        let fit = fit_to_all(&divided(request, &all, stepping)).ok()?;
+        Some((at, fit.unevenness))
     });
-    fits.min_by(|a, b| a.1.unevenness.total_cmp(&b.1.unevenness))
+    let best = fits.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    Some(best.0)
 }
 
 /// Steps of the bias alone that leave an even field, where chance does not make so much of an uneven one.
@@ -154,6 +163,9 @@ fn steps_of_the_bias<'a>(
     fit: &MagneticFit,
     noise: f64,
 ) -> Option<(Vec<usize>, MagneticFit)> {
+    if !neighbours_are_alike(fit, IN_ORDER) {
+        return None;
+    }
     let (steps, best) = fewest_steps(request, fit, noise, Stepping::Bias)?;
     let square = |fit: &MagneticFit| {
         let variance = fit.unevenness.powi(2) + noise.powi(2);

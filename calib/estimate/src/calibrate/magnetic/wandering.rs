@@ -24,7 +24,7 @@ pub fn told_from_the_field(
     let uneven =
         |found: &&Finding| matches!(found.kind, Kind::FieldUneven | Kind::FieldLittleUneven);
     let uneven = calibration.warnings.iter().find(uneven)?;
-    if !neighbours_are_alike(&in_order(fit)) {
+    if !neighbours_are_alike(fit, UNLIKELY) {
         return None;
     }
     let kind = match uneven.kind {
@@ -47,13 +47,18 @@ fn in_order(fit: &MagneticFit) -> Vec<Vec<Vector3<f64>>> {
     all
 }
 
+/// Returns true if what a fit leaves is alike in neighbouring static intervals as in fewer than this share of all orders.
+pub fn neighbours_are_alike(fit: &MagneticFit, unlikely: f64) -> bool {
+    are_alike(&in_order(fit), unlikely)
+}
+
 /// Returns true if neighbours are alike as in few orders of the same vectors.
-fn neighbours_are_alike(all: &[Vec<Vector3<f64>>]) -> bool {
+fn are_alike(all: &[Vec<Vector3<f64>>], unlikely: f64) -> bool {
     let alike = |all: &[Vec<Vector3<f64>>]| -> f64 {
         let pairs = all.iter().flat_map(|own| own.windows(2));
         pairs.map(|pair| pair[0].dot(&pair[1])).sum()
     };
-    let (found, most) = (alike(all), (UNLIKELY * ORDERS as f64) as usize);
+    let (found, most) = (alike(all), (unlikely * ORDERS as f64) as usize);
     let mut others = all.to_vec();
     let mut order = Order(1);
     let as_alike = (0..ORDERS).filter(|_| {
@@ -93,7 +98,7 @@ mod tests {
             .map(|k| Vector3::repeat(f64::from(k) - 9.5))
             .collect();
         let mixed: Vec<_> = (0..20).map(|k| ramp[k * 7 % 20]).collect();
-        assert!(neighbours_are_alike(&[ramp]));
-        assert!(!neighbours_are_alike(&[mixed]));
+        assert!(are_alike(&[ramp], UNLIKELY));
+        assert!(!are_alike(&[mixed], UNLIKELY));
     }
 }

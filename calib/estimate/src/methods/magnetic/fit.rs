@@ -65,6 +65,14 @@ pub fn fit_magnetometer(mut request: MagneticRequest<'_>) -> Result<MagneticFit,
     }
 }
 
+/// Fits a magnetometer to all placements, also to one in another field: a first look at many divisions of a recording.
+///
+/// # Errors
+/// As [`fit_magnetometer`].
+pub fn fit_to_all(request: &MagneticRequest<'_>) -> Result<MagneticFit, Error> {
+    Ok(fit_all(request)?.0)
+}
+
 /// The fit to all placements, and the one that is disturbed most, if one is.
 fn fit_all(request: &MagneticRequest<'_>) -> Result<(MagneticFit, Option<(usize, f64)>), Error> {
     let used = request.placements.iter().filter(|p| p.is_used).count();
