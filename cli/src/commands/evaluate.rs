@@ -159,8 +159,8 @@ pub fn run(args: &Args) -> Result<(), Failure> {
                 sentence: sentence.clone(),
                 next: next.iter().map(Step::in_words).collect(),
                 limits: limits::shown_of(&judged),
+                warnings: warnings.clone(),
             },
-            &warnings,
         )?;
         pictures.write(&plots, &page)?;
     }

@@ -61,7 +61,6 @@ pub fn page(
     (header, cells): (&[&str], &[Vec<String>]),
     gravities: &[f64],
     judged: Judged,
-    warnings: &[String],
 ) -> Result<(Report, Vec<(String, Picture)>), calib::Error> {
     let cut = || std::iter::once((recording, segmentation));
     let mut sessions = Vec::new();
@@ -118,7 +117,7 @@ pub fn page(
         .figures(figures)
         .next(&judged.next)
         .limits(judged.limits)
-        .warnings(&show::folded(warnings))
+        .warnings(&show::folded(&judged.warnings))
         .section("Side by side")
         .table(table)
         .section("What is left");
@@ -168,6 +167,8 @@ pub struct Judged {
     pub next: Vec<String>,
     /// Limits that were asked.
     pub limits: Vec<Limit>,
+    /// Warnings.
+    pub warnings: Vec<String>,
 }
 
 /// The best calibration against the raw readings, and what speaks against it; `doubts` and `failed`, the limits that it does not keep in words,

@@ -169,7 +169,8 @@ fn stopped(sensor: Sensor, ending: &Ending) -> Finding {
 
 /// The finding with the parameter that has the largest error, a bias against gravity; as it is where all are known well.
 fn with_weakest(found: Finding, fit: &ForceEvidence<'_>) -> Finding {
-    match weakest(fit).filter(|(_, error)| !(*error <= KNOWN_WELL)) {
+    let is_open = |(_, error): &(&str, f64)| error.is_nan() || *error > KNOWN_WELL;
+    match weakest(fit).filter(is_open) {
         Some((name, error)) if name.contains(".b_") => {
             known_to(found, name, error, (error * fit.gravity, "m/s^2"))
         }
