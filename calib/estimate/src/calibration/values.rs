@@ -9,9 +9,10 @@ use crate::limits::parameter;
 impl Calibration {
     /// The values of all parameters in the order of the covariance, biases of single recordings among them.
     pub(crate) fn parameter_values(&self) -> DVector<f64> {
-        let value = |name: &String| match parameter(self, name) {
-            Some((value, _)) => value,
-            None => self.bias_of_recording(name).unwrap_or(0.0),
+        let value = |name: &String| {
+            let own = self.bias_of_the_last(name);
+            let own = own.or_else(|| Some(parameter(self, name)?.0));
+            own.or_else(|| self.bias_of_recording(name)).unwrap_or(0.0)
         };
         DVector::from_iterator(self.parameters.len(), self.parameters.iter().map(value))
     }
@@ -30,6 +31,32 @@ impl Calibration {
         }
         let row = |i: usize| (0..n).map(|j| covariance[(i, j)]).collect();
         self.covariance = (0..n).map(row).collect();
+        for sensor in Sensor::ALL {
+            if let Some(triad) = self
+                .triad_mut(sensor)
+                .filter(|own| !own.recordings.is_empty())
+            {
+                let recordings = std::mem::take(&mut triad.recordings);
+                triad.state_biases(recordings);
+            }
+        }
+    }
+
+    /// The bias of the last of several recordings, which has the name of the sensor's own.
+    fn bias_of_the_last(&self, name: &str) -> Option<f64> {
+        let of = |sensor: Sensor| {
+            let axis = base_names(sensor)
+                .iter()
+                .position(|own| own == name)?
+                .checked_sub(PLACES.len())?;
+            self.triad(sensor)?
+                .recordings
+                .last()?
+                .bias
+                .get(axis)
+                .copied()
+        };
+        Sensor::ALL.into_iter().find_map(of)
     }
 
     fn bias_of_recording(&self, name: &str) -> Option<f64> {
