@@ -1,17 +1,14 @@
 //! Tables in which a row has the number of one axis, and its other cells are blank: `1700000000001,0.1,,` and `1700000000002,,0.2,`.
 
-use std::io::Read;
-
 use sensor::Sensor;
 
+use super::gathered::{Gather, parts_of};
 use super::places::may_be_row;
 use super::text_format::TextFormat;
 use crate::header::look::{Look, cells};
 use crate::header::names::{role_of, stated_unit, take_apart};
 use crate::recording::options::Role;
-use crate::rows::parts::{Change, Part};
-use crate::source::rewrite::rewritten;
-use crate::units::Stated;
+use crate::rows::parts::Part;
 
 /// Rows of one axis each.
 pub(crate) static AXIS_ROWS: TextFormat = TextFormat {
@@ -57,24 +54,29 @@ impl Columns {
 }
 
 /// The numbers since the last row of all axes, and the time of the first.
-#[derive(Default)]
 struct Gathered {
+    columns: Columns,
     time: String,
     axes: [Option<String>; 3],
 }
 
-impl Gathered {
-    /// Takes a row, and returns the row of all axes that it completes.
-    fn next(&mut self, cells: &[String], columns: &Columns) -> Option<String> {
-        let axis = columns.axis(cells)?;
+impl Gather for Gathered {
+    fn below(header: &[String], sensor: Sensor) -> Option<Self> {
+        Some(Self {
+            columns: Columns::of(header, sensor)?,
+            time: String::new(),
+            axes: Default::default(),
+        })
+    }
+
+    fn next(&mut self, cells: &[String]) -> Option<String> {
+        let axis = self.columns.axis(cells)?;
         // An axis that comes again before the others: one of them was lost.
         if self.axes.iter().all(Option::is_none) || self.axes[axis].is_some() {
-            *self = Self {
-                time: cells.get(columns.time)?.clone(),
-                ..Self::default()
-            };
+            self.time.clone_from(cells.get(self.columns.time)?);
+            self.axes = Default::default();
         }
-        self.axes[axis] = cells.get(columns.axes[axis]).cloned();
+        self.axes[axis] = cells.get(self.columns.axes[axis]).cloned();
         let [Some(x), Some(y), Some(z)] = &self.axes else {
             return None;
         };
@@ -107,48 +109,12 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
     if whole.len() < FEWEST || !whole.iter().all(is_of_one) {
         return None;
     }
-    let change = |sensor: Sensor| -> Option<Change> {
-        let columns = of(sensor)?;
-        whole
-            .iter()
-            .any(|row| columns.axis(row).is_some())
-            .then_some(())?;
-        Some(match sensor {
-            Sensor::Accelerometer => |text| rows_of(text, Sensor::Accelerometer),
-            Sensor::Gyroscope => |text| rows_of(text, Sensor::Gyroscope),
-            Sensor::Magnetometer => |text| rows_of(text, Sensor::Magnetometer),
-        })
+    let has = |sensor: Sensor| {
+        let columns = of(sensor);
+        columns.is_some_and(|columns| whole.iter().any(|row| columns.axis(row).is_some()))
     };
-    let changes = Sensor::ALL.map(change);
-    changes[..2].iter().any(Option::is_some).then_some(())?;
     let unit = |sensor: Sensor| take_apart(&header[of(sensor)?.axes[0]]).1;
-    let stated = Stated {
-        time: stated_unit(&header[known.first()?.time]),
-        accel: unit(Sensor::Accelerometer).and_then(|unit| unit.parse().ok()),
-        gyro: unit(Sensor::Gyroscope).and_then(|unit| unit.parse().ok()),
-        ..Stated::default()
-    };
-    Some(Part::of_each(changes, ["1", "2", "3", "4"], stated).collect())
-}
-
-/// A row for every three of one sensor, at the line that completes it; the other lines are blank.
-fn rows_of(text: Box<dyn Read + Send>, sensor: Sensor) -> Box<dyn Read + Send> {
-    let mut columns: Option<Columns> = None;
-    let mut gathered = Gathered::default();
-    rewritten(text, move |line, out| {
-        let text = String::from_utf8_lossy(line);
-        if !may_be_row(&text) {
-            return;
-        }
-        let cells = cells(&text);
-        match columns {
-            None => columns = Columns::of(&cells, sensor),
-            Some(columns) => {
-                let row = gathered.next(&cells, &columns);
-                out.extend_from_slice(row.unwrap_or_default().as_bytes());
-            }
-        }
-    })
+    parts_of::<Gathered>(has, stated_unit(&header[known.first()?.time]), unit)
 }
 
 #[cfg(test)]

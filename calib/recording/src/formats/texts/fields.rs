@@ -1,17 +1,14 @@
 //! Tables with a row per number, which says its name: `0.01,ax,0.05`.
 
-use std::io::Read;
-
 use sensor::Sensor;
 
+use super::gathered::{Gather, parts_of};
 use super::places::may_be_row;
 use super::text_format::TextFormat;
 use crate::header::look::{Look, cells};
 use crate::header::names::{compact, is_field, role_of, sensor_of, stated_unit, take_apart};
 use crate::recording::options::Role;
-use crate::rows::parts::{Change, Part};
-use crate::source::rewrite::rewritten;
-use crate::units::Stated;
+use crate::rows::parts::Part;
 
 /// Rows of one number each.
 pub(crate) static FIELDS: TextFormat = TextFormat {
@@ -80,23 +77,33 @@ fn name_of(cells: &[String]) -> Option<(Sensor, usize)> {
     whole.or_else(|| Some((sensor()?, axis()?)))
 }
 
-/// The numbers of the instant that the last row is of.
-#[derive(Default)]
+/// The numbers of a sensor at the instant that the last row is of.
 struct Instant {
+    sensor: Sensor,
+    columns: Columns,
     time: String,
     axes: [Option<String>; 3],
 }
 
-impl Instant {
-    /// Takes a row of the sensor, and returns the row of its three axes that it completes.
-    fn next(&mut self, cells: &[String], columns: Columns, sensor: Sensor) -> Option<String> {
-        let (time, value) = (cells.get(columns.time)?, cells.get(columns.value)?);
-        let (_, axis) = name_of(cells).filter(|(own, _)| *own == sensor)?;
+impl Gather for Instant {
+    fn below(header: &[String], sensor: Sensor) -> Option<Self> {
+        Some(Self {
+            sensor,
+            columns: Columns::of(header)?,
+            time: String::new(),
+            axes: Default::default(),
+        })
+    }
+
+    fn next(&mut self, cells: &[String]) -> Option<String> {
+        let (time, value) = (
+            cells.get(self.columns.time)?,
+            cells.get(self.columns.value)?,
+        );
+        let (_, axis) = name_of(cells).filter(|(own, _)| *own == self.sensor)?;
         if *time != self.time {
-            *self = Self {
-                time: time.clone(),
-                ..Self::default()
-            };
+            self.time.clone_from(time);
+            self.axes = Default::default();
         }
         self.axes[axis] = Some(value.clone());
         let [Some(x), Some(y), Some(z)] = &self.axes else {
@@ -118,54 +125,19 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
     if 2 * named < rows.len() {
         return None;
     }
-    let count = |sensor: Sensor| {
-        let mut instant = Instant::default();
-        let mut whole = rows
-            .iter()
-            .filter_map(|row| instant.next(row, columns, sensor));
-        whole.by_ref().take(2).count()
+    let has = |sensor: Sensor| {
+        let Some(mut instant) = Instant::below(&header, sensor) else {
+            return false;
+        };
+        let whole = rows.iter().filter_map(|row| instant.next(row));
+        whole.take(2).count() == 2
     };
-    let change = |sensor: Sensor| -> Option<Change> {
-        (count(sensor) == 2).then_some(match sensor {
-            Sensor::Accelerometer => |text| rows_of(text, Sensor::Accelerometer),
-            Sensor::Gyroscope => |text| rows_of(text, Sensor::Gyroscope),
-            Sensor::Magnetometer => |text| rows_of(text, Sensor::Magnetometer),
-        })
-    };
-    let changes = Sensor::ALL.map(change);
-    changes[..2].iter().any(Option::is_some).then_some(())?;
     let unit = |sensor: Sensor| {
         let is_own = |cell: &&String| axis_of(cell).is_some_and(|(own, _)| own == sensor);
         let name = rows.iter().flatten().find(is_own)?;
         take_apart(name).1
     };
-    let stated = Stated {
-        time: stated_unit(&header[columns.time]),
-        accel: unit(Sensor::Accelerometer).and_then(|unit| unit.parse().ok()),
-        gyro: unit(Sensor::Gyroscope).and_then(|unit| unit.parse().ok()),
-        ..Stated::default()
-    };
-    Some(Part::of_each(changes, ["1", "2", "3", "4"], stated).collect())
-}
-
-/// A row for each instant of one sensor, at the line that completes it; the other lines are blank.
-fn rows_of(text: Box<dyn Read + Send>, sensor: Sensor) -> Box<dyn Read + Send> {
-    let mut columns: Option<Columns> = None;
-    let mut instant = Instant::default();
-    rewritten(text, move |line, out| {
-        let text = String::from_utf8_lossy(line);
-        if !may_be_row(&text) {
-            return;
-        }
-        let cells = cells(&text);
-        match columns {
-            None => columns = Columns::of(&cells),
-            Some(columns) => {
-                let row = instant.next(&cells, columns, sensor);
-                out.extend_from_slice(row.unwrap_or_default().as_bytes());
-            }
-        }
-    })
+    parts_of::<Instant>(has, stated_unit(&header[columns.time]), unit)
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ pub(crate) mod axis_rows;
 pub(crate) mod brackets;
 pub(crate) mod documents;
 pub(crate) mod fields;
+mod gathered;
 pub(crate) mod labview;
 pub(crate) mod long;
 pub(crate) mod per_axis;
