@@ -181,6 +181,12 @@ fn with_what_placements_hide(mut outcome: Outcome) -> Outcome {
     outcome
 }
 
+/// Returns true if a finding is of a recording, or of a part of it.
+fn is_in(found: &Finding, recording: &Recording) -> bool {
+    let place = found.place.recording.as_deref();
+    place.is_some_and(|own| is_of(own, &recording.name))
+}
+
 /// Returns true for a turn that misses gravity and that the fit has left out and said so.
 fn is_left_out(change: &Finding, said: &Findings, recording: &Recording) -> bool {
     let middle = |found: &Finding| Some(0.5 * (found.place.t0? + found.place.t1?));
@@ -189,9 +195,7 @@ fn is_left_out(change: &Finding, said: &Findings, recording: &Recording) -> bool
     };
     let is_said = |found: &Finding| {
         let is_turn = matches!(found.kind, Kind::TurnMissed | Kind::TurnWithoutSamples);
-        let place = found.place.recording.as_deref();
-        let is_here = place.is_some_and(|own| is_of(own, &recording.name));
-        is_turn && is_here && middle(change).is_some_and(|at| holds(found, at))
+        is_turn && is_in(found, recording) && middle(change).is_some_and(|at| holds(found, at))
     };
     change.kind == Kind::TurnOff && said.iter().any(is_said)
 }
@@ -210,8 +214,6 @@ fn withdraw_motion(warnings: &mut Findings, recording: &Recording, changes: &[Fi
             found.kind,
             Kind::BiasMoved | Kind::BiasWandered | Kind::BiasUnsteady
         );
-        let place = found.place.recording.as_deref();
-        let is_here = place.is_some_and(|own| is_of(own, &recording.name));
-        !(moves && is_here && changed(found))
+        !(moves && is_in(found, recording) && changed(found))
     });
 }

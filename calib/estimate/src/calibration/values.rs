@@ -44,19 +44,8 @@ impl Calibration {
 
     /// The bias of the last of several recordings, which has the name of the sensor's own.
     fn bias_of_the_last(&self, name: &str) -> Option<f64> {
-        let of = |sensor: Sensor| {
-            let axis = base_names(sensor)
-                .iter()
-                .position(|own| own == name)?
-                .checked_sub(PLACES.len())?;
-            self.triad(sensor)?
-                .recordings
-                .last()?
-                .bias
-                .get(axis)
-                .copied()
-        };
-        Sensor::ALL.into_iter().find_map(of)
+        let (sensor, axis) = axis_of_bias(name)?;
+        Some(self.triad(sensor)?.recordings.last()?.bias[axis])
     }
 
     fn bias_of_recording(&self, name: &str) -> Option<f64> {
@@ -117,8 +106,14 @@ impl Triad {
 fn own_bias(name: &str) -> Option<(Sensor, usize, &str)> {
     let (base, recording) = name.split_once('[')?;
     let recording = recording.strip_suffix(']')?;
+    let (sensor, axis) = axis_of_bias(base)?;
+    Some((sensor, axis, recording))
+}
+
+/// `accel.b_x` taken apart: sensor and axis; `None` of any other parameter.
+fn axis_of_bias(name: &str) -> Option<(Sensor, usize)> {
     Sensor::ALL.into_iter().find_map(|sensor| {
-        let k = base_names(sensor).iter().position(|own| own == base)?;
-        Some((sensor, k.checked_sub(PLACES.len())?, recording))
+        let k = base_names(sensor).iter().position(|own| own == name)?;
+        Some((sensor, k.checked_sub(PLACES.len())?))
     })
 }

@@ -10,6 +10,7 @@ use super::axes::SignedAxes;
 use super::columns::Columns;
 use super::odd_axis::say_odd_axis;
 use super::scales::{Scales, rounded};
+use super::ticked::{TICKS, clock_of_ticks};
 use crate::calibrate::checks::determined::LOST;
 
 /// An element of the gyroscope's matrix this far from that of aligned axes is no misalignment.
@@ -20,8 +21,6 @@ const COMMON_SCALE: f64 = 0.03;
 /// The same to a factor of two, the commonest of wrong rates, and the sensor's own errors on top.
 const COMMON_SCALES: std::ops::RangeInclusive<f64> = 0.45..=2.2;
 
-/// Ticks in a second of clocks that come from the crystal of a watch, by 32.
-const TICKS: f64 = 1024.0;
 /// A gyroscope's own scale beside them, all axes together; one axis has twice that.
 const TICKS_OFF: f64 = 0.008;
 
@@ -135,16 +134,9 @@ fn ticks(fit: &RateFit<'_>, scales: &Scales) -> Option<Finding> {
             .each()
             .iter()
             .all(|s| near(s.recip(), 2.0 * TICKS_OFF));
-    let described = recording.description.of(Sensor::Gyroscope)?;
-    (are_near && scales.tell((TICKS / 1000.0).ln())).then(|| {
-        of(Kind::ClockOfTicks)
-            .in_recording(&recording.name)
-            .detail("ratio", format!("{ratio:.3}"))
-            .only_remedies([Remedy::set_to(
-                OptionName::Columns,
-                described.by_clock(TICKS),
-            )])
-    })
+    let found = clock_of_ticks(recording, Sensor::Gyroscope)?.of_sensor(Sensor::Gyroscope);
+    (are_near && scales.tell((TICKS / 1000.0).ln()))
+        .then(|| found.detail("ratio", format!("{ratio:.3}")))
 }
 
 /// The unit of readings that are not in rad/s.

@@ -6,8 +6,8 @@ use sensor::Sensor;
 
 use super::columns::Columns;
 
-/// Ticks in a second.
-const TICKS: f64 = 1024.0;
+/// Ticks in a second of clocks that come from the crystal of a watch, by 32.
+pub(super) const TICKS: f64 = 1024.0;
 
 /// Returns the finding about stamps whose rate is a usual one in ticks and not in milliseconds.
 pub(super) fn ticked(recordings: &[&Recording]) -> Option<Finding> {
@@ -26,14 +26,12 @@ pub(super) fn ticked(recordings: &[&Recording]) -> Option<Finding> {
     if has_rates {
         return None;
     }
-    let described = recording.description.of(Sensor::Accelerometer)?;
-    Some(
-        Finding::of(Kind::ClockOfTicks)
-            .in_recording(&recording.name)
-            .number("rate", rate, "Hz")
-            .only_remedies([Remedy::set_to(
-                OptionName::Columns,
-                described.by_clock(TICKS),
-            )]),
-    )
+    Some(clock_of_ticks(recording, Sensor::Accelerometer)?.number("rate", rate, "Hz"))
+}
+
+/// The finding about the clock of a sensor that may count so, with the columns that read it as that.
+pub(super) fn clock_of_ticks(recording: &Recording, sensor: Sensor) -> Option<Finding> {
+    let by_ticks = recording.description.of(sensor)?.by_clock(TICKS);
+    let found = Finding::of(Kind::ClockOfTicks).in_recording(&recording.name);
+    Some(found.only_remedies([Remedy::set_to(OptionName::Columns, by_ticks)]))
 }
