@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use ::findings::{Finding, Front};
+use ::findings::{Finding, Front, Step};
 use calib::document::to_json;
 use comfy_table::presets::NOTHING;
 use comfy_table::{
@@ -143,6 +143,15 @@ pub fn capital(text: &str) -> String {
     let mut letters = text.chars();
     let first = letters.next().map(char::to_uppercase);
     first.into_iter().flatten().chain(letters).collect()
+}
+
+/// A step as a sentence, its command behind it.
+pub fn step(step: &Step) -> String {
+    let text = capital(&step.text);
+    match &step.command {
+        Some(command) => format!("{text}: {command}"),
+        None => format!("{}.", text.trim_end_matches('.')),
+    }
 }
 
 /// `1 minute`, `2 minutes`.

@@ -54,6 +54,24 @@ pub struct Step {
     pub command: Option<String>,
 }
 
+impl Step {
+    /// A step with its command.
+    pub fn new(text: impl Into<String>, command: impl Into<String>) -> Self {
+        Self {
+            text: text.into(),
+            command: Some(command.into()),
+        }
+    }
+
+    /// A step in words alone.
+    pub fn words(text: impl Into<String>) -> Self {
+        Self {
+            text: text.into(),
+            command: None,
+        }
+    }
+}
+
 /// The verdict on a calibration or a recording.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Verdict {

@@ -17,7 +17,7 @@ use calib::methods::online_bias::{
 use calib::readings::symptoms;
 use sensor::Sensor;
 
-use crate::commands::shared::first_screen::{Screen, Step, wrote};
+use crate::commands::shared::first_screen::{Screen, Step, apply_to, wrote};
 use crate::commands::shared::inputs::{DetectorArgs, DeviceArgs, gates_of, load, read_for};
 use crate::commands::shared::names::Names;
 use crate::commands::shared::pictures::{PictureArgs, named};
@@ -140,7 +140,7 @@ fn screen(
     let moved: Vec<String> = moved.into_iter().flatten().collect();
     let recording = command_line(&args.recording);
     let next = match &args.output {
-        Some(path) => Step::apply(&command_line(path), &recording),
+        Some(path) => apply_to(&recording, &command_line(path)),
         None => Step::new(
             "keep the calibration",
             format!(

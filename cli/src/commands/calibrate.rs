@@ -118,8 +118,11 @@ pub(super) fn run_and_show(args: &Args, shown: Watcher<'_>) -> Result<(), Failur
         prior.inform(&mut outcome.calibration)?;
     }
     limits::state(&mut outcome.calibration, limits.as_ref());
-    let coverage = calibration::covered(&session(&recordings, &outcome)?);
-    first_screen::state_next(args, &mut outcome.calibration, coverage.as_ref());
+    // The document has none of this call.
+    if pictures.wanted() || !args.json {
+        let coverage = calibration::covered(&session(&recordings, &outcome)?);
+        first_screen::state_next(args, &mut outcome.calibration, coverage.as_ref());
+    }
     if pictures.wanted() {
         draw(pictures, &recordings, &outcome)?;
     }

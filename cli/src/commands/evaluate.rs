@@ -20,7 +20,8 @@ use crate::commands::shared::names::Names;
 use crate::commands::shared::pictures::PictureArgs;
 use crate::exit::Failure;
 use crate::output::Replace;
-use crate::pages::evaluation::{self, Next};
+use crate::pages::evaluation::{self, Head, Next};
+use crate::pages::verdict::Judged;
 use crate::read_args::ReadArgs;
 use crate::show;
 use crate::show::command_line;
@@ -154,12 +155,14 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             &rows,
             (&HEADER, &cells(&rows)),
             &gravities.rows(&calibrations),
-            evaluation::Judged {
-                level,
-                sentence: sentence.clone(),
-                next: next.iter().map(Step::in_words).collect(),
+            Head {
+                judged: Judged {
+                    level,
+                    sentence: sentence.clone(),
+                    next: next.iter().map(show::step).collect(),
+                },
                 limits: limits::shown_of(&judged),
-                warnings: warnings.clone(),
+                warnings: &warnings,
             },
         )?;
         pictures.write(&plots, &page)?;

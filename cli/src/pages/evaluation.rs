@@ -10,6 +10,7 @@ use super::calibration::covered;
 use super::coverage::{self, Coverage};
 use super::residual::Residual;
 use super::session::Session;
+use super::verdict::Judged;
 use super::{noise, provenance, residuals};
 use crate::report::{
     Axis, Figure, Level, Limit, Picture, Plot, Report, ReportTable, Series, numbered,
@@ -60,7 +61,7 @@ pub fn page(
     rows: &[(String, Evaluation)],
     (header, cells): (&[&str], &[Vec<String>]),
     gravities: &[f64],
-    judged: Judged,
+    head: Head<'_>,
 ) -> Result<(Report, Vec<(String, Picture)>), calib::Error> {
     let cut = || std::iter::once((recording, segmentation));
     let mut sessions = Vec::new();
@@ -113,11 +114,11 @@ pub fn page(
     );
     pictures.extend(numbered("noise", noise::pictures(first, units)));
     let mut report = Report::new(format!("Evaluation on {}", show::name(&recording.name)))
-        .verdict(judged.level, judged.sentence)
+        .verdict(head.judged.level, head.judged.sentence)
         .figures(figures)
-        .next(&judged.next)
-        .limits(judged.limits)
-        .warnings(&show::folded(&judged.warnings))
+        .next(&head.judged.next)
+        .limits(head.limits)
+        .warnings(&show::folded(head.warnings))
         .section("Side by side")
         .table(table)
         .section("What is left");
@@ -156,19 +157,15 @@ pub const PLOTS: [&str; 10] = [
     "noise-2",
 ];
 
-/// The verdict as a page shows it.
+/// The head of a page.
 #[derive(Debug)]
-pub struct Judged {
-    /// Level of the verdict.
-    pub level: Level,
-    /// Why, in one sentence.
-    pub sentence: String,
-    /// Next steps in words, with their commands.
-    pub next: Vec<String>,
+pub struct Head<'a> {
+    /// The verdict and what comes next.
+    pub judged: Judged,
     /// Limits that were asked.
     pub limits: Vec<Limit>,
     /// Warnings.
-    pub warnings: Vec<String>,
+    pub warnings: &'a [String],
 }
 
 /// The best calibration against the raw readings, and what speaks against it; `doubts` and `failed`, the limits that it does not keep in words,

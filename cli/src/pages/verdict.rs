@@ -6,10 +6,9 @@ use calib::Calibration;
 use super::coverage::Coverage;
 use super::parameters;
 use super::residual::Residual;
-use crate::commands::shared::first_screen as shown;
 use crate::exit::Failure;
 use crate::report::{Figure, Level};
-use crate::show::capital;
+use crate::show::{self, capital};
 
 /// The call for two recordings of one device.
 pub const TOGETHER: &str = "stillpoint calibrate FIRST SECOND -o cal.json";
@@ -37,10 +36,7 @@ pub fn judged(calibration: &Calibration, coverage: Option<&Coverage>) -> Judged 
         Grade::Bad => format!("Do not use this calibration: {why}."),
     };
     let steps = calibration.next_steps();
-    let mut next: Vec<String> = steps
-        .iter()
-        .map(|step| shown::Step::from(step).in_words())
-        .collect();
+    let mut next: Vec<String> = steps.iter().map(show::step).collect();
     if let Some(record) = coverage.and_then(Coverage::second_recording) {
         let record = format!("{record}: {TOGETHER}");
         match steps.iter().position(adds_placements) {

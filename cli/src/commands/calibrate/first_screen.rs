@@ -10,7 +10,7 @@ use calib::{Calibration, Recording};
 use super::arguments::Args;
 use super::judgement;
 use super::{limits, reading_error};
-use crate::commands::shared::first_screen::{Screen, Step, lines_of_failure, wrote};
+use crate::commands::shared::first_screen::{Screen, lines_of_failure, wrote};
 use crate::commands::shared::names::Names;
 use crate::pages::coverage::Coverage;
 use crate::pages::parameters;
@@ -19,8 +19,7 @@ use crate::show;
 /// States the next steps of a calibration in commands that repeat this call's options; every output says the same.
 pub fn state_next(args: &Args, calibration: &mut Calibration, coverage: Option<&Coverage>) {
     let judgement = judgement::of(calibration);
-    let next = steps::next(args, calibration, &judgement, coverage);
-    calibration.next = Some(next.into_iter().map(Into::into).collect());
+    calibration.next = Some(steps::next(args, calibration, &judgement, coverage));
 }
 
 /// A calibration that is to be shown, and how it was asked for.
@@ -75,7 +74,7 @@ pub fn screen(shown: &Shown<'_>) -> Screen {
             .filter(|table| !table.is_empty())
             .into_iter()
             .collect(),
-        next: calibration.next_steps().iter().map(Step::from).collect(),
+        next: calibration.next_steps(),
         written: wrote(
             args.output
                 .as_deref()

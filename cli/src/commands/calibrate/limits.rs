@@ -72,26 +72,28 @@ pub fn reasons(calibration: &Calibration) -> Vec<String> {
     reasons
 }
 
-/// Why a line fails, and what can be done.
+/// Which limit fails, and why.
 fn reason(line: &LimitLine, calibration: Option<&Calibration>) -> String {
+    let is_own = line.built_in && line.value.is_some() && line.kind != Bound::Present;
+    let which = if is_own { "built-in limit" } else { "limit" };
+    format!("{which}: {}", why(line, calibration))
+}
+
+/// Why a line fails, and what can be done.
+fn why(line: &LimitLine, calibration: Option<&Calibration>) -> String {
     let Some(value) = line.value else {
         let what = match line.name.strip_prefix("effects.") {
             Some(effect) => format!("{effect} is not estimated; name it in --effects"),
             None => format!("{} is not known", line.words()),
         };
-        return format!("limit: {what} (limit {})", bound(line));
+        return format!("{what} (limit {})", bound(line));
     };
     if line.kind == Bound::Present {
         let sensor = line.name.trim_start_matches("required.");
-        return format!("limit: the {sensor} is required and is not calibrated");
+        return format!("the {sensor} is required and is not calibrated");
     }
-    let own = if line.built_in {
-        "built-in limit"
-    } else {
-        "limit"
-    };
     format!(
-        "{own}: {} is {}, {} allowed{}",
+        "{} is {}, {} allowed{}",
         line.words(),
         quantity(value, &line.unit),
         bound(line),
@@ -189,11 +191,7 @@ pub fn shown_of(judged: &[(String, Vec<LimitLine>)]) -> Vec<report::Limit> {
 /// Returns how many limits are not kept, and those, in words; `None` where all are.
 pub fn failing(lines: &[LimitLine]) -> Option<String> {
     let failed = not_kept(lines);
-    let words: Vec<String> = failed.iter().map(|line| reason(line, None)).collect();
-    let words: Vec<&str> = words
-        .iter()
-        .filter_map(|w| w.split_once(": ").map(|(_, w)| w))
-        .collect();
+    let words: Vec<String> = failed.iter().map(|line| why(line, None)).collect();
     (!failed.is_empty()).then(|| {
         format!(
             "{} of {} limits: {}",

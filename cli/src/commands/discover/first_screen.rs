@@ -12,7 +12,7 @@ use super::tables;
 use super::words::{gaps, unit_of};
 use crate::call;
 use crate::commands::calibrate::limits;
-use crate::commands::shared::first_screen::{Screen, Step, lines_of_failure, wrote};
+use crate::commands::shared::first_screen::{Screen, Step, apply_to, lines_of_failure, wrote};
 use crate::commands::shared::names::Names;
 use crate::pages::session::short_names;
 use crate::show;
@@ -59,13 +59,7 @@ pub fn screen(
             .into_iter()
             .filter(|table| !table.is_empty())
             .collect(),
-        next: findings
-            .calibration
-            .next
-            .iter()
-            .flatten()
-            .map(Step::from)
-            .collect(),
+        next: findings.calibration.next.clone().unwrap_or_default(),
         written: wrote(written, "Nothing was written; -o findings.json keeps it."),
         said,
         remarks: names.all_short(&all),
@@ -278,8 +272,7 @@ fn faults(integrity: &[Integrity]) -> Vec<String> {
 
 /// States the next steps in commands that repeat this call's options; every output says the same.
 pub fn state_next(args: &Args, findings: &mut Findings) {
-    let next = next(args, findings);
-    findings.calibration.next = Some(next.into_iter().map(Into::into).collect());
+    findings.calibration.next = Some(next(args, findings));
 }
 
 /// Commands for what comes next, the most telling first.
@@ -341,7 +334,7 @@ fn next(args: &Args, findings: &Findings) -> Vec<Step> {
     let calibration = &findings.calibration;
     if calibration.failed_gates.is_empty() {
         let one = args.recordings.first() + &args.read.command_line();
-        steps.push(Step::apply(&document, &one));
+        steps.push(apply_to(&one, &document));
         if calibration.gravity_source == GravitySource::Assumed {
             let again = call::again(None, "--latitude DEG", given.is_some(), &document);
             steps.push(Step::new("give the place", again));

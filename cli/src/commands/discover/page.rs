@@ -11,12 +11,12 @@ use super::first_screen::brief;
 use super::tables::{self, Rows};
 use super::verdict::{remains, verdict};
 use super::words::proposed;
-use crate::commands::shared::first_screen::Step;
 use crate::exit::Failure;
 use crate::pages::coverage::{self, Coverage};
 use crate::pages::session::{Session, all_cut};
 use crate::pages::{calibration as pages, parameters as pictured, provenance};
 use crate::report::{Figure, Picture, Report, ReportTable};
+use crate::show;
 
 /// The page: verdict, gap, every named effect with its residuals, the ranking, what could not be told, what to
 /// record next, faults, the calibration.
@@ -146,7 +146,7 @@ fn figures(findings: &Findings, coverage: Option<&Coverage>) -> Vec<Figure> {
 /// Returns the next steps: use the named effects, correct the faults, make further recordings.
 fn next(findings: &Findings) -> Vec<String> {
     let said = findings.calibration.next.iter().flatten();
-    let mut all: Vec<String> = said.map(|step| Step::from(step).in_words()).collect();
+    let mut all: Vec<String> = said.map(show::step).collect();
     all.extend(next_recordings(findings));
     if all.is_empty() {
         all.push(

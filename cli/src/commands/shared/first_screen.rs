@@ -5,6 +5,8 @@
 
 use std::path::Path;
 
+pub use ::findings::Step;
+
 use crate::exit::Failure;
 use crate::{show, terminal};
 
@@ -38,77 +40,24 @@ pub struct Screen {
     pub reserved: usize,
 }
 
-/// Something to do next.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Step {
-    /// Purpose of the step in a few words, or the whole advice if there is no command.
-    pub what: String,
-    /// The command, ready for a shell.
-    pub command: Option<String>,
+/// The step that corrects a recording by a calibration, both as a shell takes them.
+pub fn apply_to(recording: &str, calibration: &str) -> Step {
+    let command = format!("stillpoint apply {calibration} {recording} -o corrected.csv");
+    Step::new("correct a recording", command)
 }
 
-impl From<&::findings::Step> for Step {
-    fn from(step: &::findings::Step) -> Self {
-        Self {
-            what: step.text.clone(),
-            command: step.command.clone(),
-        }
+/// The lines of a step, its command below it where one line does not hold both.
+fn lines_of(step: &Step, width: usize) -> Vec<String> {
+    let Some(command) = &step.command else {
+        return wrapped(&format!("  {}", step.text), width);
+    };
+    let one = format!("  {:<LABEL$}  {command}", step.text);
+    if columns(&step.text) <= LABEL && columns(&one) <= width {
+        return vec![one];
     }
-}
-
-impl From<Step> for ::findings::Step {
-    fn from(step: Step) -> Self {
-        Self {
-            text: step.what,
-            command: step.command,
-        }
-    }
-}
-
-impl Step {
-    /// With a command.
-    pub fn new(what: impl Into<String>, command: impl Into<String>) -> Self {
-        Self {
-            what: what.into(),
-            command: Some(command.into()),
-        }
-    }
-
-    /// The command that corrects a recording by a calibration, both as a shell takes them.
-    pub fn apply(calibration: &str, recording: &str) -> Self {
-        let command = format!("stillpoint apply {calibration} {recording} -o corrected.csv");
-        Self::new("correct a recording", command)
-    }
-
-    /// Words alone.
-    pub fn words(what: impl Into<String>) -> Self {
-        Self {
-            what: what.into(),
-            command: None,
-        }
-    }
-
-    /// The step as a sentence, its command behind it.
-    pub fn in_words(&self) -> String {
-        let what = show::capital(&self.what);
-        match &self.command {
-            Some(command) => format!("{what}: {command}"),
-            None => format!("{}.", what.trim_end_matches('.')),
-        }
-    }
-
-    fn lines(&self, width: usize) -> Vec<String> {
-        let Some(command) = &self.command else {
-            return wrapped(&format!("  {}", self.what), width);
-        };
-        let one = format!("  {:<LABEL$}  {command}", self.what);
-        if columns(&self.what) <= LABEL && columns(&one) <= width {
-            return vec![one];
-        }
-        let mut lines = wrapped(&format!("  {}:", self.what), width);
-        lines.extend(continued(command, width));
-        lines
-    }
+    let mut lines = wrapped(&format!("  {}:", step.text), width);
+    lines.extend(continued(command, width));
+    lines
 }
 
 /// The columns of a text.
@@ -228,7 +177,7 @@ impl Screen {
             if next.is_empty() {
                 next.push("Next".into());
             }
-            next.extend(step.lines(width));
+            next.extend(lines_of(step, width));
         }
         let tables = self.tables.iter().map(|table| {
             let lines = table.lines().map(|line| line.trim_end().to_owned());

@@ -51,12 +51,13 @@ pub fn text(calibration: &Calibration) -> String {
         return String::new();
     }
     let mut rows: Vec<[String; 5]> = all.iter().flat_map(rows).collect();
+    let (of_biases, apart) = biases(&all);
     let header = [
         "± 1 σ".into(),
         "scale, ppm".into(),
         "misalignment,".into(),
         "mrad".into(),
-        bias_header(&all),
+        of_biases,
     ];
     if 4 + widths(&header, &rows).iter().sum::<usize>() > terminal::width() {
         let cells = rows.iter_mut().flatten();
@@ -76,7 +77,7 @@ pub fn text(calibration: &Calibration) -> String {
         format!("{indent}{a:<wa$}{between}{b:>wb$}{between}{c:>wc$}{gap}{d:<wd$}{between}{e:>we$}")
     };
     let mut lines: Vec<String> = std::iter::once(&header).chain(&rows).map(line).collect();
-    lines.extend(biases_differ(&all));
+    lines.extend(apart);
     lines.extend(calibration.effects.iter().filter_map(effect));
     lines.extend(all.iter().filter_map(of_counts));
     lines.join("\n")
@@ -109,21 +110,22 @@ fn widths(header: &[String; 5], rows: &[[String; 5]]) -> [usize; 5] {
     })
 }
 
-/// The bias, and of which recordings it is where each has its own.
-fn bias_header(all: &[Shown<'_>]) -> String {
-    let mut said = all.iter().filter_map(of_which);
-    match said.next() {
-        None => "bias".into(),
-        Some(first) if said.all(|other| other == first) => format!("bias, {first}"),
-        Some(_) => "bias".into(),
+/// The heading of the biases, and a line where they are not of the same recordings for each sensor.
+fn biases(all: &[Shown<'_>]) -> (String, Option<String>) {
+    let said = |shown: &Shown<'_>| Some((shown.name, of_which(shown)?));
+    let each: Vec<(&str, String)> = all.iter().filter_map(said).collect();
+    let are_alike = each.windows(2).all(|pair| pair[0].1 == pair[1].1);
+    match each.first() {
+        None => ("bias".into(), None),
+        Some((_, of)) if are_alike => (format!("bias, {of}"), None),
+        Some(_) => {
+            let each: Vec<String> = each
+                .iter()
+                .map(|(name, of)| format!("{name} {of}"))
+                .collect();
+            ("bias".into(), Some(format!("  bias: {}", each.join(", "))))
+        }
     }
-}
-
-/// Of which recordings the bias of each sensor is, where that differs.
-fn biases_differ(all: &[Shown<'_>]) -> Option<String> {
-    let said = |shown: &Shown<'_>| Some(format!("{} {}", shown.name, of_which(shown)?));
-    let each: Vec<String> = all.iter().filter_map(said).collect();
-    (bias_header(all) == "bias" && !each.is_empty()).then(|| format!("  bias: {}", each.join(", ")))
 }
 
 /// `mean of 3` or `of rec_3`, where each recording has a bias of its own.

@@ -7,7 +7,7 @@ use calib::gravity::GravitySource;
 use crate::call;
 use crate::commands::calibrate::arguments::Args;
 use crate::commands::calibrate::judgement::Judgement;
-use crate::commands::shared::first_screen::Step;
+use crate::commands::shared::first_screen::{Step, apply_to};
 use crate::pages::coverage::Coverage;
 use crate::show;
 use crate::show::command_line;
@@ -85,7 +85,7 @@ pub fn next(
         steps.push(Step::new("keep the calibration", again("")));
     }
     let one = args.recordings.first() + &args.read.command_line();
-    steps.push(Step::apply(&cal, &one));
+    steps.push(apply_to(&one, &cal));
     steps.push(Step::new(
         "check on a second recording",
         format!("stillpoint evaluate SECOND --calibration cal={cal}"),
