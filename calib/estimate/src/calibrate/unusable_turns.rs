@@ -57,7 +57,7 @@ impl TurnCount {
     pub fn reason(&self) -> Option<NotCalibratedReason> {
         match self.usable() {
             0 => Some(NotCalibratedReason::NoUsableTurn),
-            1..=FEWEST_TURNS => Some(NotCalibratedReason::TooFewTurns),
+            few if few <= FEWEST_TURNS => Some(NotCalibratedReason::TooFewTurns),
             _ if self.saturated > 0 => Some(NotCalibratedReason::NotObservable),
             _ => None,
         }
@@ -70,7 +70,9 @@ impl TurnCount {
         }
         let found = match self.usable() {
             0 => Finding::of(Kind::TurnsUnusable),
-            1..=FEWEST_TURNS => Finding::of(Kind::TurnsUsableFew).count("least", FEWEST_TURNS + 1),
+            few if few <= FEWEST_TURNS => {
+                Finding::of(Kind::TurnsUsableFew).count("least", FEWEST_TURNS + 1)
+            }
             _ => Finding::of(Kind::TurnsUsableOpen),
         };
         let found = found
