@@ -48,7 +48,9 @@ impl Output {
     /// # Errors
     /// An input, a file in the way, what is no regular file, another claim on it, a folder that cannot be written.
     pub fn claim(path: &Path, existing: Existing, inputs: &[&Path]) -> Result<Self, Error> {
-        Self::at(path, refuse_input(path, inputs)?, existing)
+        let target = refuse_input(path, inputs)?;
+        let replaced = in_the_way(path, &target)?;
+        Self::at(path, target, replaced, existing)
     }
 
     /// Claims a file that we name ourselves, in `folder`: a link that is in its place is replaced, never followed.
@@ -63,16 +65,21 @@ impl Output {
     ) -> Result<Self, Error> {
         let path = folder.join(name);
         refuse_input(&path, inputs)?;
-        Self::at(&path, path.clone(), existing)
+        let replaced = match path.is_symlink() {
+            true => None,
+            false => in_the_way(&path, &path)?,
+        };
+        Self::at(&path, path.clone(), replaced, existing)
     }
 
-    fn at(path: &Path, target: PathBuf, existing: Existing) -> Result<Self, Error> {
-        let is_link = target.is_symlink();
-        let replaced = match is_link && target == path {
-            true => None,
-            false => in_the_way(path, &target)?,
-        };
-        match (replaced.is_some() || is_link, existing) {
+    /// Claims `target`, with the file that stands there.
+    fn at(
+        path: &Path,
+        target: PathBuf,
+        replaced: Option<Metadata>,
+        existing: Existing,
+    ) -> Result<Self, Error> {
+        match (replaced.is_some() || target.is_symlink(), existing) {
             (true, Existing::Keep) => return Ok(Self(None)),
             (true, Existing::Refuse) => return Err(Reason::Exists.of(path)),
             _ => {}
@@ -242,5 +249,25 @@ mod tests {
         let named = Output::claim(&link, Existing::Replace, &[]).unwrap();
         named.write(b"new").unwrap();
         assert_eq!(std::fs::read(&victim).unwrap(), b"new");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_that_a_person_names_and_that_leads_to_no_file_stays() {
+        let folder = tempfile::tempdir().unwrap();
+        let inside = folder.path().canonicalize().unwrap();
+        let link = inside.join("link");
+        let (socket, gone) = (inside.join("socket"), inside.join("gone"));
+        let _listener = std::os::unix::net::UnixListener::bind(&socket).unwrap();
+        for aim in [&socket, &gone] {
+            std::os::unix::fs::symlink(aim, &link).unwrap();
+            for existing in [Existing::Refuse, Existing::Replace] {
+                let refused = Output::claim(&link, existing, &[]).unwrap_err();
+                let is_said = matches!(refused.reason, Reason::NoFile | Reason::Dangling(_));
+                assert!(is_said, "{refused}");
+            }
+            assert!(link.is_symlink());
+            std::fs::remove_file(&link).unwrap();
+        }
     }
 }

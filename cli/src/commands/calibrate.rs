@@ -117,7 +117,11 @@ pub(super) fn run_and_show(args: &Args, shown: Watcher<'_>) -> Result<(), Failur
     if let Some(prior) = &prior {
         prior.inform(&mut outcome.calibration)?;
     }
-    limits::state(&mut outcome.calibration, limits.as_ref());
+    let own = match &limits {
+        Some(_) => Some(residual(&recordings, &outcome)?.evaluation()),
+        None => None,
+    };
+    limits::state(&mut outcome.calibration, limits.as_ref(), own.as_ref());
     // The document has none of this call.
     if pictures.wanted() || !args.json {
         let coverage = calibration::covered(&session(&recordings, &outcome)?);
@@ -155,7 +159,11 @@ pub(super) fn session<'a>(
     let segmentations = outcome.choices.iter().map(|choice| &choice.segmentation);
     let cut = counted.into_iter().zip(segmentations);
     let calibration = &outcome.calibration;
-    Ok(Session::of(cut, Some(calibration), calibration.gravity)?)
+    let mut session = Session::of(cut, Some(calibration), calibration.gravity)?;
+    if let Some(fit) = &outcome.joint {
+        session.mark(&fit.flagged);
+    }
+    Ok(session)
 }
 
 /// Writes plots and report. Every recording has a plot of its own.
@@ -173,13 +181,13 @@ fn drawn(
     let session = session(recordings, outcome)?;
     let units = tables::units(outcome);
     let plots = calibration::pictures(calibration, &session, units);
-    let page = calibration::page(calibration, &session, &residual(outcome), &plots, units)?;
+    let page = calibration::page(calibration, &session, &plots, units)?;
     Ok((plots, page))
 }
 
 /// The residuals of a fit, raw and calibrated.
-pub fn residual(outcome: &Outcome) -> Residual {
-    Residual::of(outcome, tables::units(outcome))
+pub fn residual(recordings: &[Recording], outcome: &Outcome) -> Result<Residual, Failure> {
+    Ok(Residual::measured(&session(recordings, outcome)?))
 }
 
 /// The report alone, as HTML.
@@ -224,7 +232,7 @@ fn finish(
         args,
         recordings,
         calibration,
-        residual: residual(outcome).in_words(),
+        residual: residual(recordings, outcome)?.in_words(),
     };
     first_screen::screen(&shown).show(|| {
         let shares = calibration

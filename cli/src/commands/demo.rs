@@ -114,8 +114,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     if let Some(files) = files {
         files.write(&mut session, &discovery, &request)?;
     }
-    screen(dir, &session, &outcome, &discovery).show(|| {
-        let mut text = simulated(&session, &outcome);
+    let residual = residual(&recordings, &outcome)?.in_words();
+    screen(dir, &session, &outcome, &discovery, &residual).show(|| {
+        let mut text = simulated(&session, &outcome, &residual);
         text.push_str(&discovered(&discovery));
         text.push_str(&compared(&session, &discovery));
         text
@@ -128,6 +129,7 @@ fn screen(
     session: &Session,
     outcome: &Outcome,
     discovery: &Discovery,
+    residual: &str,
 ) -> Screen {
     let findings = &discovery.findings;
     let found = findings
@@ -154,7 +156,7 @@ fn screen(
         "simulated".to_owned(),
         format!("{rests} placements by hand, {samples} samples, one hidden effect"),
     ]];
-    figures.push(["base models".into(), residual(outcome).in_words()]);
+    figures.push(["base models".into(), residual.to_owned()]);
     if let Some(effect) = found {
         let [before, after] = gaps(effect.gap_before, effect.gap_after);
         let [left, then] = gaps(effect.held_out_gap_before, effect.held_out_gap_after);
@@ -276,7 +278,7 @@ fn hidden(rows: &[Estimate]) -> String {
 }
 
 /// Describes the simulated session and the residual of the base models on it.
-fn simulated(session: &Session, outcome: &Outcome) -> String {
+fn simulated(session: &Session, outcome: &Outcome, residual: &str) -> String {
     let accelerometer = session.recording.accelerometer.as_ref();
     let samples = accelerometer.map_or(0, |s| s.len());
     let choice = outcome.choices.first();
@@ -285,11 +287,7 @@ fn simulated(session: &Session, outcome: &Outcome) -> String {
         "A simulated device, held by hand in {rests} placements: {samples} samples of both sensors, consumer grade.\n\
          It has an effect that the analysis is not told of.\n\n"
     );
-    let _ = writeln!(
-        text,
-        "calibrate: gravity is met {}.",
-        residual(outcome).in_words()
-    );
+    let _ = writeln!(text, "calibrate: gravity is met {residual}.");
     text
 }
 

@@ -6,7 +6,6 @@ use calib::calibration::Triad;
 use sensor::Sensor;
 
 use super::coverage::{self, Coverage};
-use super::residual::Residual;
 use super::session::Session;
 use super::{noise, parameters, provenance, quantiles, residuals, verdict};
 use crate::commands::calibrate::tables::{
@@ -84,7 +83,6 @@ pub fn covered(session: &Session<'_>) -> Option<Coverage> {
 pub fn page(
     calibration: &Calibration,
     session: &Session<'_>,
-    residual: &Residual,
     pictures: &[(String, Picture)],
     units: [&str; 2],
 ) -> Result<Report, Failure> {
@@ -92,7 +90,7 @@ pub fn page(
     let judged = verdict::judged(calibration, coverage.as_ref());
     let mut report = Report::new(format!("Calibration from {}", names(session)))
         .verdict(judged.level, &judged.sentence)
-        .figures(verdict::figures(calibration, residual, coverage.as_ref()))
+        .figures(verdict::figures(calibration, session, coverage.as_ref()))
         .next(&judged.next)
         .limits(limits::shown(&calibration.limits))
         .warnings(&notes(calibration))

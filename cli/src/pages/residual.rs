@@ -1,16 +1,15 @@
 //! The residuals of a fit, raw and calibrated: one definition for the terminal, the page and the documents.
 
-use calib::calibrate::Outcome;
+use calib::Evaluation;
 use calib::recording::averages::root_mean_square;
 
-use super::session::Session;
+use super::session::{Moved, Rest, Session};
 use crate::report::Figure;
 use crate::show;
 
 /// Root mean squares before and after the calibration.
 ///
-/// The calibrated ones are `residual_rms` of the calibration's sensors, the raw ones have the same weights; readings in counts or g have
-/// no raw one.
+/// They are those of `evaluate`, but for what the fit found disturbed. Readings in counts or g have no raw one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Residual {
     /// Norm of specific force less gravity at static intervals, mm/s².
@@ -22,42 +21,13 @@ pub struct Residual {
 }
 
 impl Residual {
-    /// Computes the residual of a fit whose readings have these units.
-    pub fn of(outcome: &Outcome, units: [&str; 2]) -> Self {
-        let calibration = &outcome.calibration;
-        let mut own = Self::default();
-        if let Some(triad) = &calibration.accelerometer {
-            let gravity = calibration.gravity;
-            let rests = outcome.choices.iter().flat_map(|c| &c.segmentation.statics);
-            let norms = rests.filter_map(|rest| Some(rest.accelerometer?.mean.norm() - gravity));
-            let norms: Vec<f64> = norms.collect();
-            own.count[0] = triad.static_intervals.unwrap_or(norms.len());
-            let raw = match &outcome.joint {
-                Some(fit) => fit.norm_rms_before(),
-                None => root_mean_square(&norms),
-            };
-            let raw = (units[0] == "m/s²").then_some(1e3 * raw);
-            own.at_rest = [raw, Some(1e3 * triad.residual_rms)];
-        }
-        let turns = match (&outcome.joint, &outcome.gyroscope) {
-            (Some(fit), _) if !fit.chords.is_empty() => {
-                Some((fit.direction_rms_before(), fit.chords.len()))
-            }
-            (None, Some(fit)) => Some((fit.rms_before(), fit.chords.len())),
-            _ => None,
-        };
-        if let (Some(triad), Some((raw, count))) = (&calibration.gyroscope, turns) {
-            let raw = (units[1] == "rad/s").then(|| raw.to_degrees());
-            own.after_turn = [raw, Some(triad.residual_rms)];
-            own.count[1] = count;
-        }
-        own
-    }
-
-    /// Computes the residual of recordings without a fit, from plain means over the static intervals and turns.
+    /// Computes the residual of recordings, each interval and turn as much as the others.
     pub fn measured(session: &Session<'_>) -> Self {
         let rms = |values: Vec<f64>| (!values.is_empty()).then(|| root_mean_square(&values));
-        let (rests, turns) = (&session.rests, &session.turns);
+        let sound = |rest: &&Rest| !rest.is_disturbed;
+        let rests: Vec<&Rest> = session.rests.iter().filter(sound).collect();
+        let sound = |turn: &&Moved| !turn.is_disturbed;
+        let turns: Vec<&Moved> = session.turns.iter().filter(sound).collect();
         Self {
             at_rest: [
                 rms(rests.iter().filter_map(|r| r.raw).collect()),
@@ -71,6 +41,20 @@ impl Residual {
                 rests.len(),
                 turns.iter().filter(|t| t.raw.or(t.left).is_some()).count(),
             ],
+        }
+    }
+
+    /// The same for limits.
+    pub fn evaluation(&self) -> Evaluation {
+        let [rests, turns] = self.count;
+        Evaluation {
+            static_intervals: rests,
+            modulus_rms: self.at_rest[1].map(|left| 1e-3 * left),
+            turns,
+            direction_rms: self.after_turn[1],
+            static_rate: None,
+            static_rate_scatter: None,
+            magnetic_field: None,
         }
     }
 

@@ -2,6 +2,7 @@
 
 use calib::calibration::Triad;
 use calib::intervals::{Detector, Segmentation, StaticInterval, Turn};
+use calib::methods::joint::{Flagged, Scope};
 use calib::{Calibration, Misfit, Misfits, Recording, misfits};
 
 use super::direction;
@@ -54,6 +55,8 @@ pub struct Rest {
     pub left: Option<f64>,
     /// Standard deviation of the mean by white noise, mm/s².
     pub std: Option<f64>,
+    /// True where the fit found it disturbed.
+    pub is_disturbed: bool,
 }
 
 /// A turn.
@@ -73,6 +76,8 @@ pub struct Moved {
     pub left: Option<f64>,
     /// Why it was not used.
     pub fault: Option<String>,
+    /// True where the fit found it disturbed.
+    pub is_disturbed: bool,
 }
 
 impl<'a> Session<'a> {
@@ -133,6 +138,7 @@ impl<'a> Session<'a> {
                 raw: at(&raw, |m| &m.rests, k).map(|v| 1e3 * v),
                 left: at(&left, |m| &m.rests, k).map(|v| 1e3 * v),
                 std: std(rest, triad),
+                is_disturbed: false,
             });
         }
         let gyroscope = own.as_ref().and_then(|own| own.gyroscope.as_ref());
@@ -147,10 +153,33 @@ impl<'a> Session<'a> {
                 raw: at(&raw, |m| &m.turns, turn.from),
                 left: at(&left, |m| &m.turns, turn.from),
                 fault: turn.fault.as_ref().map(ToString::to_string),
+                is_disturbed: false,
             });
         }
         self.parts.push(part);
         Ok(())
+    }
+
+    /// Marks what the fit of these recordings found disturbed.
+    pub fn mark(&mut self, disturbed: &[Flagged]) {
+        for found in disturbed {
+            let Some(part) = self.parts.get(found.recording) else {
+                continue;
+            };
+            let key = part.first + found.interval;
+            if let Some(rest) = self
+                .rests
+                .get_mut(key - 1)
+                .filter(|_| found.fault.opens_force)
+            {
+                rest.is_disturbed = true;
+            }
+            let turn = format!("t{key}");
+            let turn = self.turns.iter_mut().find(|own| own.key == turn);
+            if let Some(turn) = turn.filter(|_| found.fault.scope == Scope::Turn) {
+                turn.is_disturbed = true;
+            }
+        }
     }
 
     /// Upward directions.

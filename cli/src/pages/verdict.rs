@@ -6,6 +6,7 @@ use calib::Calibration;
 use super::coverage::Coverage;
 use super::parameters;
 use super::residual::Residual;
+use super::session::Session;
 use crate::exit::Failure;
 use crate::report::{Figure, Level};
 use crate::show::{self, capital};
@@ -59,10 +60,10 @@ fn adds_placements(step: &Step) -> bool {
 /// Raw to calibrated residual, weakest parameter, coverage.
 pub fn figures(
     calibration: &Calibration,
-    residual: &Residual,
+    session: &Session<'_>,
     coverage: Option<&Coverage>,
 ) -> Vec<Figure> {
-    let mut all = vec![residual.figure()];
+    let mut all = vec![Residual::measured(session).figure()];
     all.extend(parameters::weakest(calibration));
     all.extend(coverage.map(Coverage::figure));
     all

@@ -3,9 +3,11 @@
 use ::findings::Front;
 use std::path::PathBuf;
 
-use calib::Calibration;
 use calib::calibration::Triad;
-use calib::limits::{Bound, Limit, LimitLine, Limits, built_in, judge, not_kept, read_limits};
+use calib::limits::{
+    Bound, Limit, LimitLine, Limits, built_in, judge, judge_on, not_kept, read_limits,
+};
+use calib::{Calibration, Evaluation};
 
 use crate::exit::{Failure, GATE, NOT_ENOUGH};
 use crate::{report, show};
@@ -29,9 +31,14 @@ impl LimitArgs {
     }
 }
 
-/// Writes the verdict into the calibration: the limits of the file, then what holds without one.
-pub fn state(calibration: &mut Calibration, limits: Option<&Limits>) {
-    let mut lines = limits.map_or_else(Vec::new, |limits| judge(limits, calibration));
+/// Writes the verdict into the calibration: the limits of the file, by the residuals of its own recordings where they are given, then
+/// what holds without one.
+pub fn state(calibration: &mut Calibration, limits: Option<&Limits>, own: Option<&Evaluation>) {
+    let mut lines = match (limits, own) {
+        (Some(limits), Some(own)) => judge_on(limits, calibration, own),
+        (Some(limits), None) => judge(limits, calibration),
+        (None, _) => Vec::new(),
+    };
     lines.extend(built_in(calibration));
     calibration.state_limits(lines);
 }

@@ -46,7 +46,7 @@ pub fn run(
         solution,
         labels,
     } = calibrate(recordings, &request.detector, gravity, args.first_order)?;
-    limits::state(&mut calibration, limits.as_ref());
+    limits::state(&mut calibration, limits.as_ref(), None);
     first_screen::state_next(args, &mut calibration, None);
     let json = show::json(&calibration)?;
     Output::write_given(output, &json)?;

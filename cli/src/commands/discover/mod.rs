@@ -81,7 +81,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         true => show::warn_all(&remarks),
         false => say(&remarks),
     })?;
-    limits::state(&mut discovery.findings.calibration, None);
+    limits::state(&mut discovery.findings.calibration, None, None);
     first_screen::state_next(args, &mut discovery.findings);
     let findings = &discovery.findings;
     let json = show::json(findings)?;

@@ -28,11 +28,7 @@ impl Finish {
         let session = calibrate::session(recordings, outcome)?;
         let coverage = covered(&session);
         let judged = verdict::judged(calibration, coverage.as_ref());
-        let figures = verdict::figures(
-            calibration,
-            &calibrate::residual(outcome),
-            coverage.as_ref(),
-        );
+        let figures = verdict::figures(calibration, &session, coverage.as_ref());
         let figures: Vec<[&str; 3]> = figures.iter().map(|figure| figure.words()).collect();
         Ok(Self {
             shown: json!({

@@ -131,18 +131,6 @@ impl JointFit {
     /// Root mean square of `‖f‖ − g` over the static intervals that nothing disturbed, each weighted by what its noise
     /// lets it know, m/s².
     pub fn norm_rms(&self) -> f64 {
-        self.weighted_norms(|rest| self.norms.get(rest).copied())
-    }
-
-    /// Root mean square of the same of the readings before calibration, with the same weights, m/s².
-    pub fn norm_rms_before(&self) -> f64 {
-        self.weighted_norms(|rest| {
-            let mean = self.data.mean_force(&self.data.rests[rest])?;
-            Some(mean.norm() - self.gravity)
-        })
-    }
-
-    fn weighted_norms(&self, of: impl Fn(usize) -> Option<f64>) -> f64 {
         let disturbed = |place: usize| {
             self.flagged.iter().any(|flagged| {
                 let rest = &self.data.rests[place];
@@ -151,7 +139,7 @@ impl JointFit {
             })
         };
         let sound = (0..self.data.rests.len()).filter(|place| !disturbed(*place));
-        rms(sound.filter_map(|place| Some((of(place)?, self.norm_noise(place)))))
+        rms(sound.filter_map(|place| Some((*self.norms.get(place)?, self.norm_noise(place)))))
     }
 
     /// Root mean square of the rate at the static intervals less the bias, rad/s.
@@ -161,12 +149,15 @@ impl JointFit {
 
     /// Root mean square of the angle by which turns miss gravity, weighted in the same way, rad.
     pub fn direction_rms(&self) -> f64 {
-        self.weighted_chords(&self.chords)
-    }
-
-    /// Root mean square of the same before calibration, with the same weights, rad.
-    pub fn direction_rms_before(&self) -> f64 {
-        self.weighted_chords(&self.chords_before)
+        let first = self.first_rows[1];
+        let white = &self.whitening.white;
+        let noise = |turn: usize| {
+            white
+                .std(first + 2 * turn)
+                .hypot(white.std(first + 2 * turn + 1))
+        };
+        let turns = self.sound_turns().into_iter();
+        rms(turns.map(|turn| (self.chords[turn], noise(turn))))
     }
 
     /// Root mean square of the angle by which sound turns miss gravity, each as much as the others, rad.
@@ -190,18 +181,6 @@ impl JointFit {
             true => sound,
             false => (0..turns.len()).collect(),
         }
-    }
-
-    fn weighted_chords(&self, chords: &[f64]) -> f64 {
-        let first = self.first_rows[1];
-        let white = &self.whitening.white;
-        let noise = |turn: usize| {
-            white
-                .std(first + 2 * turn)
-                .hypot(white.std(first + 2 * turn + 1))
-        };
-        let turns = self.sound_turns().into_iter();
-        rms(turns.map(|turn| (chords[turn], noise(turn))))
     }
 
     /// Standard deviation of the mean of the accelerometer in a rest, averaged over the axes, m/s².
