@@ -4,9 +4,9 @@ use std::fmt;
 
 use crate::targets::code::is_code;
 use calib::effects::force_sensitivity;
-use findings::{Finding, Kind};
+use findings::{Finding, Kind, human};
 use nalgebra::{Matrix3, Vector3};
-use sensor::{Base, Kinematics, Model, Sensor};
+use sensor::{Base, Kinematics, Model, Quantity, Sensor};
 use serde::Serialize;
 
 use crate::kept::Kept;
@@ -21,9 +21,14 @@ const WARMING: f64 = 0.05;
 /// Root mean square of its vibration there, m/s².
 const SHAKEN: f64 = 0.1;
 
-/// Time (s) and temperature difference (K) at which effects are evaluated, from their reference values.
-const MINUTE: f64 = 60.0;
+/// Times at which effects are evaluated, s, in words.
+const TIMES: [(f64, &str); 2] = [(0.0, "at the start"), (60.0, "after a minute")];
+
+/// Temperature difference from the reference at which they are, K.
 const WARMER: f64 = 10.0;
+
+/// Angular acceleration over the rate of 1 rad/s, 1/s: of a turn that a hand begins.
+const FASTER: f64 = 10.0;
 
 /// Something that a target does not hold.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -36,7 +41,7 @@ pub struct Loss {
     /// Unit of the size.
     pub unit: &'static str,
     /// At which signal.
-    pub at: &'static str,
+    pub at: String,
 }
 
 impl fmt::Display for Loss {
@@ -54,12 +59,12 @@ impl Loss {
     /// The loss as a remark of a kind.
     pub(crate) fn as_kind(&self, kind: Kind) -> Finding {
         let lost = Finding::of(kind).detail("what", &self.what);
-        let size = match (self.size, self.unit) {
-            (Some(size), "m/s^2") => format!("{:.3} mm/s²", 1e3 * size),
-            (Some(size), unit) => format!("{size:.3e} {unit}"),
-            (None, _) => return lost,
-        };
-        lost.detail("size", size).detail("signal", self.at)
+        match self.size {
+            Some(size) => lost
+                .detail("size", human(size, self.unit))
+                .detail("signal", &self.at),
+            None => lost,
+        }
     }
 }
 
@@ -95,7 +100,7 @@ pub(crate) fn losses(source: &Source<'_>, kept: &Kept) -> Vec<Loss> {
             what: "standard errors and covariance".into(),
             size: None,
             unit: "",
-            at: "",
+            at: String::new(),
         });
     }
     lost
@@ -174,44 +179,85 @@ fn of_effects(source: &Source<'_>, kept: &Kept) -> Vec<Loss> {
             continue;
         }
         let sensor = effect.sensor();
+        let needs = effect.needs();
         let model = Model::base(sensor).with(effect);
         let mut p = Base::identity().parameters().to_vec();
         p.extend(values.parameters.iter().map(|v| v.value));
-        let errors = probes(Sensor::Accelerometer, gravity).flat_map(|force| {
-            let (model, p) = (&model, &p);
-            probes(Sensor::Gyroscope, gravity).map(move |rate| {
-                let mut truth = Kinematics::new(force, rate);
-                truth.time = MINUTE;
-                truth.temperature += WARMER;
-                truth.last_change = force.map(f64::signum);
-                truth.temperature_rate = WARMING;
-                truth.warming = 1.0;
-                truth.vibration = Vector3::repeat(SHAKEN * SHAKEN);
-                truth.last_turn = Vector3::repeat(1.0);
-                let error: Vector3<f64> = model.error(&truth, p);
-                error.norm()
-            })
+        let errors = TIMES.iter().flat_map(|(time, when)| {
+            let size = size_at(&model, &p, gravity, *time);
+            (size > ROUNDING).then_some((size, *when))
         });
-        let size = errors.fold(0.0, f64::max);
-        lost.push(Loss {
-            at: "1 g and 1 rad/s, after a minute, 10 K from its reference, warming by .05 K/s, shaken by .1 m/s², right after a turn",
-            ..loss(sensor, format!("the effect {}", values.name), size)
+        // Which there is none of at any of these states says nothing of its size.
+        let Some((size, when)) = errors.max_by(|a, b| a.0.total_cmp(&b.0)) else {
+            lost.push(Loss {
+                size: None,
+                ..loss(sensor, format!("the effect {}", values.name), 0.0)
+            });
+            continue;
+        };
+        let own = loss(sensor, format!("the effect {}", values.name), size);
+        lost.push(match needs.as_slice() {
+            [] => own,
+            needs => Loss {
+                at: state(needs, when),
+                ..own
+            },
         });
     }
     lost
+}
+
+/// The largest error of a model's effect over directions of force and rate at a time, SI units.
+fn size_at(model: &Model, p: &[f64], gravity: f64, time: f64) -> f64 {
+    let errors = probes(Sensor::Accelerometer, gravity).flat_map(|force| {
+        probes(Sensor::Gyroscope, gravity).map(move |rate| {
+            let mut truth = Kinematics::new(force, rate);
+            truth.time = time;
+            truth.temperature += WARMER;
+            truth.last_change = force.map(f64::signum);
+            truth.temperature_rate = WARMING;
+            truth.warming = 1.0;
+            truth.vibration = Vector3::repeat(SHAKEN * SHAKEN);
+            truth.last_turn = Vector3::repeat(1.0);
+            truth.angular_acceleration = rate * FASTER;
+            truth.specific_force_rate = force.cross(&rate);
+            let error: Vector3<f64> = model.error(&truth, p);
+            error.norm()
+        })
+    });
+    errors.fold(0.0, f64::max)
+}
+
+/// The state at which the size of an effect is stated, of what it depends on.
+fn state(needs: &[Quantity], when: &str) -> String {
+    let of = |quantity: &Quantity| match quantity {
+        Quantity::SpecificForce | Quantity::SpecificForceRate => "1 g",
+        Quantity::AngularRate => "1 rad/s",
+        Quantity::MagneticField => "50 µT",
+        Quantity::Time => when,
+        Quantity::Temperature => "10 K from its reference",
+        Quantity::AngularAcceleration => "10 rad/s²",
+        Quantity::TemperatureRate | Quantity::Warming => "warming by .05 K/s",
+        Quantity::Vibration => "shaken by .1 m/s²",
+        Quantity::LastChange | Quantity::LastTurn | Quantity::SinceTurn => "right after a turn",
+        Quantity::Attitude => "an attitude of the room",
+    };
+    let mut parts: Vec<&str> = needs.iter().map(of).collect();
+    parts.dedup();
+    parts.join(", ")
 }
 
 fn loss(sensor: Sensor, what: String, size: f64) -> Loss {
     let (unit, at) = match sensor {
         Sensor::Accelerometer => ("m/s^2", "1 g"),
         Sensor::Gyroscope => ("rad/s", "1 rad/s"),
-        Sensor::Magnetometer => ("uT", "50 uT"),
+        Sensor::Magnetometer => ("µT", "50 µT"),
     };
     Loss {
         what,
         size: Some(size),
         unit,
-        at,
+        at: at.into(),
     }
 }
 

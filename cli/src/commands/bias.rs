@@ -180,7 +180,7 @@ fn moved(new: &Calibration, sensor: Sensor, factor: f64, unit: &str) -> Option<S
     let name = sensor.name();
     Some(match is_chance {
         true => {
-            format!("{name}'s bias has not moved beyond its error ({change} of ± {error} {unit})")
+            format!("{name}'s bias has moved by no more than chance ({change} ± {error} {unit})")
         }
         false => format!("{name}'s bias moved by up to {change} {unit}"),
     })

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use calib::effect_file::catalogue_with;
+use sensor::REFERENCE_TEMPERATURE;
 use serde_json::json;
 
 use crate::commands::shared::inputs::own_effects;
@@ -12,7 +13,8 @@ use crate::show;
 /// Lists every effect with its equation, parameters and units.
 ///
 /// `A`, `W` are the raw readings, `f` the true specific force, `w` the true rate, `t` time and `T`
-/// temperature; one coefficient per axis unless the parameters say otherwise.
+/// temperature, `T0` the 25 °C at which scale factors and biases are stated; one coefficient per
+/// axis unless the parameters say otherwise.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
@@ -59,7 +61,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             parameters(effect.params()),
         ]);
     }
-    show::print(&table.to_string())
+    show::print(&format!(
+        "{table}\n\nT0 is {REFERENCE_TEMPERATURE} °C: scale factors and biases are stated for that temperature."
+    ))
 }
 
 /// `x y z (m/s^2), tau (s)`: neighbours of one unit together.

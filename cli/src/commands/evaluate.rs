@@ -68,6 +68,11 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let (mut files, mut calibrations) = (Vec::new(), Vec::new());
     for named in &args.calibration {
         let (name, path) = named_file(named);
+        if files.iter().any(|(other, _)| *other == name) {
+            return Err(Failure::usage(format!(
+                "--calibration {named}: another one is called {name}; name them apart (NAME=FILE)"
+            )));
+        }
         calibrations.push((name.clone(), load(path)?));
         files.push((name, path));
     }
@@ -136,9 +141,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         .zip(rows.iter().skip(1))
         .filter_map(|((name, c), (_, e))| Some((name.clone(), judge_on(limits.as_ref()?, c, e))))
         .collect();
-    let failed: Vec<Option<String>> = judged
+    let failed: Vec<Option<String>> = calibrations
         .iter()
-        .map(|(_, lines)| limits::failing(lines))
+        .map(|(name, calibration)| failing(name, calibration, &judged))
         .collect();
     let (level, sentence, next) =
         evaluation::judged(&rows, (&doubts, &failed), (&choice.segmentation, &warnings));
@@ -205,6 +210,24 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         screen.show(String::new)?;
     }
     limits::gate_of(&judged)
+}
+
+/// Why not to use a calibration: a limit, or a gate of its own recordings.
+fn failing(
+    name: &str,
+    calibration: &Calibration,
+    judged: &[(String, Vec<LimitLine>)],
+) -> Option<String> {
+    let own = judged.iter().find(|(other, _)| other == name);
+    let limit = own.and_then(|(_, lines)| limits::failing(lines));
+    let gate = || {
+        let failed = !calibration
+            .failed_gates
+            .texts(Front::CommandLine)
+            .is_empty();
+        failed.then(|| "a quality gate of its own recording".to_owned())
+    };
+    limit.or_else(gate)
 }
 
 /// The commands behind what comes next.

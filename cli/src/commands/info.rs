@@ -20,6 +20,7 @@ use ours::Ours;
 use sensor::Sensor;
 use serde_json::{Value, json};
 
+use crate::commands::shared::first_screen::to_calibrate;
 use crate::commands::shared::inputs::read_all;
 use crate::commands::shared::names::Names;
 use crate::exit::Failure;
@@ -309,7 +310,7 @@ impl<'a> Facts<'a> {
                 let _ = writeln!(text, "{more} more notes with -v");
             }
         }
-        let _ = writeln!(text, "\nto calibrate: {}", self.command);
+        let _ = writeln!(text, "\n{}", to_calibrate(&self.command));
         text
     }
 
@@ -373,7 +374,7 @@ impl<'a> Facts<'a> {
         for remark in &self.remarks {
             let _ = writeln!(text, "note: {remark}");
         }
-        let _ = writeln!(text, "\nto calibrate: {}", self.command);
+        let _ = writeln!(text, "\n{}", to_calibrate(&self.command));
         text
     }
 

@@ -213,6 +213,7 @@ pub fn exports(report: Report, calibration: &Calibration) -> Result<Report, Fail
     small.parameters.clear();
     // Beside the errors only it says something.
     small.left_out.clear();
+    small.seal_again(calibration);
     let json = show::json(&small)?;
     // What is copied needs no indentation.
     let lines: Vec<&str> = json.lines().map(str::trim_start).collect();

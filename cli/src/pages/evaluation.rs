@@ -235,10 +235,20 @@ pub fn judged(
         let sentence = format!("{sentence} {why}");
         return (Level::Care, sentence, next.into_iter().collect());
     }
-    let mut next = vec![Next::Use(best)];
+    let own = doubts.get(best).into_iter().flatten();
+    let has_moved = own.clone().any(|found| found.kind == Kind::RateAtRestOff);
     let mut rests = segmentation.statics.iter();
-    if norm(e.static_rate) > FAR_FROM_ZERO && rests.any(|rest| rest.span.length() > LONG_ENOUGH) {
+    let can_renew =
+        norm(e.static_rate) > FAR_FROM_ZERO && rests.any(|rest| rest.span.length() > LONG_ENOUGH);
+    let mut next = Vec::new();
+    if !has_moved {
+        next.push(Next::Use(best));
+    }
+    if can_renew {
         next.push(Next::EstimateBias(best));
+    }
+    if next.is_empty() {
+        next.push(Next::RecordAtRest);
     }
     let level = if warnings.is_empty() {
         Level::Good

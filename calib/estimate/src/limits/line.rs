@@ -1,6 +1,6 @@
 //! A limit with what it judges.
 
-use findings::{Finding, Kind};
+use findings::{Finding, Kind, OptionName, Remedy};
 use serde::{Deserialize, Serialize};
 
 /// One limit, the value it is for, and whether that passes.
@@ -84,9 +84,12 @@ impl LimitLine {
         let found = Finding::of(Kind::LimitNotKept)
             .detail("name", self.words())
             .detail("allowed", allowed);
-        match self.value {
-            None => found.detail("value", "not known"),
-            Some(value) => found.detail("value", shown(value)),
+        match (self.value, self.name.strip_prefix("effects.")) {
+            (Some(value), _) => found.detail("value", shown(value)),
+            (None, Some(effect)) => found
+                .detail("value", "not known")
+                .remedy(Remedy::set_to(OptionName::Effects, effect)),
+            (None, None) => found.detail("value", "not known"),
         }
     }
 

@@ -13,13 +13,13 @@ pub fn document(source: &Source<'_>) -> Result<Value, Error> {
     serde_json::to_value(source.calibration).map_err(|e| Error::unwritten(&e))
 }
 
-/// Returns the losses of functions that apply only the base models and the g-sensitivity, while the document beside
+/// Returns the losses of functions that apply the base models and the g-sensitivity alone, while the document beside
 /// them holds the whole calibration.
 pub fn not_applied(source: &Source<'_>) -> Vec<Finding> {
     let applied = Kept {
         g_sensitivity: true,
         errors: true,
-        ..Kept::base_of(source)
+        ..Kept::sensors_of(source)
     };
     let left = losses(source, &applied).into_iter();
     left.map(|loss| loss.as_kind(Kind::NotApplied)).collect()

@@ -26,7 +26,7 @@ pub fn of(remedy: &Remedy, finding: &Finding, recordings: &[&str]) -> Option<Str
             }
             let flag = flag(first.option);
             let usual = match first.option {
-                OptionName::Gravity => "9.81",
+                OptionName::Gravity => "GRAVITY",
                 OptionName::Latitude => "DEGREES",
                 OptionName::Altitude => "METRES",
                 OptionName::Rate => "HZ",

@@ -11,7 +11,10 @@ use crate::show::command_line;
 
 /// Builds the first screen.
 pub fn screen(args: &Args, summary: &NoiseSummary) -> Screen {
-    let recording = command_line(&args.recording) + &args.read.command_line();
+    let mut recording = command_line(&args.recording) + &args.read.command_line();
+    if let Some([from, to]) = args.rest {
+        recording += &format!(" --rest {from},{to}");
+    }
     let mut next = Vec::new();
     if args.output.is_none() {
         next.push(Step::new(

@@ -72,7 +72,7 @@ fn other(clock: &RecordingClock) -> &str {
 
 fn scatter(clock: &RecordingClock) -> String {
     format!(
-        "stamps scatter by {:.2} ms about steps of {:.3} ms",
+        "stamps scatter by {:.2} ms; the usual step is {:.3} ms",
         clock.scatter_ms, clock.step_ms
     )
 }

@@ -3,6 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use calib::Calibration;
+use calib::calibration::Triad;
 use calib::methods::joint::Prediction;
 use calib::truth::supposed;
 use nalgebra::{DMatrix, Vector3};
@@ -31,7 +32,11 @@ pub fn of(calibration: &Calibration) -> ReadingError {
         });
         errors.fold(0.0, f64::max)
     };
-    let heading = prediction(calibration, Sensor::Gyroscope).map(|rate| {
+    // A gyroscope of which the bias alone is known has the scale factors of a perfect one.
+    let has_scale = |triad: &Triad| triad.t_std[0][0].is_some();
+    let rate = prediction(calibration, Sensor::Gyroscope)
+        .filter(|_| calibration.gyroscope.as_ref().is_some_and(has_scale));
+    let heading = rate.map(|rate| {
         let errors = axes.map(|axis| rate.std_of_heading(&axis, FRAC_PI_2, TURN_TIME));
         errors.into_iter().fold(0.0, f64::max)
     });

@@ -336,7 +336,12 @@ fn next(args: &Args, findings: &Findings) -> Vec<Step> {
         let one = args.recordings.first() + &args.read.command_line();
         steps.push(apply_to(&one, &document));
         if calibration.gravity_source == GravitySource::Assumed {
-            let again = call::again(None, "--latitude DEG", given.is_some(), &document);
+            let again = call::again(
+                None,
+                "--latitude DEG --altitude M",
+                given.is_some(),
+                &document,
+            );
             steps.push(Step::new("give the place", again));
         }
     }

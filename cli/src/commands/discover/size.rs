@@ -6,7 +6,7 @@ use calib::calibration::effect_named;
 use calib::discover::EffectFinding;
 use calib::truth::supposed;
 use nalgebra::Vector3;
-use sensor::{EffectRef, Kinematics, Sensor};
+use sensor::{EffectRef, Kinematics, Quantity, Sensor};
 
 use super::words::unit_of;
 use crate::show;
@@ -17,7 +17,7 @@ const WARMER: f64 = 10.0;
 /// A size is stated where it is known to this share of it.
 const KNOWN: f64 = 0.5;
 
-/// The largest error over all orientations at one g, else in a turn at 90 °/s about any axis, else ten degrees warmer; where the recording
+/// The largest error over all orientations at one g and the start, else in a turn at 90 °/s about any axis, else ten degrees warmer; where the recording
 /// does not determine that, what it shows of the effect.
 pub fn of(effect: &EffectFinding, gravity: f64) -> String {
     let p: Vec<f64> = effect.parameters.iter().map(|p| p.value).collect();
@@ -53,7 +53,11 @@ fn at_a_state(effect: &EffectRef, p: &[f64], std: &[f64], gravity: f64) -> Optio
         temperature: at_rest(up).temperature + WARMER,
         ..at_rest(up)
     };
-    let found = largest(&at_rest).map(|error| (error, "at one g"));
+    let state = match effect.needs().contains(&Quantity::Time) {
+        true => "at the start",
+        false => "at one g",
+    };
+    let found = largest(&at_rest).map(|error| (error, state));
     let found = found.or_else(|| Some((largest(&turning)?, "at 90 °/s")));
     let ((error, truth), at) = found.or_else(|| Some((largest(&warmer)?, "10 °C warmer")))?;
     if uncertainty(&truth) > KNOWN * error {

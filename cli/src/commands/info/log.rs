@@ -7,6 +7,7 @@ use calib::recording::formats::LogContents;
 use findings::Front;
 use serde_json::{Value, json};
 
+use crate::commands::shared::first_screen::to_calibrate;
 use crate::exit::Failure;
 use crate::read_args::ReadArgs;
 use crate::show;
@@ -85,8 +86,10 @@ impl Log {
             ]);
         }
         format!(
-            "{}: {}, with several sensors of a kind: choose one\n\n{table}\n\nto calibrate: {}\n",
-            self.name, self.contents.format, self.next
+            "{}: {}, with several sensors of a kind: choose one\n\n{table}\n\n{}\n",
+            self.name,
+            self.contents.format,
+            to_calibrate(&self.next)
         )
     }
 }

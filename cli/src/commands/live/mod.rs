@@ -12,6 +12,7 @@ mod words;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use ::findings::{Finding, Kind};
 pub use args::Args;
 use calib::calibrate::Request;
 use events::Events;
@@ -22,7 +23,6 @@ use web::Web;
 use crate::exit::Failure;
 use crate::output::Folder;
 use crate::show;
-use crate::show::command_line;
 
 /// A phone that has not answered for so long is given up.
 const PATIENCE: Duration = Duration::from_secs(180);
@@ -74,10 +74,14 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         ));
     }
     let recording = &finished.recording;
+    if args.source == "-" && !recording.exists() {
+        let empty = calib::Error::usage(Finding::of(Kind::EmptyInput));
+        return Err(empty.into());
+    }
     show::say(&format!(
-        "calibrating {}; again with: stillpoint calibrate {}",
+        "calibrating {}; again with: {}",
         show::path(recording),
-        command_line(recording)
+        ordinary::again(args, recording)
     ));
     let done = ordinary::calibrate(args, recording, web.as_ref());
     if let Some(web) = &web {

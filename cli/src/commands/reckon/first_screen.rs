@@ -58,8 +58,7 @@ fn verdict(runs: &[Run]) -> String {
     };
     match (best.or(raw.clone()), raw.map(|(_, mean)| mean)) {
         (Some((name, mean)), Some(raw)) if name != "raw" && mean >= raw => format!(
-            "{} is no better than the raw readings: {off} {mean:.3} m (raw {raw:.3} m).",
-            show::capital(&name)
+            "With {name} it is no better than with the raw readings: {off} {mean:.3} m (raw {raw:.3} m)."
         ),
         (Some((name, mean)), Some(raw)) if name != "raw" => {
             format!("With {name} {off} {mean:.3} m (raw {raw:.3} m).")

@@ -40,9 +40,13 @@ pub struct Screen {
     pub reserved: usize,
 }
 
-/// The step that corrects a recording by a calibration, both as a shell takes them.
+/// The step that corrects a recording by a calibration, both as a shell takes them, into a file that is not there yet.
 pub fn apply_to(recording: &str, calibration: &str) -> Step {
-    let command = format!("stillpoint apply {calibration} {recording} -o corrected.csv");
+    let is_free = |name: &String| !Path::new(name).exists();
+    let numbered = (2..100).map(|k| format!("corrected-{k}.csv"));
+    let mut names = std::iter::once("corrected.csv".to_owned()).chain(numbered);
+    let free = names.find(is_free).unwrap_or("corrected.csv".into());
+    let command = format!("stillpoint apply {calibration} {recording} -o {free}");
     Step::new("correct a recording", command)
 }
 
@@ -58,6 +62,16 @@ fn lines_of(step: &Step, width: usize) -> Vec<String> {
     let mut lines = wrapped(&format!("  {}:", step.text), width);
     lines.extend(continued(command, width));
     lines
+}
+
+/// The line that calibrates, the command below its label where one line does not hold both.
+pub fn to_calibrate(command: &str) -> String {
+    let width = terminal::width();
+    let one = format!("to calibrate: {command}");
+    match columns(&one) <= width {
+        true => one,
+        false => format!("to calibrate:\n{}", continued(command, width).join("\n")),
+    }
 }
 
 /// The columns of a text.

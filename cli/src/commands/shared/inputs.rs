@@ -1,6 +1,6 @@
 //! Arguments that commands share, and reading with a spinner.
 
-use ::findings::{Finding, Front};
+use ::findings::{Finding, Front, Remedy};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -436,8 +436,11 @@ pub fn named_effect(name: &str, own: &[EffectRef]) -> Result<EffectRef, Failure>
     let found = catalogue_with(own).find(|effect| effect.name() == name);
     found.ok_or_else(|| {
         let names: Vec<String> = catalogue_with(own).map(|e| e.name().to_owned()).collect();
-        let names = names.join(", ");
-        Failure::usage(format!("--effects {name}: not in the catalogue ({names})"))
+        let known = match Remedy::nearest(name, names.iter().map(String::as_str)) {
+            Some(Remedy::Nearest { names }) => format!("did you mean {}?", names.join(" or ")),
+            _ => names.join(", "),
+        };
+        Failure::usage(format!("--effects {name}: not in the catalogue ({known})"))
     })
 }
 

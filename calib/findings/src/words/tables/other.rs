@@ -18,7 +18,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
         Kind::NotSeenWithoutGravity => Entry {
             reason: "the gyroscope's scale factors and misalignments are not known",
             text: "gyro scale factors and misalignments: no turn shows them without an accelerometer. They are those of a perfect sensor",
-            ..remark(0.001)
+            ..care(0.1)
         },
         Kind::NotSeenByEarthRate => Entry {
             reason: "the gyroscope's scale factors are not known",
@@ -27,7 +27,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
         },
         Kind::EarthInBias => Entry {
             reason: "the earth's rotation is in the {sensor}'s bias",
-            text: "at rest the {sensor} reads the earth's rotation beside its bias, and one placement does not tell them apart. What the \
+            text: "at rest the {sensor} reads the earth's rotation beside its bias. What the \
                latitude of the calibration does not give is in the standard errors, up to ± {error}",
             ..remark(0.001)
         },

@@ -152,7 +152,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
         },
         Kind::GravityAdded => Entry {
             reason: "the accelerometer is the sum of two columns that the phone's software computed",
-            text: "the accelerometer is the sum of `{linear}`, .. and gravity `{gravity}`, .., both computed by the phone's software. That software has corrected them by a calibration of its own",
+            text: "the accelerometer is the sum of columns like `{linear}` and `{gravity}`, both computed by the phone's software. That software has corrected them by a calibration of its own",
             advice: "use the calibration only for readings that the same phone's software has corrected in the same way",
             use_of_result: UseOfResult::Conditional,
             remedies: vec![Remedy::Uncalibrated],

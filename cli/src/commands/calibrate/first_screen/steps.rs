@@ -67,9 +67,12 @@ pub fn next(
     }
     let lacks_placements = coverage.and_then(Coverage::advice).is_some();
     if lacks_placements || remedies().any(|remedy| *remedy == Remedy::Plan) {
-        let one = || args.recordings.recordings.first();
-        let known = given.clone().or_else(|| Some(command_line(one()?)));
-        let known = known.unwrap_or(inputs);
+        // What a calibration knows it knows by all recordings, and as they were read.
+        let known = given.clone().or_else(|| alone(args));
+        if known.is_none() {
+            steps.push(Step::new("keep the calibration", again("")));
+        }
+        let known = known.unwrap_or_else(|| cal.clone());
         steps.push(Step::new(
             "plan the placements to add",
             format!("stillpoint plan {known}"),
@@ -79,10 +82,13 @@ pub fn next(
         return steps;
     }
     if calibration.gravity_source == GravitySource::Assumed && calibration.accelerometer.is_some() {
-        steps.extend(gained(calibration).map(|what| Step::new(what, again("--latitude DEG"))));
+        steps.extend(
+            gained(calibration).map(|what| Step::new(what, again("--latitude DEG --altitude M"))),
+        );
     }
-    if given.is_none() {
-        steps.push(Step::new("keep the calibration", again("")));
+    let keep = Step::new("keep the calibration", again(""));
+    if given.is_none() && !steps.contains(&keep) {
+        steps.push(keep);
     }
     let one = args.recordings.first() + &args.read.command_line();
     steps.push(apply_to(&one, &cal));
@@ -91,6 +97,15 @@ pub fn next(
         format!("stillpoint evaluate SECOND --calibration cal={cal}"),
     ));
     steps
+}
+
+/// The recording, where its name alone says how it is read.
+fn alone(args: &Args) -> Option<String> {
+    let is_plain = args.read.command_line().is_empty() && args.leave_out.is_empty();
+    match args.recordings.recordings.as_slice() {
+        [one] if is_plain => Some(command_line(one)),
+        _ => None,
+    }
 }
 
 /// A place that leaves more of the errors is not asked for.
@@ -115,7 +130,7 @@ fn gained(calibration: &Calibration) -> Option<String> {
     let is_worth_it = then < WORTH_IT * now;
     is_worth_it.then(|| {
         format!(
-            "give the place: scale errors {} → {} ppm",
+            "give latitude and height: scale errors {} → {} ppm",
             ppm(now),
             ppm(then)
         )

@@ -15,7 +15,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
         },
         Kind::EffectMissing => Entry {
             reason: "the model[ of the {sensor}] lacks a source of error[, most like {effect}]",
-            text: "the model[ of the {sensor}] lacks a source of error[, most like {effect}]. The standard errors do not cover it",
+            text: "the model[ of the {sensor}] lacks a source of error[, most like {effect}]. The standard errors may not cover all of it",
             remedies: vec![Remedy::Discover],
             ..care(0.06)
         },
