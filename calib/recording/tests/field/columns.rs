@@ -31,7 +31,7 @@ fn gravity_and_the_rest_of_the_acceleration_are_added_with_the_sign_of_their_sys
     is_it(&found, &s, 1e-4);
     says(
         &found.warnings.texts(findings::Front::CommandLine),
-        "is the sum of `userAcceleration.x`",
+        "is the sum of columns like `userAcceleration.x`",
     );
     assert!(found.description.sensors[0].turned);
     let header = "t,linearAccelerationX,linearAccelerationY,linearAccelerationZ,gyroX,gyroY,gyroZ,gravityX,gravityY,gravityZ";

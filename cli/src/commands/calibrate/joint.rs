@@ -14,6 +14,9 @@ use crate::show;
 /// Time for a quarter or a full turn, s: what a bias adds to the heading grows with it.
 pub const TURN_TIME: f64 = 3.0;
 
+/// What a fit that knows the noise of each row weighs its residual by; the first screen has the plain one.
+pub const BY_WEIGHTS: &str = " by the weights of the fit";
+
 /// Levels of noise, and what the errors of the parameters make of readings and headings.
 pub fn text(fit: &JointFit) -> String {
     let mut text = String::new();
@@ -21,7 +24,7 @@ pub fn text(fit: &JointFit) -> String {
         let missed = show::figures(fit.direction_rms().to_degrees(), 3);
         let _ = writeln!(
             text,
-            "{} turns, gravity predicted to {missed}° rms",
+            "{} turns, gravity predicted to {missed}° rms{BY_WEIGHTS}",
             fit.chords.len()
         );
     }

@@ -45,9 +45,10 @@ pub fn text(outcome: &Outcome) -> String {
         );
         let _ = writeln!(
             text,
-            "{} static intervals, residual {} mm/s² rms{}, condition {:.1}, rank {}",
+            "{} static intervals, residual {} mm/s² rms{}{}, condition {:.1}, rank {}",
             triad.static_intervals.unwrap_or(0),
             show::figures(1e3 * triad.residual_rms, 3),
+            outcome.joint.as_ref().map_or("", |_| joint::BY_WEIGHTS),
             over_noise(triad),
             triad.condition,
             triad.rank
