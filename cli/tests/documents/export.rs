@@ -64,9 +64,9 @@ fn what_is_lost_is_printed_with_its_size_and_as_json() {
     let said = stdout(&run);
     let named = [
         "the export leaves out misalignments of the accelerometer: ",
-        "mm/s²",
+        "m/s² at 1 g",
         "scale factors of the gyroscope",
-        "rad/s",
+        "°/s at 1 rad/s",
     ];
     for words in named {
         assert!(said.contains(words), "{said}");
