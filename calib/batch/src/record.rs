@@ -190,9 +190,9 @@ pub(crate) fn without_numbers(words: &str) -> String {
     let mut kept = String::new();
     for c in words.chars().take(120) {
         match c {
-            '0'..='9' if kept.ends_with('#') => {}
-            '0'..='9' => kept.push('#'),
-            '.' if kept.ends_with('#') => {}
+            '0'..='9' if kept.ends_with('…') => {}
+            '0'..='9' => kept.push('…'),
+            '.' if kept.ends_with('…') => {}
             c => kept.push(c),
         }
     }
