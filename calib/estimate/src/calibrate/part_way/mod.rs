@@ -13,6 +13,7 @@ mod force;
 mod hypothesis;
 mod mirrored;
 mod rate;
+mod sure;
 mod turn;
 mod turn_sums;
 mod turned;
