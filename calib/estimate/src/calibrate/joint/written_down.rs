@@ -159,8 +159,9 @@ pub fn written_down(
         failed_gates,
         ..Calibration::by("joint", account.gravity, account.gravity_source)
     };
-    let settles = AfterTurns::of(fit, recordings, &motions[0], &calibration);
-    warnings.extend(settles.map(|found| found.count(&mut calibration)));
+    if let Some(settles) = AfterTurns::of(fit, recordings, &motions[0], &calibration) {
+        settles.count(&mut calibration, warnings);
+    }
     count_from_the_earliest(&mut calibration);
     Ok(match account.frame {
         Frame::Triangular => calibration,
