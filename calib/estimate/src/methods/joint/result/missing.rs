@@ -33,6 +33,9 @@ pub struct Missing {
 /// An effect is what is missing where it explains more than this share of the excess.
 const MOST: f64 = 0.6;
 
+/// Components of readings at rest, at most, of which the scatter by itself is looked at: it takes the cube of their number.
+const MOST_READINGS: usize = 400;
+
 impl Missing {
     /// Returns true if the effect explains most of what the model leaves; otherwise something else is missing.
     pub fn explains_most(&self) -> bool {
@@ -47,7 +50,7 @@ pub struct Evidence {
     pub product: f64,
     /// `eᵀe`.
     pub square: f64,
-    /// `|P r|²`, `P` onto all that errors of the accelerometer at rest could be, and its degrees of freedom.
+    /// `|P r|²`, `P` onto all that errors of the accelerometer at rest could be, and its degrees of freedom; of many intervals `|r|²`.
     pub all: (f64, usize),
 }
 
@@ -133,27 +136,36 @@ impl JointFit {
     /// they do.
     pub(crate) fn evidence_for(&self, columns: Mat<f64>) -> Vec<Evidence> {
         let beside = Beside::of(self, self.noise_whitening_with_scatter());
-        let (all, dof, _) = beside.score(self.columns_of_rests());
+        let all = match self.columns_of_rests() {
+            Some(columns) => {
+                let (square, dof, _) = beside.score(columns);
+                (square, dof)
+            }
+            None => beside.all(),
+        };
         let left = beside.left(columns);
         let residuals = ColRef::from_slice(&beside.residuals);
         let of = |k: usize| Evidence {
             product: left.col(k).transpose() * residuals,
             square: left.col(k).squared_norm_l2(),
-            all: (all, dof),
+            all,
         };
         (0..left.ncols()).map(of).collect()
     }
 
-    /// A column of the rows for every reading of the accelerometer at rest.
-    fn columns_of_rests(&self) -> Mat<f64> {
+    /// A column of the rows for every reading of the accelerometer at rest; `None` of so many that all rows together tell their noise.
+    fn columns_of_rests(&self) -> Option<Mat<f64>> {
         let means = self.sensitivities().means.into_iter();
         let own = means.filter(|own| own.sensor == Sensor::Accelerometer);
         let rows: Vec<usize> = own.flat_map(|own| own.row..own.row + 3).collect();
+        if rows.len() > MOST_READINGS {
+            return None;
+        }
         let mut columns = Mat::zeros(self.residuals.len(), rows.len());
         for (k, row) in rows.into_iter().enumerate() {
             columns[(row, k)] = 1.0;
         }
-        columns
+        Some(columns)
     }
 
     /// The sensitivities with the time and the temperature of every mean and sample, and the motion through every turn.
@@ -215,10 +227,17 @@ impl Beside {
         }
     }
 
+    /// `|r|²` and its degrees of freedom.
+    fn all(&self) -> (f64, usize) {
+        let square = self.residuals.iter().map(|r| r * r).sum();
+        let spare = self.residuals.len().saturating_sub(self.model.rank());
+        (square, spare)
+    }
+
     /// `|r|²` less its degrees of freedom.
     fn excess(&self) -> f64 {
-        let square: f64 = self.residuals.iter().map(|r| r * r).sum();
-        square - (self.residuals.len() - self.model.rank()) as f64
+        let (square, spare) = self.all();
+        square - spare as f64
     }
 
     /// `|P_E r|²` of columns (`m × k`), its degrees of freedom, and whether the first coefficient would be negative: `Eᵀ r > 0`.
