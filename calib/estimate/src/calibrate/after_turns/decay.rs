@@ -11,6 +11,9 @@ use crate::methods::joint::Evidence;
 /// Time constants tried, s.
 const TIME_CONSTANTS: [f64; 6] = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0];
 
+/// Slower than this, s, is tried only what the means of the intervals see: within the intervals it is a slope of any size.
+const SLOWEST_WITHIN: f64 = 16.0;
+
 /// Chance makes readings fade so in fewer recordings than this, over all that is tried.
 const LEVEL: f64 = 1e-3;
 
@@ -58,7 +61,8 @@ impl Tried {
             .map(|(own, change)| (own, change, own.at_first(tau)))
             .collect();
         let mut tested = Vec::new();
-        for way in Way::ALL {
+        let is_tried = |way: &Way| tau <= SLOWEST_WITHIN || way.is_seen_in_means();
+        for way in Way::ALL.into_iter().filter(is_tried) {
             let alike = way.may_be_alike().then_some(None);
             for axis in (0..3).map(Some).chain(alike) {
                 let factors = seen.iter().filter_map(|(own, change, at_first)| {

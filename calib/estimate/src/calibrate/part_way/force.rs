@@ -7,12 +7,10 @@ use recording::intervals::{Moments, Span, StaticInterval};
 
 use super::change::{Change, Place};
 use super::hypothesis::{CHANGES, Hypothesis, OWN, What};
-use super::sure::Sure;
+use super::sure::{BASE, Sure};
 use super::weigh::{Explanation, solved_in_place};
 use crate::methods::{RawUnit, accelerometer_unit};
 
-/// Parameters of the base: an upper triangular matrix and a bias.
-pub(super) const BASE: usize = 9;
 /// Most parameters of both.
 const ALL: usize = BASE + OWN;
 

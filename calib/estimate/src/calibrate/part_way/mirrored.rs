@@ -149,18 +149,24 @@ mod tests {
     use findings::Kind as Found;
     use nalgebra::Matrix3;
     use recording::intervals::{Detector, segment};
-    use simulate::Spec;
+    use simulate::{Motion, Spec};
 
     #[test]
     fn a_range_that_is_switched_part_of_the_way_is_one_and_no_step_of_the_bias() {
-        let mut recording = Spec::hand_held(3).run().unwrap().recording;
-        let gravity = Spec::hand_held(3).gravity;
+        let mut spec = Spec::hand_held(3);
+        if let Motion::HandHeld(motion) = &mut spec.motion {
+            motion.placements = Some(20);
+        }
+        for scale in ["gyro.s_x", "gyro.s_y", "gyro.s_z"] {
+            spec.parameters.insert(scale.into(), 1.0);
+        }
+        let mut recording = spec.run().unwrap().recording;
         let rates = recording.gyroscope.as_mut().unwrap();
         let half = rates.values.len() / 2;
         rates.values.iter_mut().skip(half).for_each(|w| *w *= 4.0);
         let cut = segment(&recording, &Detector::default()).unwrap();
         let fitted = Some((Matrix3::identity(), 1.0));
-        let found = super::super::changes_part_way(&recording, &cut, gravity, fitted);
+        let found = super::super::changes_part_way(&recording, &cut, spec.gravity, fitted);
         let kinds: Vec<Found> = found.iter().map(|found| found.kind).collect();
         assert_eq!(kinds, [Found::ScaleChange], "{found:?}");
         let size = found[0].numbers.iter().find(|n| n.name == "size").unwrap();

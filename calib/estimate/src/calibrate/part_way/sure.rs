@@ -2,7 +2,8 @@
 
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 
-use super::force::BASE;
+/// Parameters of the base: an upper triangular matrix and a bias.
+pub(super) const BASE: usize = 9;
 
 /// A direction is known to this, rad, by the noise alone: a turn is off by five of it at least.
 const UNSURE: f64 = 1e-3;
