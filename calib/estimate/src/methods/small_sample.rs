@@ -31,6 +31,13 @@ pub fn two_sided(t: f64, dof: f64) -> f64 {
     StudentsT::new(0.0, 1.0, dof).map_or(1.0, |law| 2.0 * law.sf(t))
 }
 
+/// The standard normal deviate that chance exceeds as often as this Student's `t` of so many degrees of freedom, within a few parts in a
+/// thousand (Wallace 1959).
+pub fn normal_score(t: f64, dof: f64) -> f64 {
+    let shrunk = (8.0 * dof + 1.0) / (8.0 * dof + 3.0);
+    shrunk * (dof * (t * t / dof).ln_1p()).sqrt().copysign(t)
+}
+
 /// Standard deviation of a residual: `noise` as it was measured within the intervals where the sum of squares of the residuals
 /// with `dof` degrees of freedom does not speak against it, else that of the residuals, widened for few degrees of
 /// freedom. A residual above the noise counts as it is where it has degrees of freedom enough. Where no noise was
@@ -66,6 +73,15 @@ mod tests {
             assert!((widening(dof) * 1.959_964 - t).abs() < 5e-4, "{dof}");
         }
         assert!((widening(100_000) - 1.0).abs() < 1e-4);
+    }
+
+    #[test]
+    fn a_normal_score_is_exceeded_as_often_as_its_t() {
+        for (t, dof) in [(1.0, 5.0), (-3.0, 11.0), (7.0, 19.0)] {
+            let z = normal_score(t, dof);
+            let share = by_chance(z * z, 1.0) / two_sided(f64::abs(t), dof);
+            assert!(z * t > 0.0 && (share - 1.0).abs() < 0.05, "{t}: {share}");
+        }
     }
 
     #[test]

@@ -1,14 +1,18 @@
-//! Errors that fade after turns, from the readings within static intervals.
+//! Errors that fade after turns, from the readings within static intervals and their means.
 
 use nalgebra::Vector3;
 use recording::intervals::Span;
 
 use super::rested::{Rested, changes};
+use super::tested::Tested;
 use super::way::Way;
-use crate::methods::small_sample::two_sided;
+use crate::methods::joint::Evidence;
 
 /// Time constants tried, s.
-const TIME_CONSTANTS: [f64; 5] = [1.0, 2.0, 4.0, 8.0, 16.0];
+const TIME_CONSTANTS: [f64; 6] = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0];
+
+/// Slower than this, s, is tried only what the means of the intervals see: within the intervals it is a slope of any size.
+const SLOWEST_WITHIN: f64 = 16.0;
 
 /// Chance makes readings fade so in fewer recordings than this, over all that is tried.
 const LEVEL: f64 = 1e-3;
@@ -36,39 +40,6 @@ impl Decay {
     }
 }
 
-/// A factor of an error, tested.
-#[derive(Clone, Copy, Debug)]
-struct Tested {
-    way: Way,
-    /// The axis that has it; `None` of all axes alike.
-    axis: Option<usize>,
-    factor: f64,
-    /// Log-likelihood over none.
-    gain: f64,
-    /// Probability of so much by chance, in this one test.
-    p_value: f64,
-}
-
-impl Tested {
-    /// The weighted mean of the factors `(factor, weight)` by the intervals, against their own scatter (Student 1908): whatever the noise is
-    /// within an interval, that of others is independent.
-    fn of(way: Way, axis: Option<usize>, factors: &[(f64, f64)]) -> Option<Self> {
-        let spare = factors.len().checked_sub(1)? as f64;
-        let weight: f64 = factors.iter().map(|(_, w)| w).sum();
-        let factor = factors.iter().map(|(f, w)| f * w).sum::<f64>() / weight;
-        let scatter = factors.iter().map(|(f, w)| w * (f - factor).powi(2));
-        let variance = scatter.sum::<f64>() / spare / weight;
-        let square = factor * factor / variance;
-        square.is_finite().then(|| Self {
-            way,
-            axis,
-            factor,
-            gain: 0.5 * (spare + 1.0) * (square / spare).ln_1p(),
-            p_value: two_sided(square.sqrt(), spare),
-        })
-    }
-}
-
 /// The factor of an error that one interval shows, and its weight; `None` where the error would be nothing there.
 fn factor((error, weight): &(Vector3<f64>, f64), along: Vector3<f64>) -> Option<(f64, f64)> {
     let square = along.norm_squared();
@@ -90,7 +61,8 @@ impl Tried {
             .map(|(own, change)| (own, change, own.at_first(tau)))
             .collect();
         let mut tested = Vec::new();
-        for way in Way::ALL {
+        let is_tried = |way: &Way| tau <= SLOWEST_WITHIN || way.is_seen_in_means();
+        for way in Way::ALL.into_iter().filter(is_tried) {
             let alike = way.may_be_alike().then_some(None);
             for axis in (0..3).map(Some).chain(alike) {
                 let factors = seen.iter().filter_map(|(own, change, at_first)| {
@@ -107,51 +79,106 @@ impl Tried {
         }
     }
 
-    /// The gain of an error of this way, of this axis or of all alike.
-    fn gain(&self, of: &Tested) -> f64 {
-        let mut own = self.tested.iter();
-        let found = own.find(|own| own.way == of.way && own.axis == of.axis);
-        found.map_or(0.0, |found| found.gain)
+    /// The same error with this time constant.
+    fn same(&self, of: &Tested) -> Option<&Tested> {
+        self.find(of.way, of.axis)
     }
 
-    /// The error: where one axis shows it alone, each has a factor of its own.
-    fn decay(&self, rests: &[Rested<'_>], found: &Tested) -> Decay {
-        let own = |axis: Option<usize>| {
-            let mut own = self.tested.iter();
-            let own = own.find(|own| own.way == found.way && own.axis == axis);
-            own.map_or(0.0, |own| own.factor)
-        };
-        let factors = match found.axis {
-            None => Vector3::repeat(own(None)),
-            Some(_) => Vector3::from_fn(|axis, _| own(Some(axis))),
-        };
+    fn find(&self, way: Way, axis: Option<usize>) -> Option<&Tested> {
+        let mut own = self.tested.iter();
+        own.find(|own| own.way == way && own.axis == axis)
+    }
+
+    /// The error with these factors of the axes.
+    fn decay(&self, rests: &[Rested<'_>], way: Way, factors: &Vector3<f64>) -> Decay {
         let each = rests.iter().zip(&self.changes);
         let at_first = each.map(|(rest, change)| {
-            let along = found.way.of(&rest.force, change);
-            along.component_mul(&factors)
+            let along = way.of(&rest.force, change);
+            along.component_mul(factors)
         });
         Decay {
             tau: self.tau,
             at_first: at_first.collect(),
         }
     }
+
+    /// The error of a factor of one.
+    fn of_one(&self, rests: &[Rested<'_>], of: &Tested) -> Decay {
+        let ones = Vector3::repeat(1.0);
+        let factors = of.axis.map_or(ones, |axis| Vector3::ith(axis, 1.0));
+        self.decay(rests, of.way, &factors)
+    }
+
+    /// The error as found: where one axis shows it alone, each has a factor of its own.
+    fn as_found(&self, rests: &[Rested<'_>], found: &Tested) -> Decay {
+        let own = |axis| self.find(found.way, axis).map_or(0.0, Tested::factor);
+        let factors = match found.axis {
+            None => Vector3::repeat(own(None)),
+            Some(_) => Vector3::from_fn(|axis, _| own(Some(axis))),
+        };
+        self.decay(rests, found.way, &factors)
+    }
 }
 
-/// The slowest decay of the likeliest way that the readings do not rule out, where chance does not explain them.
-pub fn slowest(rests: &[Rested<'_>]) -> Option<Decay> {
-    if rests.iter().filter(|own| own.is_sound).count() < FEWEST {
-        return None;
+/// All errors that are tried.
+pub struct Trials<'a> {
+    rests: &'a [Rested<'a>],
+    all: Vec<Tried>,
+}
+
+impl<'a> Trials<'a> {
+    /// By the readings within the intervals; `None` where these are too few.
+    pub fn within(rests: &'a [Rested<'a>]) -> Option<Self> {
+        (rests.iter().filter(|own| own.is_sound).count() >= FEWEST).then(|| Self {
+            rests,
+            all: TIME_CONSTANTS.map(|tau| Tried::of(rests, tau)).into(),
+        })
     }
-    let all = TIME_CONSTANTS.map(|tau| Tried::of(rests, tau));
-    let tests: usize = all.iter().map(|own| own.tested.len()).sum();
-    let tested = all.iter().flat_map(|own| &own.tested);
-    let best = tested.max_by(|a, b| a.gain.total_cmp(&b.gain))?;
-    if best.p_value * tests as f64 >= LEVEL {
-        return None;
+
+    /// The errors of a factor of one that the means of the intervals can tell from scale factors and biases.
+    pub fn seen_in_means(&self) -> Vec<Decay> {
+        let of = |tried: &Tried| {
+            let own = tried.tested.iter().filter(|own| own.way.is_seen_in_means());
+            let own = own.map(|own| tried.of_one(self.rests, own));
+            own.collect::<Vec<_>>()
+        };
+        self.all.iter().flat_map(of).collect()
     }
-    let mut slowest_first = all.iter().rev();
-    let open = slowest_first.find(|own| own.gain(best) > best.gain - RULED_OUT)?;
-    Some(open.decay(rests, best))
+
+    /// The trials with what the means say of those, in their order.
+    pub fn with_means(&self, evidence: &[Evidence]) -> Self {
+        let mut evidence = evidence.iter().copied();
+        let mut with = |own: &Tested| match own.way.is_seen_in_means() {
+            true => own.with(evidence.next().unwrap_or_default()),
+            false => *own,
+        };
+        let all = self.all.iter().map(|tried| Tried {
+            tau: tried.tau,
+            changes: tried.changes.clone(),
+            tested: tried.tested.iter().map(&mut with).collect(),
+        });
+        Self {
+            rests: self.rests,
+            all: all.collect(),
+        }
+    }
+
+    /// The likeliest error, where chance does not explain it and nothing contradicts it.
+    pub fn found(&self) -> Option<Tested> {
+        let tested = self.all.iter().flat_map(|own| &own.tested);
+        let tests = tested.clone().count();
+        let best = tested.max_by(|a, b| a.gain().total_cmp(&b.gain()))?;
+        (best.p_value() * (tests as f64) < LEVEL && best.agrees()).then_some(*best)
+    }
+
+    /// The slowest decay of that error that nothing rules out.
+    pub fn slowest(&self, found: &Tested) -> Option<Decay> {
+        let least = found.gain() - RULED_OUT;
+        let mut slowest_first = self.all.iter().rev();
+        let is_open = |own: &&Tried| own.same(found).is_some_and(|own| own.gain() > least);
+        let open = slowest_first.find(is_open)?;
+        Some(open.as_found(self.rests, found))
+    }
 }
 
 #[cfg(test)]
@@ -189,7 +216,8 @@ mod tests {
             is_sound: true,
         };
         let rests: Vec<_> = all.iter().map(|values| rest(values)).collect();
-        slowest(&rests)
+        let trials = Trials::within(&rests)?;
+        trials.slowest(&trials.found()?)
     }
 
     #[test]

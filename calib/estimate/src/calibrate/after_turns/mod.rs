@@ -2,17 +2,19 @@
 
 mod decay;
 mod rested;
+mod tested;
 mod way;
 
-use findings::{Finding, Kind};
+use faer::Mat;
+use findings::{Finding, Findings, Kind};
 use nalgebra::{DVector, Vector3};
 use recording::Recording;
 use sensor::{Quantity, Sensor};
 
-use self::decay::{Decay, slowest};
+use self::decay::{Decay, Trials};
 use self::rested::Rested;
 use crate::calibration::Calibration;
-use crate::methods::joint::{BiasMotion, JointFit};
+use crate::methods::joint::{BiasMotion, JointFit, MeanSensitivity};
 
 /// It is said where it moves a parameter by more than so many of its standard errors.
 const WORTH: f64 = 1.0;
@@ -21,6 +23,8 @@ const WORTH: f64 = 1.0;
 #[derive(Clone, Debug)]
 pub struct AfterTurns {
     finding: Finding,
+    /// True if that is the effect that the model lacks.
+    is_what_lacks: bool,
     /// The parameters and how far the means of the static intervals put them off.
     off: Vec<(String, f64)>,
 }
@@ -40,17 +44,9 @@ impl AfterTurns {
         let rests = 0..fit.data.rests.len();
         let rests = rests.map(|k| rested(fit, recordings, motions, k));
         let rests: Vec<Rested<'_>> = rests.collect::<Option<_>>()?;
-        let decay = slowest(&rests)?;
-        let mut column = vec![0.0; fit.residuals.len()];
-        for own in fit.sensitivities().means {
-            let chunk = &fit.data.chunks[own.chunk];
-            let mean = chunk.mean(own.sensor);
-            if let (Sensor::Accelerometer, Some(mean)) = (own.sensor, mean) {
-                let left = decay.mean_left(&mean.span, fit.data.rests[chunk.rest].turned);
-                let off = decay.at_first[chunk.rest] * left;
-                column[own.row..own.row + 3].copy_from_slice(off.as_slice());
-            }
-        }
+        let means = fit.sensitivities().means;
+        let (decay, is_what_lacks) = decay_of(fit, &means, recordings, &Trials::within(&rests)?)?;
+        let column = column_of(fit, &means, &decay);
         let off = fit.moved_by(&column);
         let matters = off.iter().any(|(name, off)| {
             let std = calibration.standard_error_of(name);
@@ -58,12 +54,13 @@ impl AfterTurns {
         });
         matters.then(|| Self {
             finding: said(&decay),
+            is_what_lacks,
             off,
         })
     }
 
-    /// Counts in the standard errors what the parameters are off by, and returns what is to be said.
-    pub fn count(self, calibration: &mut Calibration) -> Finding {
+    /// Counts in the standard errors what the parameters are off by, and says it; that the model lacks an effect is said then.
+    pub fn count(self, calibration: &mut Calibration, warnings: &mut Findings) {
         let values = calibration.parameter_values();
         let mut covariance = calibration.covariance_matrix();
         let own = |name: &String| {
@@ -74,8 +71,49 @@ impl AfterTurns {
         let off = DVector::from_iterator(calibration.parameters.len(), off);
         covariance += &off * off.transpose();
         calibration.write_parameters(&values, &covariance);
-        self.finding
+        let is_gyroscope = |found: &Finding| found.place.sensor == Some(Sensor::Gyroscope);
+        if self.is_what_lacks {
+            warnings.retain(|found| found.kind != Kind::EffectMissing || is_gyroscope(found));
+        }
+        warnings.push(self.finding);
     }
+}
+
+/// The decay that the readings within the static intervals show, alone or with the means of the intervals, and whether it explains these best;
+/// where an error that the catalogue knows explains the means better, these are not asked.
+fn decay_of(
+    fit: &JointFit,
+    means: &[MeanSensitivity],
+    recordings: &[&Recording],
+    within: &Trials<'_>,
+) -> Option<(Decay, bool)> {
+    let columns = within.seen_in_means();
+    let columns = columns.iter().map(|own| column_of(fit, means, own));
+    let columns: Vec<Vec<f64>> = columns.collect();
+    let columns = Mat::from_fn(fit.residuals.len(), columns.len(), |i, k| columns[k][i]);
+    let with_means = within.with_means(&fit.evidence_for(columns));
+    let best = with_means.found().filter(|found| {
+        found.is_in_means() && !fit.lacks_what_gains_more(recordings, found.gain_of_means())
+    });
+    if let Some(found) = best {
+        return Some((with_means.slowest(&found)?, true));
+    }
+    let found = within.found()?;
+    Some((within.slowest(&found)?, false))
+}
+
+/// What a decay adds to the rows.
+fn column_of(fit: &JointFit, means: &[MeanSensitivity], decay: &Decay) -> Vec<f64> {
+    let mut column = vec![0.0; fit.residuals.len()];
+    for own in means {
+        let chunk = &fit.data.chunks[own.chunk];
+        if let (Sensor::Accelerometer, Some(mean)) = (own.sensor, chunk.mean(own.sensor)) {
+            let left = decay.mean_left(&mean.span, fit.data.rests[chunk.rest].turned);
+            let off = decay.at_first[chunk.rest] * left;
+            column[own.row..own.row + 3].copy_from_slice(off.as_slice());
+        }
+    }
+    column
 }
 
 /// The readings in static interval `k`; `None` without an accelerometer.

@@ -1,12 +1,13 @@
 //! An accelerometer whose readings are cut off towards zero instead of rounded.
 
+use faer::Mat;
 use findings::{Finding, Findings, Kind};
 use nalgebra::Vector3;
 use recording::readings::least_step;
 use recording::{Recording, Stream};
 use sensor::Sensor;
 
-use crate::methods::joint::{JointFit, Mean, Missing};
+use crate::methods::joint::{JointFit, Mean};
 
 /// Log-likelihood by which readings that are half a step larger have to explain all rows better: with nothing fitted, chance makes so
 /// much in one of ten thousand recordings, whatever the step (`√(2 · 6.9)` is exceeded so rarely).
@@ -36,15 +37,14 @@ pub fn cut_towards_zero(fit: &JointFit, recordings: &[&Recording]) -> Option<Fin
             column[own.row..own.row + 3].copy_from_slice(shift.as_slice());
         }
     }
-    let [gain, most] = fit.gain_by(&column);
-    if gain < BETTER || gain < SHARE * most {
+    let column = Mat::from_fn(column.len(), 1, |row, _| column[row]);
+    let evidence = *fit.evidence_for(column).first()?;
+    let gain = evidence.gain();
+    if gain < BETTER || gain < SHARE * evidence.most() {
         return None;
     }
     // An error of the accelerometer that fits better is the cause, though its coefficients follow chance as well.
-    let is_better = |rival: &Missing| {
-        rival.effect.sensor() == Sensor::Accelerometer && 0.5 * rival.statistic > gain
-    };
-    if fit.missing(recordings).as_ref().is_some_and(is_better) {
+    if fit.lacks_what_gains_more(recordings, gain) {
         return None;
     }
     let step = cut.first()?.steps.max() * scale;

@@ -1,7 +1,7 @@
 //! A joint fit as a calibration.
 
 use effects::earth_rotation;
-use findings::Findings;
+use findings::{Findings, Kind};
 use recording::{Error, Recording};
 use sensor::{Model, Sensor};
 
@@ -159,8 +159,12 @@ pub fn written_down(
         failed_gates,
         ..Calibration::by("joint", account.gravity, account.gravity_source)
     };
-    let settles = AfterTurns::of(fit, recordings, &motions[0], &calibration);
-    warnings.extend(settles.map(|found| found.count(&mut calibration)));
+    // What settles where the device turned at rest is its support.
+    let settles = (!warnings.has(Kind::RestsTurn))
+        .then(|| AfterTurns::of(fit, recordings, &motions[0], &calibration));
+    if let Some(settles) = settles.flatten() {
+        settles.count(&mut calibration, warnings);
+    }
     count_from_the_earliest(&mut calibration);
     Ok(match account.frame {
         Frame::Triangular => calibration,

@@ -7,11 +7,10 @@ use recording::intervals::{Moments, Span, StaticInterval};
 
 use super::change::{Change, Place};
 use super::hypothesis::{CHANGES, Hypothesis, OWN, What};
+use super::sure::{BASE, Sure};
 use super::weigh::{Explanation, solved_in_place};
 use crate::methods::{RawUnit, accelerometer_unit};
 
-/// Parameters of the base: an upper triangular matrix and a bias.
-const BASE: usize = 9;
 /// Most parameters of both.
 const ALL: usize = BASE + OWN;
 
@@ -42,7 +41,7 @@ const STEPS: usize = 30;
 pub(super) struct Force {
     /// The change, where there is one.
     pub change: Option<Change>,
-    /// Directions of specific force, by static interval.
+    /// Directions of specific force, by static interval; none where the intervals do not determine it.
     pub directions: Vec<Option<Vector3<f64>>>,
 }
 
@@ -87,11 +86,14 @@ pub(super) fn force(rests: &[StaticInterval], gravity: f64) -> Option<Force> {
     let from = used
         .get(fit.hypothesis.at)
         .map_or(usize::MAX, |(place, ..)| *place);
+    let sure = Sure::of(fit.rows(&raw, gravity).map(|(_, slope)| slope));
+    let noise = unit.scale * white;
     let direction = |(place, rest): (usize, &StaticInterval)| {
         let passed = passed(place, rests.len());
         let force = unit.to_si(&rest.accelerometer?.mean);
         let force = fit.corrected(&force, passed, place >= from);
-        Some(force.normalize()).filter(|u| u.norm().is_finite())
+        let is_sure = sure.knows(&fit.base().0, &force, noise);
+        Some(force.normalize()).filter(|u| is_sure && u.norm().is_finite())
     };
     Some(Force {
         change,

@@ -1,7 +1,7 @@
-//! A sign or two columns that change part of the way: by which of them the turns meet gravity before and after.
+//! A sign, two columns or the unit of the rates that change part of the way: by which of them the turns meet gravity before and after.
 
 use nalgebra::Matrix3;
-use recording::averages::median;
+use recording::averages::{median, quantile};
 use sensor::Sensor;
 
 use super::change::{Change, Kind, Place};
@@ -14,11 +14,28 @@ const MEETS: f64 = 0.15;
 /// ... and one of other axes misses it by more than this.
 const MISSES: f64 = 0.35;
 
-/// A reflection of one sensor's axes.
+/// Ratios of the ranges and units that occur.
+const RATIOS: [f64; 4] = [2.0, 4.0, 8.0, 180.0 / std::f64::consts::PI];
+/// A change leaves this share of the turns on either side, or nearly.
+const PART: f64 = 0.25;
+
+/// Another reading of one sensor's axes: reflected, or in another unit.
 #[derive(Clone, Copy, Debug)]
 struct Reflection {
     kind: Kind,
     matrix: Matrix3<f64>,
+}
+
+impl Reflection {
+    /// The kind where what was read so is read as it is from some place on, instead of the reverse.
+    fn backwards(self) -> Kind {
+        match self.kind {
+            Kind::Scale(sensor, axis, share) => {
+                Kind::Scale(sensor, axis, (1.0 + share).recip() - 1.0)
+            }
+            other => other,
+        }
+    }
 }
 
 fn reflections(sensor: Sensor) -> Vec<Reflection> {
@@ -34,10 +51,17 @@ fn reflections(sensor: Sensor) -> Vec<Reflection> {
         let kind = Kind::Swapped(sensor, axes);
         Reflection { kind, matrix }
     });
-    flipped.chain(swapped).collect()
+    // The length of a force says nothing of its direction.
+    let is_rate = sensor == Sensor::Gyroscope;
+    let factors = RATIOS.into_iter().flat_map(|ratio| [ratio, ratio.recip()]);
+    let scaled = factors.filter(|_| is_rate).map(|factor| Reflection {
+        kind: Kind::Scale(sensor, None, factor - 1.0),
+        matrix: Matrix3::from_diagonal_element(factor.recip()),
+    });
+    flipped.chain(swapped).chain(scaled).collect()
 }
 
-/// The reflection from some turn on, or up to it, with which all turns meet gravity.
+/// The reflection or the unit from some turn on, or up to it, with which all turns meet gravity.
 pub(super) fn change(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Option<Change> {
     if turns.len() < 2 * SIDE {
         return None;
@@ -69,13 +93,17 @@ pub(super) fn change(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Option<Chan
             };
             let usual = |side: &[f64]| median(side.iter().copied()).unwrap_or(0.0);
             for at in SIDE..=turns.len() - SIDE {
-                for (first, last) in [(&plain, &other), (&other, &plain)] {
+                let ways = [
+                    (&plain, &other, reflection.kind),
+                    (&other, &plain, reflection.backwards()),
+                ];
+                for (first, last, kind) in ways {
                     let met = most(&first[..at]).max(most(&last[at..]));
                     let sum: f64 = first[..at].iter().chain(&last[at..]).sum();
                     let changes = usual(&plain[..at]).max(usual(&plain[at..]));
                     let counts = met < MEETS && changes > MISSES;
                     if counts && best.is_none_or(|(least, ..)| sum < least) {
-                        best = Some((sum, at, reflection.kind));
+                        best = Some((sum, at, kind));
                     }
                 }
             }
@@ -100,12 +128,13 @@ fn most(misses: &[f64]) -> f64 {
         .unwrap_or(0.0)
 }
 
-/// The factor to rad/s, of those that occur, with which most turns come nearest to gravity.
+/// The factor to rad/s, of those that occur, with which a part of the turns comes nearest to gravity.
 pub(super) fn unit(turns: &[Turning<'_>], fitted: f64) -> f64 {
     let degree = 1f64.to_radians();
     let missed = |unit: f64| {
         let t = Matrix3::from_diagonal_element(unit);
-        median(turns.iter().map(|turn| turn.missed(&t))).unwrap_or(0.0)
+        let misses: Vec<f64> = turns.iter().map(|turn| turn.missed(&t)).collect();
+        quantile(&misses, PART).unwrap_or(0.0)
     };
     let known = [fitted, 1.0, degree]
         .into_iter()
@@ -113,4 +142,34 @@ pub(super) fn unit(turns: &[Turning<'_>], fitted: f64) -> f64 {
     known
         .min_by(|a, b| missed(*a).total_cmp(&missed(*b)))
         .unwrap_or(1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use findings::Kind as Found;
+    use nalgebra::Matrix3;
+    use recording::intervals::{Detector, segment};
+    use simulate::{Motion, Spec};
+
+    #[test]
+    fn a_range_that_is_switched_part_of_the_way_is_one_and_no_step_of_the_bias() {
+        let mut spec = Spec::hand_held(3);
+        if let Motion::HandHeld(motion) = &mut spec.motion {
+            motion.placements = Some(20);
+        }
+        for scale in ["gyro.s_x", "gyro.s_y", "gyro.s_z"] {
+            spec.parameters.insert(scale.into(), 1.0);
+        }
+        let mut recording = spec.run().unwrap().recording;
+        let rates = recording.gyroscope.as_mut().unwrap();
+        let half = rates.values.len() / 2;
+        rates.values.iter_mut().skip(half).for_each(|w| *w *= 4.0);
+        let cut = segment(&recording, &Detector::default()).unwrap();
+        let fitted = Some((Matrix3::identity(), 1.0));
+        let found = super::super::changes_part_way(&recording, &cut, spec.gravity, fitted);
+        let kinds: Vec<Found> = found.iter().map(|found| found.kind).collect();
+        assert_eq!(kinds, [Found::ScaleChange], "{found:?}");
+        let size = found[0].numbers.iter().find(|n| n.name == "size").unwrap();
+        assert_eq!(size.value, Some(3.0));
+    }
 }

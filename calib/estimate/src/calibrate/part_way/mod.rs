@@ -13,6 +13,7 @@ mod force;
 mod hypothesis;
 mod mirrored;
 mod rate;
+mod sure;
 mod turn;
 mod turn_sums;
 mod turned;
@@ -78,6 +79,7 @@ fn changes(
         return rate::steps(rests);
     };
     found.extend(force.change);
+    let mut is_read_otherwise = is_reflected(&found);
     let turns = turnings(recording, segmentation, &force.directions);
     if let Some((t, missed)) = gyroscope {
         let start = if missed > LOST {
@@ -95,15 +97,16 @@ fn changes(
             mirrored::change(&turns, &start)
         };
         let by_turns = || mirrored::change(&turns, &start).or_else(as_read);
-        let lost = missed > LOST && !is_reflected(&found);
+        let lost = missed > LOST && !is_read_otherwise;
         let reflected = lost.then(by_turns).flatten();
+        is_read_otherwise |= reflected.is_some();
         match reflected {
             Some(change) => found.push(change),
             None => found.extend(turns::changes(&turns, &start)),
         }
     }
-    // A bias that steps because its column does is no other finding.
-    if !is_reflected(&found) {
+    // A bias that steps because its column does, or the unit, is no other finding.
+    if !is_read_otherwise {
         found.extend(rate::steps(rests));
     }
     // Nor is a turn or a static interval that something changes in.

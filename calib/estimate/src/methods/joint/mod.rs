@@ -67,7 +67,7 @@ pub use result::channel::Channel;
 pub use result::influence::Influence;
 pub use result::marginal::{columns, orthonormal, without};
 pub use result::misfit::ChannelMisfit;
-pub use result::missing::Missing;
+pub use result::missing::{Evidence, Missing};
 pub use result::over_time::BiasMotion;
 pub use result::prediction::Prediction;
 pub use rows::chart::Chart;

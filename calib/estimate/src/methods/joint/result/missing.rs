@@ -33,10 +33,53 @@ pub struct Missing {
 /// An effect is what is missing where it explains more than this share of the excess.
 const MOST: f64 = 0.6;
 
+/// Components of readings at rest, at most, of which the scatter by itself is looked at: it takes the cube of their number.
+const MOST_READINGS: usize = 400;
+
 impl Missing {
     /// Returns true if the effect explains most of what the model leaves; otherwise something else is missing.
     pub fn explains_most(&self) -> bool {
         self.statistic - self.dof as f64 > MOST * self.excess
+    }
+}
+
+/// What the rows say of an error: `e` is what the parameters leave of its column, and `r` the residual, both whitened.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Evidence {
+    /// `eᵀr`.
+    pub product: f64,
+    /// `eᵀe`.
+    pub square: f64,
+    /// `|P r|²`, `P` onto all that errors of the accelerometer at rest could be, and its degrees of freedom; of many intervals `|r|²`.
+    pub all: (f64, usize),
+}
+
+impl Evidence {
+    /// The multiple of the error that the rows ask for.
+    pub fn factor(&self) -> f64 {
+        match self.square > 0.0 {
+            true => -self.product / self.square,
+            false => 0.0,
+        }
+    }
+
+    /// The variance of that by what the multiple leaves of all that such errors could be: whatever the noise is, the error is not in it. With its
+    /// degrees of freedom; `None` where the rows say nothing.
+    pub fn variance(&self) -> Option<(f64, f64)> {
+        let spare = self.all.1.checked_sub(1)? as f64;
+        let left = self.all.0 - 2.0 * self.most();
+        (self.square > 0.0 && spare > 0.0 && left > 0.0)
+            .then(|| (left / spare / self.square, spare))
+    }
+
+    /// The log-likelihood that the error gains over none: `−eᵀr − ½eᵀe`.
+    pub fn gain(&self) -> f64 {
+        -self.product - 0.5 * self.square
+    }
+
+    /// The most that a multiple of it gains: `½(eᵀr)²/eᵀe`.
+    pub fn most(&self) -> f64 {
+        -0.5 * self.product * self.factor()
     }
 }
 
@@ -82,22 +125,47 @@ impl JointFit {
         found.min_by(|a, b| a.p_value.total_cmp(&b.p_value))
     }
 
-    /// The log-likelihood that an error of the accelerometer of this size gains over none, and the most that a multiple of it gains, where its
-    /// column of the rows is `column` (`m`): `−eᵀr − ½eᵀe` and `½(eᵀr)²/eᵀe`, with `e` what the parameters leave of it.
-    pub(crate) fn gain_by(&self, column: &[f64]) -> [f64; 2] {
+    /// Returns true if an error of the accelerometer that the catalogue knows gains more than this log-likelihood.
+    pub(crate) fn lacks_what_gains_more(&self, recordings: &[&Recording], gain: f64) -> bool {
+        self.missing(recordings).is_some_and(|rival| {
+            rival.effect.sensor() == Sensor::Accelerometer && 0.5 * rival.statistic > gain
+        })
+    }
+
+    /// What the rows say of errors of the accelerometer at rest, each by its column of the rows (`m × k`); where they misfit, they scatter as
+    /// they do.
+    pub(crate) fn evidence_for(&self, columns: Mat<f64>) -> Vec<Evidence> {
         let beside = Beside::of(self, self.noise_whitening_with_scatter());
-        let left = beside.left(Mat::from_fn(column.len(), 1, |i, _| column[i]));
-        let (square, product) = left
-            .col(0)
-            .iter()
-            .zip(&beside.residuals)
-            .fold((0.0, 0.0), |(square, product), (e, r)| {
-                (square + e * e, product + e * r)
-            });
-        match square > 0.0 {
-            true => [-product - 0.5 * square, 0.5 * product * product / square],
-            false => [0.0, 0.0],
+        let all = match self.columns_of_rests() {
+            Some(columns) => {
+                let (square, dof, _) = beside.score(columns);
+                (square, dof)
+            }
+            None => beside.all(),
+        };
+        let left = beside.left(columns);
+        let residuals = ColRef::from_slice(&beside.residuals);
+        let of = |k: usize| Evidence {
+            product: left.col(k).transpose() * residuals,
+            square: left.col(k).squared_norm_l2(),
+            all,
+        };
+        (0..left.ncols()).map(of).collect()
+    }
+
+    /// A column of the rows for every reading of the accelerometer at rest; `None` of so many that all rows together tell their noise.
+    fn columns_of_rests(&self) -> Option<Mat<f64>> {
+        let means = self.sensitivities().means.into_iter();
+        let own = means.filter(|own| own.sensor == Sensor::Accelerometer);
+        let rows: Vec<usize> = own.flat_map(|own| own.row..own.row + 3).collect();
+        if rows.len() > MOST_READINGS {
+            return None;
         }
+        let mut columns = Mat::zeros(self.residuals.len(), rows.len());
+        for (k, row) in rows.into_iter().enumerate() {
+            columns[(row, k)] = 1.0;
+        }
+        Some(columns)
     }
 
     /// The sensitivities with the time and the temperature of every mean and sample, and the motion through every turn.
@@ -159,10 +227,17 @@ impl Beside {
         }
     }
 
+    /// `|r|²` and its degrees of freedom.
+    fn all(&self) -> (f64, usize) {
+        let square = self.residuals.iter().map(|r| r * r).sum();
+        let spare = self.residuals.len().saturating_sub(self.model.rank());
+        (square, spare)
+    }
+
     /// `|r|²` less its degrees of freedom.
     fn excess(&self) -> f64 {
-        let square: f64 = self.residuals.iter().map(|r| r * r).sum();
-        square - (self.residuals.len() - self.model.rank()) as f64
+        let (square, spare) = self.all();
+        square - spare as f64
     }
 
     /// `|P_E r|²` of columns (`m × k`), its degrees of freedom, and whether the first coefficient would be negative: `Eᵀ r > 0`.
@@ -184,12 +259,13 @@ impl Beside {
     }
 }
 
-/// Returns true if an effect goes by the signal of its sensor or, of a gyroscope, by specific force and angular acceleration, alone or
-/// with time or, where that `is_told`, temperature, and is linear in its parameters.
+/// Returns true if an effect goes by the signal of its sensor or, of a gyroscope, by specific force and angular acceleration or, of an
+/// accelerometer, by the last change of that, alone or with time or, where that `is_told`, temperature, and is linear in its parameters.
 fn goes_by_motion(effect: &EffectRef, is_told: bool) -> bool {
     let (needs, signal) = (effect.needs(), Quantity::signal_of(effect.sensor()));
     let moves = |need: &Quantity| match need {
         Quantity::SpecificForce | Quantity::AngularAcceleration => signal == Quantity::AngularRate,
+        Quantity::LastChange => signal == Quantity::SpecificForce,
         _ => false,
     };
     let is_signal = |need: &Quantity| *need == signal || moves(need);
@@ -227,6 +303,16 @@ mod tests {
         let missing = found(&spec);
         assert!(missing.p_value < 1e-6, "{missing:?}");
         assert_eq!(missing.dof, 3);
+    }
+
+    #[test]
+    fn a_hysteresis_speaks_for_itself() {
+        let mut spec = Spec::hand_held(3);
+        let off = spec.effects.entry("accel_hysteresis".into()).or_default();
+        off.extend(["x", "y", "z"].map(|axis| (axis.to_owned(), 3e-3)));
+        let missing = found(&spec);
+        assert!(missing.p_value < 1e-3, "{missing:?}");
+        assert_eq!(missing.effect.name(), "accel_hysteresis");
     }
 
     #[test]

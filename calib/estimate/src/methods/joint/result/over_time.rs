@@ -15,6 +15,9 @@ use crate::methods::joint::rows::MeanRows;
 use crate::methods::joint::rows::turn::MARGIN;
 use crate::methods::small_sample::by_chance;
 
+/// A column of which a projection leaves a smaller square than this share is in the model: what is left is rounding.
+const ROUNDING: f64 = 1e-16;
+
 /// A bias that changes evenly with time, as far as the static intervals show it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BiasMotion {
@@ -125,10 +128,19 @@ impl JointFit {
     }
 
     /// Estimates the coefficients of the first three of some columns beside the others and everything that was fitted, and their
-    /// covariance.
+    /// covariance; `None` where what was fitted leaves nothing of a column, as where the model has that drift.
     fn beside(&self, columns: &[&Column], model: &Basis) -> Option<(Vector3<f64>, Matrix3<f64>)> {
         let columns = Columns::sparse(self.whitening.white.groups(), columns);
-        let left = model.without(&self.whitening.whiten(columns)).to_dense();
+        let whole = self.whitening.whiten(columns);
+        let left = model.without(&whole).to_dense();
+        let whole = whole.to_dense();
+        let is_left = |k: usize| {
+            let [left, whole] = [&left, &whole].map(|of| of.col(k).squared_norm_l2());
+            left > ROUNDING * whole
+        };
+        if !(0..left.ncols()).all(is_left) {
+            return None;
+        }
         let r = Mat::from_fn(self.residuals.len(), 1, |i, _| self.residuals[i]);
         let gram = left.transpose() * &left;
         let right = left.transpose() * &r;
@@ -174,6 +186,19 @@ mod tests {
     use simulate::Spec;
 
     use crate::methods::joint::{JointRequest, fit_joint};
+
+    #[test]
+    fn beside_a_drift_of_the_model_no_bias_moves() {
+        let recording = Spec::hand_held(5).run().unwrap().recording;
+        let segmentation = segment(&recording, &Detector::default()).unwrap();
+        let gravity = Spec::hand_held(5).gravity;
+        let mut request = JointRequest::new(vec![(&recording, &segmentation)], gravity);
+        let mut all = effects::catalogue_of(sensor::Sensor::Accelerometer);
+        let drift = all.find(|own| own.name() == "accel_drift").unwrap();
+        request.accelerometer = request.accelerometer.with(drift);
+        let moved = fit_joint(&request).unwrap().bias_motions();
+        assert!(moved[0][0].is_none() && moved[1][0].is_some());
+    }
 
     #[test]
     fn a_bias_moves_by_as_much_as_is_said() {

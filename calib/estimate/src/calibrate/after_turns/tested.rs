@@ -1,0 +1,137 @@
+//! One error that fades, tested by readings within static intervals and by their means.
+
+use super::way::Way;
+use crate::methods::joint::Evidence;
+use crate::methods::small_sample::{by_chance, normal_score, two_sided};
+
+/// Readings and means that differ by more standard errors than this speak of two errors.
+const APART: f64 = 3.0;
+
+/// A factor of an error, tested.
+#[derive(Clone, Copy, Debug)]
+pub struct Tested {
+    pub way: Way,
+    /// The axis that has it; `None` of all axes alike.
+    pub axis: Option<usize>,
+    /// By the readings within intervals, and its variance.
+    factor: f64,
+    variance: f64,
+    /// Degrees of freedom of that.
+    spare: f64,
+    /// By the means of the intervals.
+    means: Evidence,
+}
+
+impl Tested {
+    /// The weighted mean of the factors `(factor, weight)` by the intervals, against their own scatter (Student 1908): whatever the noise is
+    /// within an interval, that of others is independent.
+    pub fn of(way: Way, axis: Option<usize>, factors: &[(f64, f64)]) -> Option<Self> {
+        let spare = factors.len().checked_sub(1)? as f64;
+        let weight: f64 = factors.iter().map(|(_, w)| w).sum();
+        let factor = factors.iter().map(|(f, w)| f * w).sum::<f64>() / weight;
+        let scatter = factors.iter().map(|(f, w)| w * (f - factor).powi(2));
+        let variance = scatter.sum::<f64>() / spare / weight;
+        (factor * factor / variance).is_finite().then(|| Self {
+            way,
+            axis,
+            factor,
+            variance,
+            spare,
+            means: Evidence::default(),
+        })
+    }
+
+    /// The same error with what the means of the intervals say of it.
+    pub fn with(self, means: Evidence) -> Self {
+        Self { means, ..self }
+    }
+
+    /// The factor by both.
+    pub fn factor(&self) -> f64 {
+        let (own, means) = self.weights();
+        (self.factor * own + self.means.factor() * means) / (own + means)
+    }
+
+    /// Returns true if the means say something of it.
+    pub fn is_in_means(&self) -> bool {
+        self.means.variance().is_some()
+    }
+
+    /// What the means alone gain.
+    pub fn gain_of_means(&self) -> f64 {
+        self.means.most()
+    }
+
+    /// Log-likelihood over none, by both: no part of a mean is in the readings about it, so that the two are independent.
+    pub fn gain(&self) -> f64 {
+        0.5 * self.score().powi(2)
+    }
+
+    /// Probability of so much by chance, in this one test.
+    pub fn p_value(&self) -> f64 {
+        match self.is_in_means() {
+            true => by_chance(self.score().powi(2), 1.0),
+            false => two_sided(self.t().abs(), self.spare),
+        }
+    }
+
+    /// Returns true if the readings and the means may have one factor.
+    pub fn agrees(&self) -> bool {
+        let apart = self.factor - self.means.factor();
+        let means = self.means.variance();
+        means.is_none_or(|(means, _)| apart * apart < APART * APART * (self.variance + means))
+    }
+
+    /// Student's statistic of the readings within intervals.
+    fn t(&self) -> f64 {
+        self.factor / self.variance.sqrt()
+    }
+
+    /// What the readings and the means know of the factor: inverse variances.
+    fn weights(&self) -> (f64, f64) {
+        let means = self.means.variance();
+        let means = means.map_or(0.0, |(variance, _)| variance.recip());
+        (self.variance.recip(), means)
+    }
+
+    /// The normal score of both together, each weighted by what it knows (Stouffer 1949).
+    fn score(&self) -> f64 {
+        let within = normal_score(self.t(), self.spare);
+        let means = self.means.variance().map_or(0.0, |(variance, spare)| {
+            normal_score(self.means.factor() / variance.sqrt(), spare)
+        });
+        let (own, other) = self.weights();
+        (within * own.sqrt() + means * other.sqrt()) / (own + other).sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Twelve intervals of which each says one half, more or less; the means say `factor`, as sharply as all of them.
+    fn tested(factor: f64) -> Tested {
+        let factors: Vec<_> = (0..12).map(|k| (f64::from(k % 3) * 0.5, 1.0)).collect();
+        let own = Tested::of(Way::Change, None, &factors).unwrap();
+        let square = 2.0 / own.variance;
+        own.with(Evidence {
+            product: -factor * square,
+            square,
+            all: (factor * factor * square + 10.0, 21),
+        })
+    }
+
+    #[test]
+    fn two_that_agree_say_more_than_one() {
+        let both = tested(0.5);
+        let alone = both.with(Evidence::default());
+        assert!(both.agrees() && both.p_value() < 1e-2 * alone.p_value());
+        assert!((both.factor() - 0.5).abs() < 1e-12, "{both:?}");
+    }
+
+    #[test]
+    fn two_that_contradict_each_other_agree_on_nothing() {
+        let both = tested(-0.5);
+        assert!(!both.agrees(), "{both:?}");
+    }
+}
