@@ -44,6 +44,9 @@ pub mod safety {}
 #[doc = include_str!("../manual/decisions.md")]
 pub mod decisions {}
 
+#[doc = include_str!("../manual/tuning.md")]
+pub mod tuning {}
+
 #[doc = include_str!("../manual/glossary.md")]
 pub mod glossary {}
 

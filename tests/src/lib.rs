@@ -20,3 +20,4 @@ pub mod power;
 pub mod prior_study;
 pub mod problems;
 pub mod tie_study;
+pub mod tuning;

@@ -31,8 +31,10 @@ use super::search::Search;
 use super::search::samples::other_samples;
 use super::state::State;
 
-/// Log-likelihood from which on other samples are clearly better: those of ten sessions with a cubic gyroscope gained 44 to 112.
-const CLEARLY: f64 = 10.0;
+findings::tuning! {
+    /// Log-likelihood from which on other samples are clearly better: those of ten sessions with a cubic gyroscope gained 44 to 112.
+    CLEARLY: f64 = 10.0;
+}
 
 /// The findings with the models behind them, for pictures.
 #[derive(Clone, Debug)]
@@ -150,7 +152,7 @@ fn by_the_other_samples(session: &mut Session<'_>, seen: Seen) -> Result<Seen, E
     }
     let is_better = |(_, other): &Seen| {
         let likelier = other.search.last.log_likelihood() - seen.1.search.last.log_likelihood();
-        other.rest.is_none() && other.latitude.is_none() && likelier > CLEARLY
+        other.rest.is_none() && other.latitude.is_none() && likelier > CLEARLY.get()
     };
     match otherwise {
         Ok(other) if is_better(&other) => Ok(other),

@@ -112,7 +112,7 @@ fn shape_for_the_whole(session: &mut Session<'_>, found: &mut Explained) -> Resu
         return Ok(true);
     }
     let alpha = session.request.alpha_of_rest();
-    let needed = found.search.evidence + APART;
+    let needed = found.search.evidence + APART.get();
     let described = Described::of(base, needed.min(-alpha.ln()));
     let is_better = described.has_better(needed, names);
     if is_better {

@@ -8,18 +8,20 @@ use super::score::score;
 use super::search::{Name, Search};
 use super::state::State;
 
-/// Axes that flicker at least where the biases do, and by how much each makes the data likelier (log). In eleven clean
-/// sessions with 1 mm/s² and 15 °/h of which a walk left something, the third axis gained 3.6 and more; in some thirty with
-/// a bias on one axis that flips or wanders, 2.9 and less.
-const FLICKERING: usize = 3;
-const LIKELIER: f64 = 3.0;
+findings::tuning! {
+    /// Axes that flicker at least where the biases do.
+    FLICKERING: usize = 3;
+    /// By how much each makes the data likelier at least (log). In eleven clean sessions with 1 mm/s² and 15 °/h of which a walk
+    /// left something, the third axis gained 3.6 and more; in some thirty with a bias on one axis that flips or wanders, 2.9 and less.
+    LIKELIER: f64 = 3.0;
 
-/// And by how much more (log) the shape of what remains has to make them likelier to be no flicker: it is the best of many. Of a
-/// clean session with flicker it was 5, of harmonics in the force on every axis 10.
-const MUCH_LIKELIER: f64 = 9.0;
+    /// And by how much more (log) the shape of what remains has to make them likelier to be no flicker: it is the best of many. Of a
+    /// clean session with flicker it was 5, of harmonics in the force on every axis 10.
+    MUCH_LIKELIER: f64 = 9.0;
 
-/// What the flicker of an axis gains (log) on average where there is none and its variance comes out above zero: ½ χ²₁.
-const BY_CHANCE: f64 = 0.5;
+    /// What the flicker of an axis gains (log) on average where there is none and its variance comes out above zero: ½ χ²₁.
+    BY_CHANCE: f64 = 0.5;
+}
 
 /// Returns true if flicker (1/f) noise of the biases explains the data much better than the final model of a search does.
 ///
@@ -31,9 +33,12 @@ pub fn flickers(session: &Session<'_>, model: &State, by_shape: Option<f64>) -> 
         return false;
     }
     let flicker = ByFlicker::of(model);
-    let evident = flicker.by_axis.iter().filter(|gain| **gain > LIKELIER);
-    evident.count() >= FLICKERING
-        && by_shape.is_none_or(|shape| shape < flicker.whole + MUCH_LIKELIER)
+    let evident = flicker
+        .by_axis
+        .iter()
+        .filter(|gain| **gain > LIKELIER.get());
+    evident.count() >= FLICKERING.get()
+        && by_shape.is_none_or(|shape| shape < flicker.whole + MUCH_LIKELIER.get())
 }
 
 /// Withdraws the effects and faults that a bias which flickers explains as well: whether there were any.
@@ -58,7 +63,7 @@ fn beside_flicker(name: &Name) -> Option<f64> {
     let noise = without.noise.with_bias_of(sensor, &flickering);
     let at = projected.at(noise)?;
     let axes = noise.flicker_of(sensor).into_iter().filter(|b| *b > 0.0);
-    let by_chance = BY_CHANCE * axes.count() as f64;
+    let by_chance = BY_CHANCE.get() * axes.count() as f64;
     let walking = projected.at(without.noise)?.log_likelihood();
     let gain = (at.log_likelihood() - walking - by_chance).max(0.0);
     let columns = at.columns(&projected.columns(name.columns.as_ref()));

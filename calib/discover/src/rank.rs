@@ -12,15 +12,17 @@ use super::noise::projected::Projected;
 use super::noise::spectrum::Kept;
 use super::score::{Score, log_tail, of_normal, score};
 
-/// Evidence that differs by less than this (20 to 1) does not part two claims.
-pub const APART: f64 = 2.995_732_273_553_991;
+findings::tuning! {
+    /// Evidence that differs by less than this (20 to 1) does not part two claims.
+    pub APART: f64 = 2.995_732_273_553_991;
 
-/// Evidence that an integrated likelihood ratio has too much where the noise of the biases is not known, beside the `ln 2` of two tests: without
-/// both, three of 300 simulated sessions with nothing hidden had a claim.
-const PRICE_OF_INTEGRATION: f64 = 0.2;
+    /// Evidence that an integrated likelihood ratio has too much where the noise of the biases is not known, beside the `ln 2` of two tests: without
+    /// both, three of 300 simulated sessions with nothing hidden had a claim.
+    PRICE_OF_INTEGRATION: f64 = 0.2;
 
-/// Evidence that differs by less than this is the same: the first of the places that have it is taken on every machine.
-const ROUNDING: f64 = 1e-6;
+    /// Evidence that differs by less than this is the same: the first of the places that have it is taken on every machine.
+    ROUNDING: f64 = 1e-6;
+}
 
 /// The evidence for one family: that of its best hypothesis, the search paid for.
 #[derive(Clone, Debug)]
@@ -150,7 +152,7 @@ fn best(place: usize, family: &Family, tried: Vec<Tried<'_>>, choice: f64) -> Op
         })
     });
     ranked.reduce(
-        |best, next| match next.evidence > best.evidence + ROUNDING {
+        |best, next| match next.evidence > best.evidence + ROUNDING.get() {
             true => next,
             false => best,
         },
@@ -252,7 +254,7 @@ impl<'a> Tried<'a> {
             ([known], _) => known.log_p,
             (_, Some((_, ratio, score))) => {
                 let dof = score.dof as f64 + self.shape_dof;
-                let integrated = log_tail(self.integrated(), dof) + PRICE_OF_INTEGRATION;
+                let integrated = log_tail(self.integrated(), dof) + PRICE_OF_INTEGRATION.get();
                 let averaged = self.averaged().max(log_tail(*ratio, dof));
                 (integrated.min(averaged) + LN_2).min(0.0)
             }

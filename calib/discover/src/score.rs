@@ -4,13 +4,15 @@ use faer::{Mat, MatRef};
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-/// A direction of the columns whose information is below this share of the largest, or below
-/// [`FAINT`], is not observable.
-const UNSEEN: f64 = 1e-9;
+findings::tuning! {
+    /// A direction of the columns whose information is below this share of the largest, or below
+    /// [`FAINT`], is not observable.
+    UNSEEN: f64 = 1e-9;
 
-/// Columns are scaled to the typical size of what they stand for: a direction in which ten times that
-/// moves the data by less than a standard deviation is not seen.
-const FAINT: f64 = 0.01;
+    /// Columns are scaled to the typical size of what they stand for: a direction in which ten times that
+    /// moves the data by less than a standard deviation is not seen.
+    FAINT: f64 = 0.01;
+}
 
 /// Score test of some columns against the residuals.
 #[derive(Clone, Debug)]
@@ -51,7 +53,7 @@ pub fn of_normal(a: &DMatrix<f64>, b: &DVector<f64>) -> Score {
         return result;
     }
     let eigen = a.clone().symmetric_eigen();
-    let least = FAINT.max(UNSEEN * eigen.eigenvalues.max());
+    let least = FAINT.get().max(UNSEEN.get() * eigen.eigenvalues.max());
     let mut change = DVector::zeros(k);
     for (value, vector) in eigen
         .eigenvalues

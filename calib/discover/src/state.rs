@@ -19,8 +19,10 @@ use super::noise::projected::Projected;
 use super::noise::walk_prior::walk_levels;
 use super::request::Session;
 
-/// Means of static intervals on either side that a step of a bias needs.
-const BESIDE_A_STEP: usize = 3;
+findings::tuning! {
+    /// Means of static intervals on either side that a step of a bias needs.
+    BESIDE_A_STEP: usize = 3;
+}
 
 /// The parameter that shapes an effect (`tau`, `t0`), by its place, and its value, which the fit holds.
 pub type FixedShape = Option<(usize, f64)>;
@@ -276,7 +278,7 @@ impl State {
             .collect();
         middles.sort_by(|a, b| a.0.total_cmp(&b.0));
         middles.dedup_by(|a, b| (a.0 - b.0).abs() < 1.0);
-        let most = middles.len().saturating_sub(BESIDE_A_STEP);
+        let most = middles.len().saturating_sub(BESIDE_A_STEP.get());
         let own = rests.iter().enumerate();
         let mut own = own.filter(|(_, rest)| rest.recording == recording);
         let first = own.next().map_or(0, |(k, _)| k);
@@ -286,7 +288,7 @@ impl State {
         middles
             .windows(2)
             .enumerate()
-            .filter(|(k, _)| (BESIDE_A_STEP..=most).contains(&(k + 1)))
+            .filter(|(k, _)| (BESIDE_A_STEP.get()..=most).contains(&(k + 1)))
             .filter(|(_, pair)| is_shown(pair[0].1, pair[1].1))
             .map(|(_, pair)| 0.5 * (pair[0].0 + pair[1].0))
             .collect()

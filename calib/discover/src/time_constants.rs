@@ -11,8 +11,10 @@ use super::family::tried;
 use super::request::Session;
 use super::state::State;
 
-/// A time constant so many times beyond those tried is none that the recording shows.
-const BEYOND_TRIED: f64 = 3.0;
+findings::tuning! {
+    /// A time constant so many times beyond those tried is none that the recording shows.
+    BEYOND_TRIED: f64 = 3.0;
+}
 
 /// A time constant that these recordings do not show.
 pub struct HeldShape {
@@ -88,7 +90,7 @@ fn near(p: &Param) -> Range<f64> {
     let tried = tried(p);
     let least = tried.iter().copied().fold(f64::INFINITY, f64::min);
     let largest = tried.iter().copied().fold(0.0, f64::max);
-    least / BEYOND_TRIED..largest * BEYOND_TRIED
+    least / BEYOND_TRIED.get()..largest * BEYOND_TRIED.get()
 }
 
 #[cfg(test)]

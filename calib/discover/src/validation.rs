@@ -21,13 +21,15 @@ use crate::request::{Request, Session};
 use crate::search::{Name, Search};
 use crate::state::{Extension, State, joint_request};
 
-/// Gauss–Newton steps of directions and biases: the problem is all but linear in them, and the first is
-/// taken at the recording's own fit.
-const STEPS: usize = 3;
+findings::tuning! {
+    /// Gauss–Newton steps of directions and biases: the problem is all but linear in them, and the first is
+    /// taken at the recording's own fit.
+    STEPS: usize = 3;
 
-/// A gap of a channel from which on a recording disagrees with the calibration, alone and against that of the recordings of the fit. Of
-/// one device a gap beyond 3 is rare, for the errors of the calibration are in it; of two it is a hundred and more.
-const DISAGREES: f64 = 4.0;
+    /// A gap of a channel from which on a recording disagrees with the calibration, alone and against that of the recordings of the fit. Of
+    /// one device a gap beyond 3 is rare, for the errors of the calibration are in it; of two it is a hundred and more.
+    DISAGREES: f64 = 4.0;
+}
 
 /// What a recording that the fit did not see shows.
 #[derive(Clone, Debug)]
@@ -105,7 +107,7 @@ fn disagreement(recording: &str, search: &Search, missed: &[Misfit; 3]) -> Optio
     let own = Sequence::of(&search.last, search.last.noise).misfits(&search.last);
     let times = |k: usize| missed[k].gap() / own[k].gap().max(1.0);
     let worst = (0..missed.len()).max_by(|a, b| times(*a).total_cmp(&times(*b)))?;
-    (times(worst) > DISAGREES).then(|| {
+    (times(worst) > DISAGREES.get()).then(|| {
         Finding::of(Kind::ValidationDisagrees)
             .in_recording(recording)
             .number("missed", missed[worst].gap(), "")
@@ -200,7 +202,7 @@ impl Missed {
             .copied()
             .filter(|k| *k < x.len() && held.values.iter().all(|(place, _)| place != k))
             .collect();
-        for _ in 0..STEPS {
+        for _ in 0..STEPS.get() {
             let (r, jacobian) = whitened(&rows, &fit, &x);
             let Some(step) = jacobian.select(&nuisance).least_squares(&r) else {
                 break;

@@ -17,16 +17,18 @@ pub const LATITUDES: std::ops::RangeInclusive<f64> = -90.0..=90.0;
 /// A height is refused beyond these, m.
 pub const ALTITUDES: std::ops::RangeInclusive<f64> = -500.0..=9000.0;
 
-/// Standard deviation of gravity about [`STANDARD_GRAVITY`] where nothing is known of the place, m/s²: the
-/// root mean square distance of a value that lies anywhere in [`ON_EARTH`] with the same chance.
-const ANYWHERE: f64 = 0.021_6;
+findings::tuning! {
+    /// Standard deviation of gravity about [`STANDARD_GRAVITY`] where nothing is known of the place, m/s²: the
+    /// root mean square distance of a value that lies anywhere in [`ON_EARTH`] with the same chance.
+    ANYWHERE: f64 = 0.021_6;
 
-/// Height above the ellipsoid where only the latitude is given: the standard deviation about sea level, m.
-const SOME_HEIGHT: f64 = 500.0;
+    /// Height above the ellipsoid where only the latitude is given: the standard deviation about sea level, m.
+    SOME_HEIGHT: f64 = 500.0;
 
-/// Standard deviation of gravity about the normal one, m/s²: 30 mGal, the root mean square free-air anomaly
-/// of the earth (Heiskanen & Moritz, Physical Geodesy, 1967, section 7-3).
-const ANOMALY: f64 = 3e-4;
+    /// Standard deviation of gravity about the normal one, m/s²: 30 mGal, the root mean square free-air anomaly
+    /// of the earth (Heiskanen & Moritz, Physical Geodesy, 1967, section 7-3).
+    ANOMALY: f64 = 3e-4;
+}
 
 /// Gravity falls by so much per metre of height, 1/s² (free air).
 const BY_HEIGHT: f64 = 3.086e-6;
@@ -78,12 +80,14 @@ pub enum NotOnEarth {
     },
 }
 
-/// A gravity that is given beside a latitude may be larger than the normal one by this, m/s²: standard gravity is given at any
-/// latitude, and an error of 0.1 % of every scale factor is one too many.
-const LARGER: f64 = 0.01;
+findings::tuning! {
+    /// A gravity that is given beside a latitude may be larger than the normal one by this, m/s²: standard gravity is given at any
+    /// latitude, and an error of 0.1 % of every scale factor is one too many.
+    LARGER: f64 = 0.01;
 
-/// It may be smaller by this, m/s²: it is at a height of 6 km.
-const SMALLER: f64 = 0.02;
+    /// It may be smaller by this, m/s²: it is at a height of 6 km.
+    SMALLER: f64 = 0.02;
+}
 
 impl Gravity {
     /// [`Gravity::of`] what can be so.
@@ -119,7 +123,7 @@ impl Gravity {
         }
         if let (Some(gravity), Some(latitude)) = (value, latitude) {
             let normal = normal_gravity(latitude, altitude.unwrap_or(0.0));
-            if gravity > normal + LARGER || gravity < normal - SMALLER {
+            if gravity > normal + LARGER.get() || gravity < normal - SMALLER.get() {
                 return Err(NotOnEarth::Place {
                     gravity,
                     latitude,
@@ -161,9 +165,11 @@ impl GravitySource {
             Self::Given => 0.0,
             Self::Place {
                 altitude: Some(_), ..
-            } => ANOMALY,
-            Self::Place { altitude: None, .. } => ANOMALY.hypot(SOME_HEIGHT * BY_HEIGHT),
-            Self::Assumed => ANYWHERE,
+            } => ANOMALY.get(),
+            Self::Place { altitude: None, .. } => {
+                ANOMALY.get().hypot(SOME_HEIGHT.get() * BY_HEIGHT)
+            }
+            Self::Assumed => ANYWHERE.get(),
         }
     }
 }

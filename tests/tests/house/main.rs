@@ -3,6 +3,7 @@
 
 mod circles;
 mod sentences;
+mod tuning;
 
 use std::path::{Path, PathBuf};
 

@@ -7,12 +7,15 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use crate::state::State;
 
-/// Turns that a verdict needs beyond the four coefficients.
-const SPARE_TURNS: usize = 6;
+findings::tuning! {
+    /// Turns that a verdict needs beyond the four coefficients.
+    SPARE_TURNS: usize = 6;
 
-/// Steps of Gauss and Newton at most, and the share of its standard error by which the last of them moves the delay.
-const STEPS: usize = 10;
-const SETTLED: f64 = 0.01;
+    /// Steps of Gauss and Newton at most.
+    STEPS: usize = 10;
+    /// The last of them moves the delay by less than this share of its standard error.
+    SETTLED: f64 = 0.01;
+}
 
 /// Time offset of the stamps, estimated from the accelerometer during motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,8 +73,8 @@ fn of_turns(state: &State, is_wanted: impl Fn(usize) -> bool) -> Option<Delay> {
         let next = by_equations(&equations(state, &is_wanted, last.delay))?;
         Some((next, (next.delay - last.delay).abs()))
     });
-    let mut steps = steps.take(STEPS);
-    let settled = steps.find(|(found, step)| *step < SETTLED * found.std);
+    let mut steps = steps.take(STEPS.get());
+    let settled = steps.find(|(found, step)| *step < SETTLED.get() * found.std);
     let settled = settled.map_or(found, |(settled, _)| settled);
     // The test is of stamps that are punctual: it is linear about those.
     Some(Delay {
@@ -145,7 +148,7 @@ impl Motion {
 }
 
 fn by_equations(turns: &[Turn]) -> Option<Delay> {
-    if turns.len() < 4 + SPARE_TURNS {
+    if turns.len() < 4 + SPARE_TURNS.get() {
         return None;
     }
     let count = turns.len() as f64;

@@ -14,18 +14,20 @@ use serde::Serialize;
 use crate::request::Session;
 use crate::state::State;
 
-/// Samples at the end of the range that count as saturation.
-const CLIPPED: usize = 5;
+findings::tuning! {
+    /// Samples at the end of the range that count as saturation.
+    CLIPPED: usize = 5;
 
-/// A rest with this share of its samples at the end of the range is saturated, not quantised.
-const MOST: f64 = 0.5;
+    /// A rest with this share of its samples at the end of the range is saturated, not quantised.
+    MOST: f64 = 0.5;
 
-/// A least significant bit beyond this many standard deviations of the reading no longer averages out: the mean
-/// of a rest is then off by more than its noise.
-const COARSE: f64 = 2.0;
+    /// A least significant bit beyond this many standard deviations of the reading no longer averages out: the mean
+    /// of a rest is then off by more than its noise.
+    COARSE: f64 = 2.0;
 
-/// A clock whose steps hardly differ: 95 % within this share of the median.
-const REGULAR: f64 = 0.2;
+    /// A clock whose steps hardly differ: 95 % within this share of the median.
+    REGULAR: f64 = 0.2;
+}
 
 /// A fault of the recording.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -244,7 +246,7 @@ impl Looked<'_> {
         };
         let turns = self.segmentation.turns.iter().filter_map(|turn| {
             let (count, _) = clipped(turn.span);
-            (count >= CLIPPED).then_some((turn.from, turn.span, count))
+            (count >= CLIPPED.get()).then_some((turn.from, turn.span, count))
         });
         let rests = self
             .segmentation
@@ -253,7 +255,7 @@ impl Looked<'_> {
             .enumerate()
             .filter_map(|(k, rest)| {
                 let (count, all) = clipped(rest.span);
-                (count as f64 > MOST * all as f64).then_some((k, rest.span, count))
+                (count as f64 > MOST.get() * all as f64).then_some((k, rest.span, count))
             });
         turns
             .chain(rests)
@@ -278,7 +280,7 @@ impl Looked<'_> {
 
     /// Steps too wide for the noise to even out.
     fn quantisation(&self, noise: &SensorNoise) -> Option<Integrity> {
-        let axis = (0..3).find(|&i| noise.step[i] > COARSE * noise.white[i])?;
+        let axis = (0..3).find(|&i| noise.step[i] > COARSE.get() * noise.white[i])?;
         let unit = self.sensor.unit();
         let error = noise.step[axis] / 12f64.sqrt();
         let found = Finding::of(Kind::Quantised)
@@ -343,7 +345,7 @@ impl Looked<'_> {
         let median = self.stream.median_step()?;
         let steps = self.stream.t.windows(2).map(|pair| pair[1] - pair[0]);
         let odd = steps
-            .filter(|s| (s - median).abs() > REGULAR * median)
+            .filter(|s| (s - median).abs() > REGULAR.get() * median)
             .count();
         (20 * odd < self.stream.len()).then_some(median)
     }

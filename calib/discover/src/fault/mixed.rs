@@ -12,8 +12,10 @@ use crate::score::{log_tail, score};
 use crate::search::Search;
 use crate::state::State;
 
-/// Chance of an interval beside a step that is off by so much where the step lies between intervals.
-const BY_CHANCE: f64 = 0.01;
+findings::tuning! {
+    /// Chance of an interval beside a step that is off by so much where the step lies between intervals.
+    BY_CHANCE: f64 = 0.01;
+}
 
 /// Leaves the interval beside a named step out of the fit where it is off: whether there is any.
 ///
@@ -123,7 +125,7 @@ fn mixed(state: &State) -> Option<Known> {
     let open = beside.into_iter();
     let open = open.filter(|known| !state.is_flagged(known.fault, known.place));
     let judged = open.filter_map(|known| Some((log_p(&known)?, known)));
-    let off = judged.filter(|(log_p, _)| *log_p < BY_CHANCE.ln());
+    let off = judged.filter(|(log_p, _)| *log_p < BY_CHANCE.get().ln());
     off.min_by(|a, b| a.0.total_cmp(&b.0))
         .map(|(_, known)| known)
 }

@@ -7,8 +7,10 @@ use super::integrity::{Integrity, Size};
 use crate::search::Either;
 use crate::state::State;
 
-/// Turns shown of a recording that is sampled too slowly for its shocks.
-const SHOWN: usize = 6;
+findings::tuning! {
+    /// Turns shown of a recording that is sampled too slowly for its shocks.
+    SHOWN: usize = 6;
+}
 
 /// Builds the faults from the disturbances that a fit flagged. A turn counts as lost samples where `seen`, the faults in
 /// the readings themselves, has lost samples at that time; `either` has the alternatives to each disturbance.
@@ -73,7 +75,7 @@ pub fn undersampled(state: &State) -> Vec<Integrity> {
         let turns: Vec<String> = found
             .turns
             .iter()
-            .take(SHOWN)
+            .take(SHOWN.get())
             .map(|(turn, _, _)| format!("{}{}", turn + 1, left.of_turn(*turn)))
             .collect();
         let spans = found.turns.iter().map(|(_, span, _)| *span);

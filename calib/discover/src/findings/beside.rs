@@ -12,14 +12,16 @@ use crate::score::{Score, log_tail, score};
 use crate::search::Search;
 use crate::state::State;
 
-/// An effect of which chance would show as much in fewer than this share of recordings may be there.
-const LIKELY: f64 = 0.01;
+findings::tuning! {
+    /// An effect of which chance would show as much in fewer than this share of recordings may be there.
+    LIKELY: f64 = 0.01;
 
-/// Coefficients that move by fewer of their standard errors are not worth a word.
-const LARGE_CHANGE: f64 = 2.0;
+    /// Coefficients that move by fewer of their standard errors are not worth a word.
+    LARGE_CHANGE: f64 = 2.0;
 
-/// Nor are standard errors that become larger by less than this factor.
-const LARGE_FACTOR: f64 = 3.0;
+    /// Nor are standard errors that become larger by less than this factor.
+    LARGE_FACTOR: f64 = 3.0;
+}
 
 /// An effect that may be there beside a name.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -41,7 +43,7 @@ pub struct Beside {
 impl Beside {
     /// Returns true if it is significant and would change a coefficient of the named effect by several standard errors.
     pub fn is_likely(&self) -> bool {
-        self.p_value < LIKELY && self.largest_change > LARGE_CHANGE
+        self.p_value < LIKELY.get() && self.largest_change > LARGE_CHANGE.get()
     }
 }
 
@@ -120,7 +122,7 @@ impl Rival {
         };
         // The first order of a polynomial is always known less well beside the second.
         let is_higher_order = self.effect.companion() == Some(named.name());
-        let hangs_on_it = largest_factor > LARGE_FACTOR && !is_higher_order;
+        let hangs_on_it = largest_factor > LARGE_FACTOR.get() && !is_higher_order;
         (beside.is_likely() || hangs_on_it).then_some(beside)
     }
 

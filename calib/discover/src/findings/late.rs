@@ -17,11 +17,13 @@ use crate::score::log_tail;
 use crate::search::Search;
 use crate::state::State;
 
-/// Stamps are late beyond what delays of the gyroscope do if by more standard errors than this.
-const MUCH_LATER: f64 = 3.0;
+findings::tuning! {
+    /// Stamps are late beyond what delays of the gyroscope do if by more standard errors than this.
+    MUCH_LATER: f64 = 3.0;
 
-/// The chance that stamps which are late by the same in all recordings are said to be late by different times.
-const LATE_APART: f64 = 1e-3;
+    /// The chance that stamps which are late by the same in all recordings are said to be late by different times.
+    LATE_APART: f64 = 1e-3;
+}
 
 /// Stamps that are late.
 #[derive(Default)]
@@ -101,7 +103,7 @@ fn late(state: &State, session: &Session<'_>) -> Option<(EffectRef, Delay)> {
     let effect = candidates.iter().find(|e| is_late(e))?;
     let found = delay(state)?;
     // What delays the gyroscope's axes delays them against the accelerometer too.
-    if found.delay.abs() <= 2.0 * gyroscope_delay(state) + MUCH_LATER * found.std {
+    if found.delay.abs() <= 2.0 * gyroscope_delay(state) + MUCH_LATER.get() * found.std {
         return None;
     }
     (late_evidence(&found, candidates.len()) > session.request.threshold())
@@ -112,7 +114,7 @@ fn late(state: &State, session: &Session<'_>) -> Option<(EffectRef, Delay)> {
 fn late_apart(state: &State, session: &Session<'_>) -> Vec<Integrity> {
     let (all, candidates) = (delays(state), &session.candidates);
     let effect = candidates.iter().find(|e| is_late(e));
-    let Some(effect) = effect.filter(|_| differ(&all, LATE_APART)) else {
+    let Some(effect) = effect.filter(|_| differ(&all, LATE_APART.get())) else {
         return Vec::new();
     };
     let needed = session.request.threshold() + (all.len() as f64).ln();

@@ -8,8 +8,10 @@ use sensor::Sensor;
 use crate::score::{Score, log_tail, score};
 use crate::search::{Name, VERTICAL};
 
-/// Significance level for the part of an effect that another latitude does not explain.
-const BY_CHANCE: f64 = 1e-3;
+findings::tuning! {
+    /// Significance level for the part of an effect that another latitude does not explain.
+    BY_CHANCE: f64 = 1e-3;
+}
 
 /// The doubt about `latitude` that explains one of the names as well, and that name.
 pub fn instead_of_a_name(names: &[Name], latitude: f64) -> Option<(LatitudeDoubt, String)> {
@@ -30,7 +32,7 @@ fn instead_of(name: &Name, latitude: f64) -> Option<LatitudeDoubt> {
         named.statistic - own.statistic,
         named.dof as f64 - own.dof as f64,
     );
-    (doubt.is_of_the_earth() && beyond > BY_CHANCE.ln()).then_some(doubt)
+    (doubt.is_of_the_earth() && beyond > BY_CHANCE.get().ln()).then_some(doubt)
 }
 
 /// Scores the vertical part of the earth's rotation against the model without the named effect, at the noise of the model

@@ -7,11 +7,13 @@ use crate::gap::channel::Channel;
 use crate::gap::sequence::Misfit;
 use crate::state::State;
 
-/// Blocks that the rests are dealt into, or as many as there are recordings.
-const BLOCKS: usize = 8;
+findings::tuning! {
+    /// Blocks that the rests are dealt into, or as many as there are recordings.
+    BLOCKS: usize = 8;
 
-/// Eigenvalues below this share of the largest are directions that the rest of the data say nothing of.
-const UNSEEN: f64 = 1e-8;
+    /// Eigenvalues below this share of the largest are directions that the rest of the data say nothing of.
+    UNSEEN: f64 = 1e-8;
+}
 
 /// Computes the prediction error of each channel over blocks that are left out in turn, summed over all blocks.
 ///
@@ -67,7 +69,7 @@ pub fn gap_of(misfits: &[Misfit; 3], channel: Channel) -> f64 {
 /// The rows of every block: neighbouring rests with their chunks and the turns that begin in them.
 fn blocks(state: &State) -> Vec<Vec<usize>> {
     let rests = state.fit.data.rests.len().max(1);
-    let count = BLOCKS.max(state.fit.data.sources.len()).min(rests);
+    let count = BLOCKS.get().max(state.fit.data.sources.len()).min(rests);
     let mut blocks = vec![Vec::new(); count];
     for (row, rest) in state.fit.rest_of_row.iter().enumerate() {
         blocks[(rest * count / rests).min(count - 1)].push(row);
@@ -112,7 +114,7 @@ fn pseudo_inverse(a: &DMatrix<f64>) -> (DMatrix<f64>, usize) {
         .iter()
         .zip(eigen.eigenvectors.column_iter())
     {
-        if *value > UNSEEN {
+        if *value > UNSEEN.get() {
             inverse += vector * vector.transpose() / *value;
             rank += 1;
         }

@@ -12,11 +12,13 @@ use crate::rank::log_p_of;
 use crate::score::log_tail;
 use crate::state::State;
 
-/// A channel disagrees where chance would show as much in one of so many recordings.
-const CHANCE: f64 = 0.01;
+findings::tuning! {
+    /// A channel disagrees where chance would show as much in one of so many recordings.
+    CHANCE: f64 = 0.01;
 
-/// Intervals named per channel.
-const INTERVALS: usize = 3;
+    /// Intervals named per channel.
+    INTERVALS: usize = 3;
+}
 
 /// A disagreement of one channel.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -40,7 +42,9 @@ pub fn disagreements(state: &State, noise: BiasNoise) -> Vec<Disagreement> {
     let mut all: Vec<Disagreement> = Channel::ALL
         .into_iter()
         .zip(misfits)
-        .filter(|(_, misfit)| misfit.dof > 0.0 && log_tail(misfit.chi2, misfit.dof) < CHANCE.ln())
+        .filter(|(_, misfit)| {
+            misfit.dof > 0.0 && log_tail(misfit.chi2, misfit.dof) < CHANCE.get().ln()
+        })
         .map(|(channel, misfit)| Disagreement {
             channel,
             place: worst_intervals(state, channel),
@@ -73,7 +77,7 @@ fn worst_intervals(state: &State, channel: Channel) -> String {
         })
         .collect();
     misses.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let mut named: Vec<usize> = misses.iter().take(INTERVALS).map(|m| m.1).collect();
+    let mut named: Vec<usize> = misses.iter().take(INTERVALS.get()).map(|m| m.1).collect();
     named.sort_unstable();
     let data = &state.fit.data;
     let several = data.sources.len() > 1;
@@ -149,7 +153,7 @@ fn best_covariate(state: &State, channel: Channel) -> &'static str {
         let columns = state.whitened(scaled);
         log_p_of(&state.projected, (sensor, &columns), state.walks())
     };
-    let by_chance = (CHANCE / COVARIATES.len() as f64).ln();
+    let by_chance = (CHANCE.get() / COVARIATES.len() as f64).ln();
     COVARIATES
         .iter()
         .map(|c| (statistic(c), c.0))

@@ -10,8 +10,10 @@ use recording::Error;
 use recording::shown::shown_path;
 use sensor::Sensor;
 
-/// Larger densities are no sensor's, m/s²/√s and rad/s/√s: they would explain anything.
-const LARGEST: f64 = 1.0;
+findings::tuning! {
+    /// Larger densities are no sensor's, m/s²/√s and rad/s/√s: they would explain anything.
+    LARGEST: f64 = 1.0;
+}
 
 /// Noise of the biases with what the user should know of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,10 +49,10 @@ pub fn noise_in(path: &Path) -> Result<GivenNoise, Error> {
         let noise = noise.ok_or_else(|| Error::input(of(Kind::NoiseOfOneSensor)))?;
         let walk = noise.random_walk();
         let walk = walk.ok_or_else(|| Error::input(of(Kind::WalkUnbounded)))?;
-        if walk.density > LARGEST {
+        if walk.density > LARGEST.get() {
             let found = of(Kind::WalkImpossible)
                 .number("density", walk.density, "1")
-                .number("largest", LARGEST, "1");
+                .number("largest", LARGEST.get(), "1");
             return Err(Error::input(found));
         }
         given.noise.walk[place] = walk.density;

@@ -9,49 +9,54 @@ use sensor::Sensor;
 use super::level::{Level, SCATTERS};
 use super::projected::Projected;
 
-/// Lowest walk above zero, in units of `σ / √T`.
-const LOWEST: f64 = 0.15;
+findings::tuning! {
+    /// Lowest walk above zero, in units of `σ / √T`.
+    LOWEST: f64 = 0.15;
 
-/// Ratio of one walk to the one below it.
-const RATIO: f64 = 1.7;
+    /// Ratio of one walk to the one below it.
+    RATIO: f64 = 1.7;
 
-/// Fewest and most walks above zero: the highest of the fewest is 18 units. There are more where the likeliest walk is higher, for what is
-/// far from every walk that is tried makes any fault evident.
-const FEWEST: i32 = 10;
-const MOST: i32 = 40;
+    /// Fewest walks above zero: the highest of them is 18 units.
+    FEWEST: i32 = 10;
+    /// Most walks above zero. There are more than the fewest where the likeliest walk is higher, for what is far from every walk that is
+    /// tried makes any fault evident.
+    MOST: i32 = 40;
 
-/// Median of the log-normal part of the prior, in units of `σ / √T`, and its width as a standard deviation of the logarithm.
-const MEDIAN: f64 = 0.8;
-const WIDTH: f64 = 1.0;
+    /// Median of the log-normal part of the prior, in units of `σ / √T`.
+    MEDIAN: f64 = 0.8;
+    /// Its width, as a standard deviation of the logarithm.
+    WIDTH: f64 = 1.0;
 
-/// Probability that the walk is as the log-normal part says; else any walk is as likely as another.
-const USUAL: f64 = 0.95;
+    /// Probability that the walk is as the log-normal part says; else any walk is as likely as another.
+    USUAL: f64 = 0.95;
 
-/// Steps are cut into so many from two below the likeliest walk to one above it: a long session knows its walk to a fifth.
-const FINER: i32 = 3;
+    /// Steps are cut into so many from two below the likeliest walk to one above it: a long session knows its walk to a fifth.
+    FINER: i32 = 3;
+}
 
 /// The walks of one sensor in units of `σ / √T`, through the likeliest and up to one beyond it, with the logarithm of their prior
 /// probabilities, which add up to one.
 fn prior(likeliest: f64) -> Vec<(f64, f64)> {
     // Steps of the likeliest above the lowest: the whole part is its place, the rest moves all walks.
-    let place = (likeliest / LOWEST).max(1.0).ln() / RATIO.ln();
+    let place = (likeliest / LOWEST.get()).max(1.0).ln() / RATIO.get().ln();
     let (moved, place) = (place.fract(), place as i32);
-    let count = (place + 2).clamp(FEWEST, MOST);
+    let count = (place + 2).clamp(FEWEST.get(), MOST.get());
     let is_near = |k: i32| likeliest > 0.0 && (place - 2..=place).contains(&k);
     let steps = (0..count).flat_map(|k| {
-        let parts = if is_near(k) { FINER } else { 1 };
+        let parts = if is_near(k) { FINER.get() } else { 1 };
         let part = 1.0 / f64::from(parts);
         (0..parts).map(move |i| (f64::from(k) + f64::from(i) * part, part))
     });
-    let walk = |step: f64| LOWEST * RATIO.powf(step + moved);
+    let walk = |step: f64| LOWEST.get() * RATIO.get().powf(step + moved);
     // Zero stands one step below the lowest.
     let steps: Vec<(f64, f64)> = std::iter::once((-1.0, 1.0)).chain(steps).collect();
     let usual = |&(step, width): &(f64, f64)| {
-        width * (-0.5 * ((walk(step) / MEDIAN).ln() / WIDTH).powi(2)).exp()
+        width * (-0.5 * ((walk(step) / MEDIAN.get()).ln() / WIDTH.get()).powi(2)).exp()
     };
     let all: f64 = steps.iter().map(usual).sum();
     let widths: f64 = steps.iter().map(|(_, width)| width).sum();
-    let probability = |own: &(f64, f64)| USUAL * usual(own) / all + (1.0 - USUAL) * own.1 / widths;
+    let probability =
+        |own: &(f64, f64)| USUAL.get() * usual(own) / all + (1.0 - USUAL.get()) * own.1 / widths;
     let of = |own: &(f64, f64)| {
         let walk = if own.0 < 0.0 { 0.0 } else { walk(own.0) };
         (walk, probability(own).ln())
@@ -142,7 +147,7 @@ mod tests {
         let sum: f64 = prior.iter().map(|(_, log)| log.exp()).sum();
         assert!((sum - 1.0).abs() < 1e-12);
         let likeliest = prior.iter().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
-        assert!((likeliest.0 / MEDIAN).ln().abs() <= 0.5 * RATIO.ln());
+        assert!((likeliest.0 / MEDIAN.get()).ln().abs() <= 0.5 * RATIO.get().ln());
         assert_eq!(prior[0].0, 0.0);
     }
 

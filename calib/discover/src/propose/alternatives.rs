@@ -10,8 +10,10 @@ use crate::noise::projected::Whitened;
 use crate::rank::APART;
 use crate::score::score;
 
-/// So many are stated.
-const STATED: usize = 4;
+findings::tuning! {
+    /// So many are stated.
+    STATED: usize = 4;
+}
 
 /// The terms of `products` that explain as much as one of `terms` does, the others being there: with a likelihood no
 /// less than a twentieth. The likeliest [`STATED`] of them, likeliest first, as formulas of one term.
@@ -20,7 +22,7 @@ pub fn alternatives(whitened: &Whitened, terms: &Terms, products: &[&Product]) -
         .iter()
         .map(|product| whitened.columns(&product.columns))
         .collect();
-    let enough = terms.statistic - 2.0 * APART;
+    let enough = terms.statistic - 2.0 * APART.get();
     let mut all: Vec<(f64, String)> = Vec::new();
     for k in 0..terms.terms.len() {
         let mut own = terms.columns.clone();
@@ -40,7 +42,7 @@ pub fn alternatives(whitened: &Whitened, terms: &Terms, products: &[&Product]) -
         }
     }
     all.sort_by(|a, b| b.0.total_cmp(&a.0));
-    all.truncate(STATED);
+    all.truncate(STATED.get());
     all.into_iter().map(|(_, formula)| formula).collect()
 }
 

@@ -4,11 +4,13 @@ use super::dictionary::Product;
 use super::screen::Screened;
 use crate::rank::APART;
 
-/// Share of the halves that must select a group (Meinshausen and Bühlmann 2010 take 0.6 to 0.9).
-pub const STABLE: f64 = 0.8;
+findings::tuning! {
+    /// Share of the halves that must select a group (Meinshausen and Bühlmann 2010 take 0.6 to 0.9).
+    pub STABLE: f64 = 0.8;
 
-/// Products in a formula, at most: more are a description, not a proposal.
-pub const MOST_PRODUCTS: usize = 3;
+    /// Products in a formula, at most: more are a description, not a proposal.
+    pub MOST_PRODUCTS: usize = 3;
+}
 
 /// A product that was chosen.
 pub struct Chosen<'a> {
@@ -33,7 +35,7 @@ pub struct Stable<'a> {
 impl<'a> Stable<'a> {
     /// Those of the screened ones with these frequencies.
     pub fn of(screened: &'a Screened, products: &'a [Product], frequencies: &'a [f64]) -> Self {
-        let places = (0..frequencies.len()).filter(|&place| frequencies[place] >= STABLE);
+        let places = (0..frequencies.len()).filter(|&place| frequencies[place] >= STABLE.get());
         Self {
             screened,
             products,
@@ -55,7 +57,7 @@ impl<'a> Stable<'a> {
     pub fn chosen(&self) -> Vec<Chosen<'a>> {
         let mut stable = self.places.clone();
         let mut chosen = Vec::new();
-        while let (Some(&best), true) = (stable.first(), chosen.len() < MOST_PRODUCTS) {
+        while let (Some(&best), true) = (stable.first(), chosen.len() < MOST_PRODUCTS.get()) {
             let sensor = self.product(best).sensor;
             let (alike, others): (Vec<usize>, Vec<usize>) = stable
                 .iter()
@@ -63,7 +65,7 @@ impl<'a> Stable<'a> {
             let log_p = |place: usize| self.screened.log_p(place);
             let likely = alike
                 .into_iter()
-                .filter(|&place| log_p(place) < log_p(best) + APART);
+                .filter(|&place| log_p(place) < log_p(best) + APART.get());
             let simplest = likely.min_by_key(|&place| self.product(place).degree());
             let place = simplest.unwrap_or(best);
             chosen.push(Chosen {

@@ -14,11 +14,13 @@ use crate::state::State;
 /// Factors of a product, at most: three covariates, or one to the fourth power.
 const FACTORS: usize = 4;
 
-/// A column of which the model's parameters leave less than this share is theirs.
-const LEFT: f64 = 1e-3;
+findings::tuning! {
+    /// A column of which the model's parameters leave less than this share is theirs.
+    LEFT: f64 = 1e-3;
 
-/// Directions of a group that hold less than this share of the largest are not seen.
-const UNSEEN: f64 = 1e-4;
+    /// Directions of a group that hold less than this share of the largest are not seen.
+    UNSEEN: f64 = 1e-4;
+}
 
 /// Factors of a product, each a covariate with its power.
 pub type Factors = Vec<(Covariate, u32)>;
@@ -70,7 +72,7 @@ pub fn seen_directions(w: MatRef<'_, f64>) -> Mat<f64> {
     let gram = w.transpose() * w;
     let gram = DMatrix::from_fn(w.ncols(), w.ncols(), |i, j| gram[(i, j)]);
     let eigen = gram.symmetric_eigen();
-    let least = UNSEEN * eigen.eigenvalues.max();
+    let least = UNSEEN.get() * eigen.eigenvalues.max();
     let seen: Vec<usize> = (0..w.ncols())
         .filter(|&k| eigen.eigenvalues[k] > least)
         .collect();
@@ -211,7 +213,7 @@ fn products(state: &State, sensor: Sensor, offered: &Offered) -> Vec<Product> {
     let whole = columns.as_ref().col_iter().map(|column| column.norm_l2());
     let is_seen: Vec<bool> = whole
         .zip(&length)
-        .map(|(whole, left)| *left > LEFT * whole)
+        .map(|(whole, left)| *left > LEFT.get() * whole)
         .collect();
     let product = |group: [usize; 3]| {
         let axes = (0..3).map(|axis| (axis, group[axis], 3 * group[axis] + axis));

@@ -9,8 +9,10 @@ use crate::rank::APART;
 use crate::score::{log_tail, score};
 use crate::search::Name;
 
-/// So many are stated.
-const STATED: usize = 3;
+findings::tuning! {
+    /// So many are stated.
+    STATED: usize = 3;
+}
 
 /// The forms `e_i = c_i h_i`, `h` a product of what the named effect looks at, whose likelihood is no less than a twentieth of its own and
 /// that are no effect of the `catalogue`; the likeliest [`STATED`] of them, likeliest first. None for an effect with a shape.
@@ -40,11 +42,11 @@ fn as_likely(name: &Name, effect: &EffectRef, catalogue: &[EffectRef]) -> Option
     let likely = likely.filter_map(|product| {
         let found = score(whitened.columns(&product.columns).as_ref(), &whitened.z);
         let log_p = log_tail(found.statistic, found.dof as f64);
-        (log_p < own + APART).then(|| (log_p, written(&product)))
+        (log_p < own + APART.get()).then(|| (log_p, written(&product)))
     });
     let mut likely: Vec<(f64, String)> = likely.collect();
     likely.sort_by(|a, b| a.0.total_cmp(&b.0));
-    likely.truncate(STATED);
+    likely.truncate(STATED.get());
     Some(likely.into_iter().map(|(_, form)| form).collect())
 }
 

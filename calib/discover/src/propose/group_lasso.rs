@@ -4,20 +4,22 @@ use std::ops::Range;
 
 use faer::{Mat, Side};
 
-/// A gradient that exceeds its bound by less than this share is within it.
-const SLACK: f64 = 1e-5;
+findings::tuning! {
+    /// A gradient that exceeds its bound by less than this share is within it.
+    SLACK: f64 = 1e-5;
 
-/// Sweeps over the groups end where no coefficient moves by more than this share of the largest.
-const SETTLED: f64 = 1e-7;
+    /// Sweeps over the groups end where no coefficient moves by more than this share of the largest.
+    SETTLED: f64 = 1e-7;
 
-/// Sweeps at most: groups that share 98 % of their directions settle in some hundred.
-const SWEEPS: usize = 2000;
+    /// Sweeps at most: groups that share 98 % of their directions settle in some hundred.
+    SWEEPS: usize = 2000;
 
-/// Rounds of taking in groups that violate their bound.
-const ROUNDS: usize = 12;
+    /// Rounds of taking in groups that violate their bound.
+    ROUNDS: usize = 12;
 
-/// Newton steps for the length of one group: from below they double the digits.
-const STEPS: usize = 50;
+    /// Newton steps for the length of one group: from below they double the digits.
+    STEPS: usize = 50;
+}
 
 /// `min ½ ‖y − X β‖² + λ Σ_g √p_g ‖β_g‖` over groups of `p_g` columns, from its normal equations.
 ///
@@ -79,9 +81,9 @@ impl GroupLasso {
     /// The groups that are not zero at the minimum for `lambda`, where `beta` is put, from where it is.
     pub fn solve(&self, lambda: f64, beta: &mut [f64]) -> Vec<usize> {
         self.descend(lambda, &self.active(beta), beta);
-        for _ in 0..ROUNDS {
+        for _ in 0..ROUNDS.get() {
             let mut tried = self.active(beta);
-            let enters = |g: &usize| self.pull(*g, beta) > lambda * (1.0 + SLACK);
+            let enters = |g: &usize| self.pull(*g, beta) > lambda * (1.0 + SLACK.get());
             let apart = (0..self.groups.len()).filter(|g| !tried.contains(g));
             let entering: Vec<usize> = apart.filter(enters).collect();
             if entering.is_empty() {
@@ -123,7 +125,7 @@ impl GroupLasso {
 
     /// Puts one group after the other to its minimum until none moves.
     fn descend(&self, lambda: f64, groups: &[usize], beta: &mut [f64]) {
-        for _ in 0..SWEEPS {
+        for _ in 0..SWEEPS.get() {
             let mut moved = 0.0_f64;
             for g in groups {
                 let group = &self.groups[*g];
@@ -136,7 +138,7 @@ impl GroupLasso {
                 }
                 beta[group.range.clone()].copy_from_slice(&own);
             }
-            if moved <= SETTLED * beta.iter().fold(0.0, |most: f64, b| most.max(b.abs())) {
+            if moved <= SETTLED.get() * beta.iter().fold(0.0, |most: f64, b| most.max(b.abs())) {
                 break;
             }
         }
@@ -165,7 +167,7 @@ impl Group {
     /// The length `s` with `Σ c_i² / (d_i s + μ)² = 1`: the sum falls and is convex, so that Newton's steps from zero stay below.
     fn length(&self, pulls: &[f64], shrunk: f64) -> f64 {
         let mut length = 0.0;
-        for _ in 0..STEPS {
+        for _ in 0..STEPS.get() {
             let (mut sum, mut slope) = (0.0, 0.0);
             for (c, d) in pulls.iter().zip(&self.curvatures) {
                 let below = d * length + shrunk;

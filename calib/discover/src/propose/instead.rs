@@ -16,11 +16,13 @@ use crate::request::Session;
 use crate::search::Search;
 use crate::state::State;
 
-/// A product of which an effect of the catalogue leaves less than this share (`1 − ρ²`) is that effect, no formula.
-const SAME: f64 = 2e-3;
+findings::tuning! {
+    /// A product of which an effect of the catalogue leaves less than this share (`1 − ρ²`) is that effect, no formula.
+    SAME: f64 = 2e-3;
 
-/// So many disturbances may be one error of the sensor.
-const SEVERAL: usize = 2;
+    /// So many disturbances may be one error of the sensor.
+    SEVERAL: usize = 2;
+}
 
 /// Looks for a formula beside the base models, with what these leave; `None` where it is not likelier than the named effects,
 /// or several disturbances, and what they leave of single intervals and turns, by [`APART`]. `of_base` is what shapes say of the
@@ -31,12 +33,12 @@ pub fn instead_of_names(
     of_base: Option<Described>,
 ) -> Option<(Proposed, Unexplained)> {
     let mut claims = search.names.iter().map(|name| &name.claim);
-    let several = search.last.extension.disturbed.len() >= SEVERAL;
+    let several = search.last.extension.disturbed.len() >= SEVERAL.get();
     if !several && !claims.any(|claim| claim.effect().is_some()) {
         return None;
     }
     let base = &search.base;
-    let needed = search.evidence + APART;
+    let needed = search.evidence + APART.get();
     let (products, screened) = promising(session, base, needed)?;
     let alpha = session.request.alpha_of_rest();
     let described = of_base.unwrap_or_else(|| Described::of(base, -alpha.ln()));
@@ -89,7 +91,7 @@ pub(super) fn outside(
     let spans: Vec<Mat<f64>> = spans.collect();
     let is_within = |column: &Mat<f64>| {
         let held = |span: &Mat<f64>| (span.transpose() * column).squared_norm_l2();
-        spans.iter().any(|span| held(span) > 1.0 - SAME)
+        spans.iter().any(|span| held(span) > 1.0 - SAME.get())
     };
     let is_own = |product: &Product| {
         let mut columns =

@@ -37,12 +37,15 @@ use super::remainder::unexplained::Unexplained;
 use super::request::Session;
 use super::state::State;
 
-/// Formulas that are tried, at most, of those that are less likely than the first by so many times [`APART`].
-const MOST_TRIED: usize = 3;
-const NEARLY: f64 = 3.0;
+findings::tuning! {
+    /// Formulas that are tried, at most.
+    MOST_TRIED: usize = 3;
+    /// They are less likely than the first by at most so many times [`APART`].
+    NEARLY: f64 = 3.0;
 
-/// Share of the excess of the held-out gap over 1 that may be left.
-const MAY_REMAIN: f64 = 0.2;
+    /// Share of the excess of the held-out gap over 1 that may be left.
+    MAY_REMAIN: f64 = 0.2;
+}
 
 /// A formula that explains what no effect of the catalogue does. It is no name: another formula may do as well.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -141,10 +144,11 @@ fn propose_of(
         .places
         .iter()
         .filter(|&&place| stable.are_alike(first, place));
-    let nearly =
-        alike.filter(|&&place| screened.log_p(place) < screened.log_p(first) + NEARLY * APART);
+    let nearly = alike.filter(|&&place| {
+        screened.log_p(place) < screened.log_p(first) + NEARLY.get() * APART.get()
+    });
     let mut left = stable.clone();
-    for _ in 0..nearly.count().min(MOST_TRIED) {
+    for _ in 0..nearly.count().min(MOST_TRIED.get()) {
         let chosen = left.chosen();
         let taken = chosen.first()?.place;
         match tried(session, last, rest, (screened, products, &chosen))? {
@@ -221,7 +225,7 @@ fn closed(before: &State, after: &State, channel: Channel) -> Option<[f64; 2]> {
     let gaps = [before.gap(), after.gap()];
     let error = 2.0 * (2.0 / after.dof.max(1.0)).sqrt();
     let [was_noise, is_noise] = gaps.map(|gap| gap * gap <= 1.0 + error);
-    let is_small = gaps[1] - 1.0 <= MAY_REMAIN * (gaps[0] - 1.0);
+    let is_small = gaps[1] - 1.0 <= MAY_REMAIN.get() * (gaps[0] - 1.0);
     (!was_noise && gaps[1] < gaps[0] && (is_noise || is_small)).then_some(gaps)
 }
 

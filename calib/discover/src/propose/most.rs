@@ -32,7 +32,7 @@ fn explained(screened: &Screened, products: &[Product], sensor: Sensor) -> f64 {
     let own = all.filter(|(_, place)| products[**place].sensor == sensor);
     let mut bases: Vec<Mat<f64>> = own.map(|(basis, _)| basis.clone()).collect();
     let mut left = screened.whitened.z.clone();
-    for _ in 0..MOST_PRODUCTS {
+    for _ in 0..MOST_PRODUCTS.get() {
         let by = |basis: &Mat<f64>| (basis.transpose() * &left).squared_norm_l2();
         let best = (0..bases.len()).max_by(|&a, &b| by(&bases[a]).total_cmp(&by(&bases[b])));
         let Some(best) = best else {

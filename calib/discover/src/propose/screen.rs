@@ -10,17 +10,19 @@ use crate::noise::projected::Whitened;
 use crate::score::log_tail;
 use crate::state::State;
 
-/// Products that are kept.
-const KEPT: usize = 40;
+findings::tuning! {
+    /// Products that are kept.
+    KEPT: usize = 40;
 
-/// Two products that share more than this (`ρ²`) are the same to these data: that of lower degree is kept.
-const TWINS: f64 = 0.98;
+    /// Two products that share more than this (`ρ²`) are the same to these data: that of lower degree is kept.
+    TWINS: f64 = 0.98;
 
-/// Groups that share more than this (`ρ²`) stand for each other: halves that select the one speak for the other.
-const ALIKE: f64 = 0.5;
+    /// Groups that share more than this (`ρ²`) stand for each other: halves that select the one speak for the other.
+    ALIKE: f64 = 0.5;
 
-/// Chance that noise alone pulls any product of the dictionary into the model.
-const BY_CHANCE: f64 = 0.05;
+    /// Chance that noise alone pulls any product of the dictionary into the model.
+    BY_CHANCE: f64 = 0.05;
+}
 
 /// Products of the dictionary that passed the screening.
 #[derive(Debug)]
@@ -55,7 +57,7 @@ impl Screened {
         });
         let correlated = same_axis.any(|(x, y)| {
             let shared = x.transpose() * y;
-            shared * shared > ALIKE * x.squared_norm_l2() * y.squared_norm_l2()
+            shared * shared > ALIKE.get() * x.squared_norm_l2() * y.squared_norm_l2()
         });
         alike(&self.bases[one], &self.bases[other]) || (a.sensor == b.sensor && correlated)
     }
@@ -73,7 +75,7 @@ pub fn screen(state: &State, products: &[Product]) -> Option<Screened> {
     let level = &levels[likeliest(products, &kept, levels)?];
     let whitened = level.whitened.clone();
     let law = ChiSquared::new(3.0).ok()?;
-    let floor = law.inverse_cdf(1.0 - BY_CHANCE / products.len().max(1) as f64) / 3.0;
+    let floor = law.inverse_cdf(1.0 - BY_CHANCE.get() / products.len().max(1) as f64) / 3.0;
     let mut screened = Screened {
         kept: kept.clone(),
         products: Vec::new(),
@@ -92,7 +94,7 @@ pub fn screen(state: &State, products: &[Product]) -> Option<Screened> {
             let other: &Mat<f64> = &screened.bases[i];
             let rank = other.ncols().max(basis.ncols()) as f64;
             products[screened.products[i]].sensor == products[k].sensor
-                && (other.transpose() * &basis).squared_norm_l2() > TWINS * rank
+                && (other.transpose() * &basis).squared_norm_l2() > TWINS.get() * rank
         };
         if !(0..screened.bases.len()).any(is_twin) {
             screened.products.push(k);
@@ -143,7 +145,7 @@ fn best(products: &[Product], levels: &[Level]) -> Vec<usize> {
     };
     let mut all: Vec<(f64, usize)> = products.iter().map(of).zip(0..).collect();
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
-    all.into_iter().take(KEPT).map(|(_, k)| k).collect()
+    all.into_iter().take(KEPT.get()).map(|(_, k)| k).collect()
 }
 
 /// `|Uᵀ z|²` of orthonormal columns.
@@ -169,5 +171,5 @@ fn likeliest(products: &[Product], kept: &[usize], levels: &[Level]) -> Option<u
 /// Returns true if two spaces of orthonormal columns (`q × p`) share most of the smaller one.
 fn alike(one: &Mat<f64>, other: &Mat<f64>) -> bool {
     let rank = one.ncols().min(other.ncols()).max(1) as f64;
-    (one.transpose() * other).squared_norm_l2() > ALIKE * rank
+    (one.transpose() * other).squared_norm_l2() > ALIKE.get() * rank
 }

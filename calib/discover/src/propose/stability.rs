@@ -15,20 +15,22 @@ use super::screen::Screened;
 use crate::noise::projected::Whitened;
 use crate::state::State;
 
-/// Pairs of halves.
-const PAIRS: u64 = 25;
+findings::tuning! {
+    /// Pairs of halves.
+    PAIRS: u64 = 25;
 
-/// Groups that a half may select: few, so that chance seldom selects the same again.
-const MOST: usize = 3;
+    /// Groups that a half may select: few, so that chance seldom selects the same again.
+    MOST: usize = 3;
 
-/// Share of the halves that must select anything at all.
-const SPEAK: f64 = 0.5;
+    /// Share of the halves that must select anything at all.
+    SPEAK: f64 = 0.5;
 
-/// `λ` from one step of the path to the next.
-const STEP: f64 = 0.8;
+    /// `λ` from one step of the path to the next.
+    STEP: f64 = 0.8;
 
-/// Added to precisions, which are at most 1: rows of a half may depend on each other.
-const RIDGE: f64 = 1e-9;
+    /// Added to precisions, which are at most 1: rows of a half may depend on each other.
+    RIDGE: f64 = 1e-9;
+}
 
 /// For every group the share of the halves that select it or one like it, of those that select any: a half in which nothing
 /// rises above the noise says nothing for or against. 0 where fewer than [`SPEAK`] select any.
@@ -44,7 +46,7 @@ pub fn stability(state: &State, products: &[Product], screened: &Screened) -> Ve
     let (whitened, bases, floor) = (&screened.whitened, &screened.bases, screened.floor);
     let halves = Halves::new(state, whitened, bases);
     let rests = state.fit.data.rests.len();
-    let selected: Vec<Vec<usize>> = (0..PAIRS)
+    let selected: Vec<Vec<usize>> = (0..PAIRS.get())
         .into_par_iter()
         .flat_map_iter(|seed| {
             let mut order: Vec<usize> = (0..rests).collect();
@@ -54,7 +56,7 @@ pub fn stability(state: &State, products: &[Product], screened: &Screened) -> Ve
         })
         .collect();
     let speak = selected.iter().filter(|own| !own.is_empty()).count();
-    if (speak as f64) < SPEAK * selected.len() as f64 {
+    if (speak as f64) < SPEAK.get() * selected.len() as f64 {
         return vec![0.0; bases.len()];
     }
     let votes = |g: usize| {
@@ -106,16 +108,16 @@ impl<'a> Halves<'a> {
             return path;
         };
         let mut beta = vec![0.0; self.seen.ncols() - 1];
-        let mut lambda = STEP * problem.largest();
+        let mut lambda = STEP.get() * problem.largest();
         while lambda > floor {
             let active = problem.solve(lambda, &mut beta);
-            if active.len() > MOST {
+            if active.len() > MOST.get() {
                 break;
             }
             let new = active.into_iter().filter(|g| !path.contains(g));
             let new: Vec<usize> = new.collect();
             path.extend(new);
-            lambda *= STEP;
+            lambda *= STEP.get();
         }
         path
     }
@@ -125,7 +127,7 @@ impl<'a> Halves<'a> {
             .filter(|i| rests.contains(&self.rest_of_row[*i]))
             .collect();
         let covariance = Mat::from_fn(rows.len(), rows.len(), |i, k| {
-            self.precision[(rows[i], rows[k])] + if i == k { RIDGE } else { 0.0 }
+            self.precision[(rows[i], rows[k])] + if i == k { RIDGE.get() } else { 0.0 }
         });
         let factor = covariance.llt(Side::Lower).ok()?;
         let mut own = Mat::from_fn(rows.len(), self.seen.ncols(), |i, k| {

@@ -9,11 +9,13 @@ use crate::family::beside;
 use crate::noise::projected::Whitened;
 use crate::score::score;
 
-/// A product needs a coefficient of so many standard errors: among nine, one of noise reaches it in .4 % of all cases.
-const SIGNIFICANT: f64 = 3.5;
+findings::tuning! {
+    /// A product needs a coefficient of so many standard errors: among nine, one of noise reaches it in .4 % of all cases.
+    SIGNIFICANT: f64 = 3.5;
 
-/// On its other axes so many do (Schwarz 1978: `√ln n` of about 60 rows): what one axis has, the others are likely to have too.
-const SIGNIFICANT_BESIDE: f64 = 2.0;
+    /// On its other axes so many do (Schwarz 1978: `√ln n` of about 60 rows): what one axis has, the others are likely to have too.
+    SIGNIFICANT_BESIDE: f64 = 2.0;
+}
 
 /// The terms, and the least stability of the products that have one.
 #[derive(Debug)]
@@ -65,7 +67,7 @@ pub fn terms(whitened: &Whitened, chosen: &[Chosen<'_>]) -> Option<Terms> {
             .collect();
         let least = (0..places.len()).min_by(|a, b| sizes[*a].total_cmp(&sizes[*b]))?;
         // A direction that the data do not see has no size of its own.
-        if fitted.dof < places.len() || sizes[least] < SIGNIFICANT_BESIDE {
+        if fitted.dof < places.len() || sizes[least] < SIGNIFICANT_BESIDE.get() {
             places.remove(least);
             continue;
         }
@@ -100,6 +102,6 @@ fn doubtful(places: &[(usize, usize)], sizes: &[f64]) -> Option<usize> {
         .filter_map(|own| own.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1)));
     let least = largest.min_by(|a, b| a.1.total_cmp(&b.1));
     least
-        .filter(|(_, size)| *size < SIGNIFICANT)
+        .filter(|(_, size)| *size < SIGNIFICANT.get())
         .map(|(product, _)| product)
 }

@@ -93,7 +93,7 @@ fn is_found(seed: u64, definition: &str, equation: &str) -> Proposal {
     // Four standard errors: 1 in 16 000; and the product is seen to a tenth.
     assert!((term.value - truth).abs() < 4.0 * std, "{term:?}");
     assert!(std < 0.15 * truth, "{term:?}");
-    assert!(found.stability >= super::chosen::STABLE);
+    assert!(found.stability >= super::chosen::STABLE.get());
     assert!(found.adjusted_p_value < 1e-6);
     assert!(found.held_out_gap_before > 1.2, "{found:?}");
     assert!(found.held_out_gap_after < 1.1, "{found:?}");

@@ -98,7 +98,9 @@ impl Described {
             let is_same = |s: &&Scatter| (s.sensor, s.axis) == (jumps.sensor, jumps.axis);
             match scatters.iter().find(is_same) {
                 // What may as well wander otherwise or go with the placement is not said to jump.
-                Some(wanders) if jumps.log_p > wanders.log_p - APART || wanders.is_forgotten() => {
+                Some(wanders)
+                    if jumps.log_p > wanders.log_p - APART.get() || wanders.is_forgotten() =>
+                {
                     Trial {
                         log_p: jumps.log_p,
                         statistic: jumps.statistic,

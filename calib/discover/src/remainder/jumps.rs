@@ -10,11 +10,13 @@ use super::two_levels::{TwoLevels, search};
 use crate::rank::log_sum;
 use crate::state::State;
 
-/// Stretches that a recording is cut into at most: the search takes as long as the square of their number.
-const STRETCHES: usize = 120;
+findings::tuning! {
+    /// Stretches that a recording is cut into at most: the search takes as long as the square of their number.
+    STRETCHES: usize = 120;
 
-/// One jump is a step, which is an effect of the catalogue, and two are an excursion.
-const LEAST_JUMPS: usize = 3;
+    /// One jump is a step, which is an effect of the catalogue, and two are an excursion.
+    LEAST_JUMPS: usize = 3;
+}
 
 /// A bias on two levels.
 #[derive(Clone, Debug)]
@@ -100,7 +102,7 @@ fn of_axis(
         change: likeliest.change,
         noise: level.noise,
         statistic: 2.0 * level.gained + likeliest.ratio,
-        log_p: if likeliest.count < LEAST_JUMPS {
+        log_p: if likeliest.count < LEAST_JUMPS.get() {
             0.0
         } else {
             log_p
@@ -125,7 +127,7 @@ impl Stretches {
             let (a, b) = (own.times[a], own.times[b]);
             a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
         });
-        let count = n.min(STRETCHES);
+        let count = n.min(STRETCHES.get());
         let mut of_chunk = vec![0; n];
         for (place, chunk) in order.into_iter().enumerate() {
             of_chunk[chunk] = place * count / n;

@@ -12,13 +12,17 @@ use crate::score::log_tail;
 /// Memories tried, s.
 const MEMORIES: [f64; 3] = [10.0, 30.0, 100.0];
 
-/// Variances tried, from a hundredth of the noise in what the data show best on.
-const VARIANCES: i32 = 16;
-const LEAST: f64 = 1e-2;
-const STEP: f64 = 2.0;
+findings::tuning! {
+    /// Variances tried.
+    VARIANCES: i32 = 16;
+    /// The least of them, as a share of the noise in what the data show best.
+    LEAST: f64 = 1e-2;
+    /// Ratio of one to the one before.
+    STEP: f64 = 2.0;
 
-/// Products by which the largest eigenvalue is found: a little off moves all variances tried by as little.
-const POWERS: usize = 100;
+    /// Products by which the largest eigenvalue is found: a little off moves all variances tried by as little.
+    POWERS: usize = 100;
+}
 
 /// More scatter of one axis than the noise allows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -155,8 +159,8 @@ impl Biases {
             let alone: f64 = sizes.iter().enumerate().map(of).sum();
             alone + by_shared(theta, &sizes, &seen, &taken)
         };
-        (0..VARIANCES)
-            .map(|k| at(LEAST * STEP.powi(k) / largest.max(f64::MIN_POSITIVE)))
+        (0..VARIANCES.get())
+            .map(|k| at(LEAST.get() * STEP.get().powi(k) / largest.max(f64::MIN_POSITIVE)))
             .fold(0.0, f64::max)
     }
 }
@@ -189,7 +193,7 @@ fn largest(sizes: &[f64], taken: &Mat<f64>) -> f64 {
     let n = sizes.len();
     let mut v = Mat::from_fn(n, 1, |k, _| sizes[k].max(0.0).sqrt());
     let mut found = 0.0;
-    for _ in 0..POWERS {
+    for _ in 0..POWERS.get() {
         let norm = v.norm_l2();
         if norm == 0.0 || !norm.is_finite() {
             return greatest;

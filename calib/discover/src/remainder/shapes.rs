@@ -13,14 +13,16 @@ use super::shape::{Errors, Shape, Way};
 use crate::family::{Claim, Family, Hypothesis, beside, by_heading};
 use crate::state::State;
 
-/// Cosines of time tried.
-const COSINES: usize = 6;
+findings::tuning! {
+    /// Cosines of time tried.
+    COSINES: usize = 6;
 
-/// Periods tried at most; a period shorter than two rests is not seen in their means.
-const PERIODS: usize = 80;
+    /// Periods tried at most; a period shorter than two rests is not seen in their means.
+    PERIODS: usize = 80;
 
-/// Full periods that a recording must hold: of fewer, a walk looks the same.
-const LEAST_PERIODS: f64 = 2.0;
+    /// Full periods that a recording must hold: of fewer, a walk looks the same.
+    LEAST_PERIODS: f64 = 2.0;
+}
 
 /// Time constants of a relaxation after a turn, s.
 const RELAXATIONS: [f64; 3] = [1.0, 3.0, 10.0];
@@ -104,7 +106,11 @@ fn ways_of_all<'a>(scene: &'a Scene<'a>, shape: Shape, sensor: Sensor) -> Vec<Wa
     match shape {
         Shape::OneRecording => Vec::new(),
         Shape::FineOrientation => fine_orientation(sensor),
-        Shape::SlowTime => vec![(3 * COSINES, Box::new(|i, out| scene.cosines(i, out)), None)],
+        Shape::SlowTime => vec![(
+            3 * COSINES.get(),
+            Box::new(|i, out| scene.cosines(i, out)),
+            None,
+        )],
         Shape::Periodic => scene.periods(),
         Shape::Heading => vec![
             (2, Box::new(horizontal), None),
@@ -193,18 +199,21 @@ impl<'a> Scene<'a> {
 
     fn cosines(&self, i: &Instant<'_>, out: &mut Vec<Vector3<f64>>) {
         let phase = PI * (i.truth.time - self.ends.0) / self.length();
-        let factors: Vec<f64> = (1..=COSINES).map(|k| (k as f64 * phase).cos()).collect();
+        let factors: Vec<f64> = (1..=COSINES.get())
+            .map(|k| (k as f64 * phase).cos())
+            .collect();
         on_every_axis(&factors, out);
     }
 
     /// Frequencies from two periods to one per rest, two thirds of the resolution apart.
     fn periods(&self) -> Vec<Way<'_>> {
         let rests = self.state.fit.data.rests.len() as f64;
-        let (lowest, highest) = (LEAST_PERIODS / self.length(), rests / self.length());
+        let (lowest, highest) = (LEAST_PERIODS.get() / self.length(), rests / self.length());
         let count = ((highest - lowest) * self.length() * 1.5) as usize;
-        (0..=count.min(PERIODS))
+        (0..=count.min(PERIODS.get()))
             .map(|k| -> Way<'_> {
-                let f = lowest + (highest - lowest) * k as f64 / count.clamp(1, PERIODS) as f64;
+                let f =
+                    lowest + (highest - lowest) * k as f64 / count.clamp(1, PERIODS.get()) as f64;
                 (
                     6,
                     Box::new(move |i: &Instant<'_>, out: &mut Vec<Vector3<f64>>| {

@@ -10,19 +10,22 @@ use statrs::function::factorial::ln_binomial;
 
 use crate::score::log_tail;
 
-/// Jumps in as many places as these have a bias that differs from one stretch to the next, and no two levels.
-const MOST_SHARE: f64 = 1.0 / 3.0;
+findings::tuning! {
+    /// Jumps in as many places as these have a bias that differs from one stretch to the next, and no two levels.
+    MOST_SHARE: f64 = 1.0 / 3.0;
 
-/// Flips after which the search ends, and the share of the whole information below which two levels are one.
-const MOST_FLIPS: usize = 100;
-const FAINT: f64 = 1e-9;
+    /// Flips after which the search ends.
+    MOST_FLIPS: usize = 100;
+    /// Share of the whole information below which two levels are one.
+    FAINT: f64 = 1e-9;
 
-/// Stretches by which a jump may be earlier or later, to ask whether the data know.
-const SHIFT: usize = 3;
+    /// Stretches by which a jump may be earlier or later, to ask whether the data know.
+    SHIFT: usize = 3;
+}
 
 /// Jumps at most between so many stretches.
 fn most_jumps(stretches: usize) -> usize {
-    (MOST_SHARE * stretches as f64) as usize
+    (MOST_SHARE.get() * stretches as f64) as usize
 }
 
 /// `ln` of the ways to choose so many jumps, each number of them as likely as the others.
@@ -59,7 +62,7 @@ impl TwoLevels {
 pub(super) fn search(gram: &DMatrix<f64>, right: &DVector<f64>) -> Option<TwoLevels> {
     let mut above = vec![false; right.len()];
     let mut best: Option<f64> = None;
-    for _ in 0..MOST_FLIPS {
+    for _ in 0..MOST_FLIPS.get() {
         let Some((flipped, likelier)) = likeliest_flip(gram, right, &above) else {
             break;
         };
@@ -120,7 +123,7 @@ impl Sums {
             by_right: summed(n, |k| flip[k] * right[k]),
             by_pull: summed(n, |k| flip[k] * pull[k]),
             twice,
-            faint: FAINT * gram.diagonal().sum(),
+            faint: FAINT.get() * gram.diagonal().sum(),
         }
     }
 
@@ -188,10 +191,10 @@ fn alike(sums: &Sums, above: &[bool]) -> f64 {
         let is_level = |stretches: Range<usize>| {
             (stretches.start + 1..stretches.end).all(|k| !jumps_at(above, k))
         };
-        let later = (1..=SHIFT)
+        let later = (1..=SHIFT.get())
             .map(|d| k..k + d)
             .filter(|s| s.end < n && is_level(s.start..s.end + 1));
-        let earlier = (1..=SHIFT)
+        let earlier = (1..=SHIFT.get())
             .filter(|d| *d < k)
             .map(|d| k - d..k)
             .filter(|s| is_level(s.start - 1..s.end));

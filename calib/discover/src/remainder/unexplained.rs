@@ -14,8 +14,10 @@ use crate::gap::sequence::{Misfit, Sequence};
 use crate::score::log_tail;
 use crate::state::State;
 
-/// A period explains more than this share of what is more than the noise.
-const MOST: f64 = 0.6;
+findings::tuning! {
+    /// A period explains more than this share of what is more than the noise.
+    MOST: f64 = 0.6;
+}
 
 /// A disagreement that no effect of the catalogue explains.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -132,7 +134,7 @@ fn explains_most(state: &State, trial: &Trial) -> bool {
     };
     let columns = orthonormal(&state.projected.columns(shape.columns.as_ref()));
     let left = at.beside(&at.columns(&columns)).square;
-    at.square - left > MOST * (at.square - state.projected.dof() as f64)
+    at.square - left > MOST.get() * (at.square - state.projected.dof() as f64)
 }
 
 /// Returns true if a bias wanders significantly, at level `alpha`, with the shape in the model.

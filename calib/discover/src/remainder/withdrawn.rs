@@ -19,11 +19,13 @@ use crate::score::{log_tail, score};
 use crate::search::Search;
 use crate::state::{Extension, State};
 
-/// Coefficients that chance makes so large in more cases than this say nothing.
-const BY_CHANCE: f64 = 0.05;
+findings::tuning! {
+    /// Coefficients that chance makes so large in more cases than this say nothing.
+    BY_CHANCE: f64 = 0.05;
 
-/// An effect that leaves less than this share of the misfit of its channel is what is missing: what it leaves is of second order.
-const NEARLY_ALL: f64 = 0.01;
+    /// An effect that leaves less than this share of the misfit of its channel is what is missing: what it leaves is of second order.
+    NEARLY_ALL: f64 = 0.01;
+}
 
 /// Withdraws the effects that are not evident against what remains unexplained: a rest of `g` times the noise
 /// makes all likelihood ratios `g²` times too large. One that explains nearly all stays.
@@ -39,7 +41,7 @@ pub(crate) fn without_weak(session: &Session<'_>, found: &mut Search) -> Result<
         let channel = without.channel_of(&name.predicted());
         let gap = gap_of(&left, channel).max(1.0);
         let before = gap_of(&without.misfits(&name.without), channel);
-        let explains_nearly_all = gap.powi(2) < NEARLY_ALL * before.powi(2);
+        let explains_nearly_all = gap.powi(2) < NEARLY_ALL.get() * before.powi(2);
         let ranked = &name.ranked;
         let evident =
             explains_nearly_all || ranked.evidence_at(ranked.statistic / (gap * gap)) > threshold;
@@ -56,7 +58,8 @@ pub(crate) fn without_doubtful_steps(
     search: &mut Search,
 ) -> Result<bool, Error> {
     search.withdraw_where(session, |name| {
-        let wanders = |sensor| wandering(&name.without, sensor) > name.ranked.by_ratio() - APART;
+        let wanders =
+            |sensor| wandering(&name.without, sensor) > name.ranked.by_ratio() - APART.get();
         name.stepping().is_some_and(wanders)
     })
 }
@@ -98,7 +101,7 @@ pub(crate) fn without_undetermined(
         let covariance = DMatrix::from_fn(n, n, |i, k| known.covariance[places[i].0][places[k].0]);
         let beta = DVector::from_fn(n, |i, _| places[i].1);
         covariance.cholesky().is_some_and(|factor| {
-            log_tail(beta.dot(&factor.solve(&beta)), n as f64) > BY_CHANCE.ln()
+            log_tail(beta.dot(&factor.solve(&beta)), n as f64) > BY_CHANCE.get().ln()
         })
     };
     search.withdraw_where(session, |name| {

@@ -8,14 +8,16 @@ use crate::rank::Ranked;
 use crate::score::{log_tail, score};
 use crate::state::State;
 
-/// Turns that evidence has to do without.
-///
-/// How much of a knock is missing differs from knock to knock: turns miss by more than the one share says, now and then,
-/// and an effect that shows in turns can be fitted to two of them.
-const SPARED: usize = 2;
+findings::tuning! {
+    /// Turns that evidence has to do without.
+    ///
+    /// How much of a knock is missing differs from knock to knock: turns miss by more than the one share says, now and then,
+    /// and an effect that shows in turns can be fitted to two of them.
+    SPARED: usize = 2;
 
-/// By how much larger the variance of a turn may be than the one share for all of them says: knocks that miss twice as much.
-pub(crate) const KNOCKED: f64 = 4.0;
+    /// By how much larger the variance of a turn may be than the one share for all of them says: knocks that miss twice as much.
+    pub(crate) KNOCKED: f64 = 4.0;
+}
 
 /// Columns of every turn on its own (`q × 2` each), for a model whose turns are spoiled by knocks.
 pub(crate) struct Turns(Vec<Mat<f64>>);
@@ -33,7 +35,7 @@ impl Turns {
 
     /// The evidence that something else is wrong with a turn, or with a static interval beside it.
     pub fn evidence_of_disturbance(ranked: &Ranked) -> f64 {
-        let log_p = log_tail(ranked.statistic / KNOCKED, ranked.dof);
+        let log_p = log_tail(ranked.statistic / KNOCKED.get(), ranked.dof);
         ranked.evidence + ranked.log_p - log_p.max(ranked.log_p)
     }
 
@@ -47,7 +49,7 @@ impl Turns {
         let mut z = whitened.z.clone();
         let turns: Vec<Mat<f64>> = self.0.iter().map(|b| whitened.columns(b)).collect();
         let mut least = ranked.score.statistic;
-        for _ in 0..SPARED {
+        for _ in 0..SPARED.get() {
             let spared = turns.iter().map(|b| (without(b, &w), without(b, &z)));
             let judged = spared.map(|(w, z)| (score(w.as_ref(), &z).statistic, w, z));
             let Some(best) = judged.min_by(|a, b| a.0.total_cmp(&b.0)) else {

@@ -29,20 +29,22 @@ use crate::rank::Ranked;
 use crate::request::Session;
 use crate::state::{Extension, State, with_companions};
 
-/// Names at most; a device that seems to lack more is not understood.
-const MOST_NAMES: usize = 6;
+findings::tuning! {
+    /// Names at most; a device that seems to lack more is not understood.
+    MOST_NAMES: usize = 6;
 
-/// A temperature effect of second order must gain this over that of first order, in `χ²₃`.
-const HIGHER_ORDER: f64 = 0.99;
+    /// A temperature effect of second order must gain this over that of first order, in `χ²₃`.
+    HIGHER_ORDER: f64 = 0.99;
 
-/// Work that the joint fits of a search may take, in [`cost_of_fit`]: twenty fits of forty static intervals.
-const MOST_WORK: f64 = 2e5;
+    /// Work that the joint fits of a search may take, in [`cost_of_fit`]: twenty fits of forty static intervals.
+    MOST_WORK: f64 = 2e5;
 
-/// And what they may take together in linearisations times samples of turns: forty fits of forty turns of 3 s at 200 Hz.
-const MOST_LINEARISED: usize = 30_000_000;
+    /// And what they may take together in linearisations times samples of turns: forty fits of forty turns of 3 s at 200 Hz.
+    MOST_LINEARISED: usize = 30_000_000;
 
-/// Fewest fits of a search, however long one takes.
-const FEWEST_FITS: usize = 6;
+    /// Fewest fits of a search, however long one takes.
+    FEWEST_FITS: usize = 6;
+}
 
 /// Returns the cost of a joint fit, in units of one with a single static interval. Recordings share few parameters and no
 /// noise.
@@ -59,12 +61,12 @@ fn cost_of_fit(data: &Data) -> f64 {
 /// # Errors
 /// As the joint fit.
 pub fn search(session: &Session<'_>, base: State) -> Result<Search, Error> {
-    let most = MOST_WORK / cost_of_fit(&base.fit.data).max(1.0);
+    let most = MOST_WORK.get() / cost_of_fit(&base.fit.data).max(1.0);
     let finder = Finder {
         session,
         catalogue: &session.candidates,
         threshold: session.request.threshold(),
-        most_fits: (most as usize).max(FEWEST_FITS),
+        most_fits: (most as usize).max(FEWEST_FITS.get()),
         fits: Cell::new(0),
         linearised: Cell::new(0),
         fitted: RefCell::new(vec![base.clone()]),
@@ -76,7 +78,7 @@ pub fn search(session: &Session<'_>, base: State) -> Result<Search, Error> {
     let mut last = finder.state(&held)?;
     let (mut first_ranking, mut not_observable) = (Vec::new(), Vec::new());
     let (mut spent, mut unfit) = (false, Vec::new());
-    while held.len() < MOST_NAMES + gross {
+    while held.len() < MOST_NAMES.get() + gross {
         let ranking = finder.ranked(&last);
         let (families, ranked) = (&ranking.families, &ranking.ranked);
         let next = finder.next(families, ranked, &unfit);
@@ -145,7 +147,7 @@ struct Finder<'a> {
 impl Finder<'_> {
     /// Returns true if this many `more` fits would exceed the budget.
     fn is_spent(&self, more: usize) -> bool {
-        self.fits.get() + more > self.most_fits || self.linearised.get() > MOST_LINEARISED
+        self.fits.get() + more > self.most_fits || self.linearised.get() > MOST_LINEARISED.get()
     }
 
     /// The model with all that is held but one.
@@ -217,6 +219,7 @@ impl Finder<'_> {
             .find(|r| families[r.family].claim.name() == companion.name())?;
         let law = ChiSquared::new((top.dof - lower.dof).max(1.0)).ok()?;
         let gain = top.statistic - lower.statistic;
-        (lower.evidence > self.threshold && gain < law.inverse_cdf(HIGHER_ORDER)).then_some(lower)
+        (lower.evidence > self.threshold && gain < law.inverse_cdf(HIGHER_ORDER.get()))
+            .then_some(lower)
     }
 }

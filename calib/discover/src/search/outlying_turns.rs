@@ -9,14 +9,18 @@ use super::named_claim::NamedClaim;
 use crate::family::{Claim, Hypothesis};
 use crate::state::State;
 
-/// A turn is taken out at once where its `χ²` of two degrees is beyond this, and beyond as many times the usual one.
-const GROSS: f64 = 50.0;
+findings::tuning! {
+    /// A turn is taken out at once where its `χ²` of two degrees is beyond this, and beyond as many times the usual one.
+    GROSS: f64 = 50.0;
+}
 
 /// The median of `χ²` of two degrees.
 const MEDIAN: f64 = 1.386;
 
-/// At most this share of the turns.
-const SHARE: f64 = 0.2;
+findings::tuning! {
+    /// At most this share of the turns.
+    SHARE: f64 = 0.2;
+}
 
 /// The turns that are off by far more than all others, under white noise alone.
 ///
@@ -29,7 +33,7 @@ pub(super) fn outlying_turns(state: &State) -> Vec<NamedClaim> {
         .filter(|s| s.fault.scope == Scope::Turn)
         .collect();
     let turns = Turns::of(state, &suspects);
-    let most = (SHARE * suspects.len() as f64) as usize;
+    let most = (SHARE.get() * suspects.len() as f64) as usize;
     let mut out: Vec<usize> = Vec::new();
     while out.len() < most {
         let Some((worst, _)) = turns.worst(&out) else {
@@ -78,9 +82,9 @@ impl Turns {
             y,
             count: suspects.len(),
             gross: if state.fit.data.misses_something_between_samples() {
-                KNOCKED * GROSS
+                KNOCKED.get() * GROSS.get()
             } else {
-                GROSS
+                GROSS.get()
             },
         }
     }
@@ -141,7 +145,7 @@ mod tests {
             y: &precision * DVector::from_column_slice(y),
             precision,
             count: n / 2,
-            gross: GROSS,
+            gross: GROSS.get(),
         }
     }
 

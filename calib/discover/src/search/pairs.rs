@@ -23,7 +23,7 @@ impl Finder<'_> {
         let best: Vec<&Ranked> = ranked
             .iter()
             .filter(|r| matches!(families[r.family].claim, Claim::Effect(_)))
-            .take(PAIRED)
+            .take(PAIRED.get())
             .collect();
         let columns: Vec<Mat<f64>> = best
             .iter()
@@ -53,7 +53,7 @@ impl Finder<'_> {
         for i in 0..best.len() {
             for j in 0..i {
                 let e = evidence(i, j);
-                if e > now + APART && top.is_none_or(|(best, ..)| e > best) {
+                if e > now + APART.get() && top.is_none_or(|(best, ..)| e > best) {
                     top = Some((e, i, j));
                 }
             }

@@ -8,17 +8,19 @@ use crate::family::{Claim, Family, families, is_late, places_by_heading, referen
 use crate::rank::{Ranked, rank};
 use crate::state::State;
 
-/// Families whose pairs are tried, and that are shown in the first ranking.
-pub(super) const PAIRED: usize = 10;
+findings::tuning! {
+    /// Families whose pairs are tried, and that are shown in the first ranking.
+    pub(super) PAIRED: usize = 10;
 
-/// A rotation whose length differs from the earth's by more than so many standard errors is not it.
-const EARTH_LENGTH: f64 = 3.0;
+    /// A rotation whose length differs from the earth's by more than so many standard errors is not it.
+    EARTH_LENGTH: f64 = 3.0;
 
-/// Tolerance of a rotation's length after a linear step from models fitted without it, as a share of the earth's rate.
-const LINEAR: f64 = 0.1;
+    /// Tolerance of a rotation's length after a linear step from models fitted without it, as a share of the earth's rate.
+    LINEAR: f64 = 0.1;
 
-/// A rotation whose vertical part is fewer standard errors than this is not known to be the earth's.
-const EARTH_VERTICAL: f64 = 2.0;
+    /// A rotation whose vertical part is fewer standard errors than this is not known to be the earth's.
+    EARTH_VERTICAL: f64 = 2.0;
+}
 
 /// Everything that a model lacks, and the evidence for it, most evident first.
 pub(crate) struct Ranking {
@@ -53,7 +55,7 @@ impl Ranking {
 
     /// The most evident claims.
     pub(super) fn first(&self) -> Vec<(Claim, Ranked)> {
-        let best = self.ranked.iter().take(PAIRED);
+        let best = self.ranked.iter().take(PAIRED.get());
         best.map(|r| (self.families[r.family].claim.clone(), r.clone()))
             .collect()
     }
@@ -84,12 +86,14 @@ pub(super) enum Earth {
 /// The place of the vertical part among the parameters of a rotation.
 pub(crate) const VERTICAL: usize = 2;
 
-/// A smaller variance, in the square of the earth's rate, is that of what is not seen.
-const UNSEEN: f64 = 1e-12;
+findings::tuning! {
+    /// A smaller variance, in the square of the earth's rate, is that of what is not seen.
+    UNSEEN: f64 = 1e-12;
+}
 
 /// Returns the sort key of a variance, which puts an unobservable part last.
 fn seen_first(variance: f64) -> f64 {
-    if variance > UNSEEN {
+    if variance > UNSEEN.get() {
         variance
     } else {
         f64::INFINITY
@@ -105,7 +109,7 @@ pub(super) fn as_the_earth(family: &Family, ranked: &Ranked) -> Earth {
     };
     let covariance = &ranked.score.covariance;
     // Beside the isotropic g-sensitivity the vertical part is nobody's to know.
-    if ranked.score.dof < 3 || covariance[(VERTICAL, VERTICAL)] < UNSEEN {
+    if ranked.score.dof < 3 || covariance[(VERTICAL, VERTICAL)] < UNSEEN.get() {
         return Earth::Yes;
     }
     let own = places_by_heading(ranked.score.change.len(), VERTICAL + 1, references(earth));
@@ -122,9 +126,9 @@ pub(super) fn as_the_earth(family: &Family, ranked: &Ranked) -> Earth {
     let variance = (rate.transpose() * &covariance * &rate)[(0, 0)] / (length * length);
     let vertical =
         ranked.score.change[VERTICAL].abs() / ranked.score.covariance[(VERTICAL, VERTICAL)].sqrt();
-    if (length - 1.0).abs() > EARTH_LENGTH * variance.sqrt() + LINEAR {
+    if (length - 1.0).abs() > EARTH_LENGTH.get() * variance.sqrt() + LINEAR.get() {
         Earth::No
-    } else if vertical < EARTH_VERTICAL {
+    } else if vertical < EARTH_VERTICAL.get() {
         Earth::OrARoom
     } else {
         Earth::Yes

@@ -15,8 +15,10 @@ use crate::rank::{APART, Ranked, shared};
 use crate::separation::Rivalry;
 use crate::state::{State, with_companions};
 
-/// A claim that explains no more than this share of what the named one does is another matter, and no tie.
-const OF_THE_SAME: f64 = 0.2;
+findings::tuning! {
+    /// A claim that explains no more than this share of what the named one does is another matter, and no tie.
+    OF_THE_SAME: f64 = 0.2;
+}
 
 /// The field of a room, where a rotation has no vertical part to tell the two apart.
 fn as_a_room(family: &Family, named: &Ranked) -> Option<Tie> {
@@ -56,7 +58,7 @@ impl Finder<'_> {
         if held.len() == 2 && self.try_pairs(&mut held) {
             last = self.state(&held)?;
         }
-        for _ in 0..2 * MOST_NAMES {
+        for _ in 0..2 * MOST_NAMES.get() {
             let certain = self.certain(&last);
             let mut names = Vec::new();
             let mut changed = false;
@@ -121,7 +123,7 @@ impl Finder<'_> {
         for (_, evidence) in &mut certain {
             *evidence = -*evidence - search;
         }
-        certain.retain(|(_, evidence)| *evidence > self.threshold + APART);
+        certain.retain(|(_, evidence)| *evidence > self.threshold + APART.get());
         certain
     }
 
@@ -132,7 +134,7 @@ impl Finder<'_> {
         let Some(top) = ranked.first() else {
             return Verdict::Gone;
         };
-        if top.evidence > mine.evidence + APART && !self.is_simpler(families, top, mine) {
+        if top.evidence > mine.evidence + APART.get() && !self.is_simpler(families, top, mine) {
             return Verdict::Other(NamedClaim::of(families, top));
         }
         if mine.evidence <= own.claim.needed(self.threshold) {
@@ -155,13 +157,13 @@ impl Finder<'_> {
     ) -> Vec<Tie> {
         ranked
             .iter()
-            .filter(|r| r.family != named.family && r.evidence > named.evidence - APART)
+            .filter(|r| r.family != named.family && r.evidence > named.evidence - APART.get())
             .map(|r| Tie {
                 claim: families[r.family].claim.clone(),
                 shared: shared(&state.projected, families, named, r).unwrap_or(0.0),
                 rivalry: Rivalry::of(state, families, (named, r), self.catalogue),
             })
-            .filter(|tie| tie.shared > OF_THE_SAME)
+            .filter(|tie| tie.shared > OF_THE_SAME.get())
             .chain(as_a_room(&families[named.family], named))
             .collect()
     }

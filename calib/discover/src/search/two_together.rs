@@ -29,7 +29,12 @@ impl Finder<'_> {
             let is_effect = matches!(own, Claim::Effect(_));
             is_effect && !unfit.iter().any(|claim| claim.is_same(own))
         };
-        let best: Vec<&Ranked> = ranking.ranked.iter().filter(may).take(PAIRED).collect();
+        let best: Vec<&Ranked> = ranking
+            .ranked
+            .iter()
+            .filter(may)
+            .take(PAIRED.get())
+            .collect();
         // Nothing speaks for one of them.
         if best.first().is_none_or(|top| top.evidence < 0.0) {
             return None;

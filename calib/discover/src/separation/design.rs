@@ -12,12 +12,14 @@ use super::rivalry::Rivalry;
 use crate::request::{Request, Session};
 use crate::state::{Extension, State};
 
-/// Half of what temperature rises and falls by, K.
-const SWING: f64 = 8.0;
+findings::tuning! {
+    /// Half of what temperature rises and falls by, K.
+    SWING: f64 = 8.0;
 
-/// Samples per second of a recording that is tried: the noise is given by its density, so that more tell the same. They are
-/// points of a smooth motion, not means: a third of the time, and what errors would do there is the same.
-const RATE: f64 = 50.0;
+    /// Samples per second of a recording that is tried: the noise is given by its density, so that more tell the same. They are
+    /// points of a smooth motion, not means: a third of the time, and what errors would do there is the same.
+    RATE: f64 = 50.0;
+}
 
 /// Properties of the device, and the constraints on a recording.
 #[derive(Clone, Debug)]
@@ -76,7 +78,7 @@ impl Design {
     /// Returns the temperature during the recording; `None` where the device is not warmed.
     pub fn temperature(&self) -> Option<Temperature> {
         self.warmed.then(|| Temperature {
-            swing: 2.0 * SWING,
+            swing: 2.0 * SWING.get(),
             period: 2.0 * self.duration(),
             self_heating: 0.0,
             ..Temperature::default()
@@ -89,7 +91,7 @@ impl Design {
             ..SensorSpec::default()
         };
         Spec {
-            rate: RATE,
+            rate: RATE.get(),
             sampling: Sampling::Point,
             gravity: conditions.gravity,
             motion: Motion::Planned(Planned {

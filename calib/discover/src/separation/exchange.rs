@@ -21,28 +21,32 @@ const ENOUGH: f64 = 3.0 * SETTLED;
 /// Placements that are tried where their number is not given.
 const COUNTS: [usize; 3] = [12, 24, 36];
 
-/// More placements have to gain this share of what fewer came to.
-const WORTH_MORE: f64 = 1.1;
+findings::tuning! {
+    /// More placements have to gain this share of what fewer came to.
+    WORTH_MORE: f64 = 1.1;
 
-/// Exchange is worth its time from this share of what settles on.
-const NEARLY: f64 = 0.5;
+    /// Exchange is worth its time from this share of what settles on.
+    NEARLY: f64 = 0.5;
 
-/// Rounds of exchange, and designs beside the best that each round looks at.
-const ROUNDS: usize = 10;
-const TRIALS: usize = 8;
+    /// Rounds of exchange.
+    ROUNDS: usize = 10;
+    /// Designs beside the best that each round looks at.
+    TRIALS: usize = 8;
 
-/// Changes of one trial.
-const CHANGES: usize = 3;
+    /// Changes of one trial.
+    CHANGES: usize = 3;
 
-/// Cost of a minute, in units of `ln(1 + separation)`.
-const MINUTE: f64 = 0.02;
+    /// Cost of a minute, in units of `ln(1 + separation)`.
+    MINUTE: f64 = 0.02;
 
-/// Rests of the longer kinds, s: of every placement, and the first alone.
-const LONG_REST: f64 = 20.0;
-const LONG_FIRST: f64 = 300.0;
+    /// The longer kind of a static interval, s.
+    LONG_REST: f64 = 20.0;
+    /// The longer kind of the first one, s.
+    LONG_FIRST: f64 = 300.0;
 
-/// The first rest of one who leaves the device alone for a while, s.
-const PATIENT_FIRST: f64 = 900.0;
+    /// The first rest of one who leaves the device alone for a while, s.
+    PATIENT_FIRST: f64 = 900.0;
+}
 
 /// A design with what it separates and how good that is.
 #[derive(Clone, Debug)]
@@ -57,7 +61,7 @@ impl Judged {
         let separations = design.separations(rivalries, conditions);
         let gained: f64 = separations.iter().map(|s| s.min(ENOUGH).ln_1p()).sum();
         Self {
-            value: gained - MINUTE * design.duration() / 60.0,
+            value: gained - MINUTE.get() * design.duration() / 60.0,
             separations,
             design,
         }
@@ -99,14 +103,14 @@ pub fn separate(
         let start = judge(starts(*count, conditions), rivalries, conditions)
             .ok_or_else(|| Error::not_enough(Finding::of(Kind::NoPlacements)))?;
         // What is far from settled by any start wants more placements, not better ones.
-        let found = if start.reached() >= NEARLY * SETTLED || k + 1 == counts.len() {
+        let found = if start.reached() >= NEARLY.get() * SETTLED || k + 1 == counts.len() {
             exchanged(start, *count, rivalries, conditions)?
         } else {
             start
         };
         if best
             .as_ref()
-            .is_none_or(|b| found.reached() > WORTH_MORE * b.reached())
+            .is_none_or(|b| found.reached() > WORTH_MORE.get() * b.reached())
         {
             best = Some(found);
         }
@@ -127,7 +131,7 @@ pub fn separate(
         ..design.clone()
     };
     let mut longer = design.clone();
-    (longer.timing.rest, longer.timing.first_rest) = (LONG_REST, LONG_FIRST);
+    (longer.timing.rest, longer.timing.first_rest) = (LONG_REST.get(), LONG_FIRST.get());
     let others = [warmed, longer];
     let others: Vec<Vec<f64>> = others
         .par_iter()
@@ -168,12 +172,12 @@ fn exchanged(
 ) -> Result<Judged, Error> {
     let candidates = tilts();
     let mut random = ChaCha8Rng::seed_from_u64(seed as u64);
-    for _ in 0..ROUNDS {
+    for _ in 0..ROUNDS.get() {
         conditions.watch.step(Stage::Searching)?;
         if best.is_enough() {
             break;
         }
-        let trials = (0..TRIALS).map(|_| changed(&best.design, &candidates, &mut random));
+        let trials = (0..TRIALS.get()).map(|_| changed(&best.design, &candidates, &mut random));
         match judge(trials.collect(), rivalries, conditions) {
             Some(found) if found.value > best.value => best = found,
             _ => {}
@@ -187,15 +191,15 @@ fn exchanged(
 fn starts(count: usize, conditions: &Conditions) -> Vec<Design> {
     let usual = conditions.timing;
     let long = Timing {
-        rest: usual.rest.max(LONG_REST),
+        rest: usual.rest.max(LONG_REST.get()),
         ..usual
     };
     let wait = Timing {
-        first_rest: usual.first_rest.max(LONG_FIRST),
+        first_rest: usual.first_rest.max(LONG_FIRST.get()),
         ..usual
     };
     let patient = Timing {
-        first_rest: usual.first_rest.max(PATIENT_FIRST),
+        first_rest: usual.first_rest.max(PATIENT_FIRST.get()),
         ..long
     };
     let best = best(count, &ForceMatrix::zeros());
@@ -236,7 +240,7 @@ fn starts(count: usize, conditions: &Conditions) -> Vec<Design> {
 fn changed(design: &Design, candidates: &[Vector3<f64>], random: &mut ChaCha8Rng) -> Design {
     let mut design = design.clone();
     let mut moved = BTreeSet::new();
-    for _ in 0..CHANGES {
+    for _ in 0..CHANGES.get() {
         let turns = design.turns.len().max(1);
         match random.random_range(0..3) {
             0 => {

@@ -8,8 +8,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::state::State;
 
-/// A direction of scaled information below this share is rounding.
-const ROUNDING: f64 = 1e-10;
+findings::tuning! {
+    /// A direction of scaled information below this share is rounding.
+    ROUNDING: f64 = 1e-10;
+}
 
 /// `XᵀV⁻¹X` of scale factors, misalignments and coefficients of effects; directions, biases and all else that is a
 /// recording's own are taken out, so that recordings of one device add up.
@@ -104,7 +106,7 @@ impl Information {
             .eigenvalues
             .iter()
             .zip(eigen.eigenvectors.column_iter())
-            .filter(|(value, _)| **value > ROUNDING)
+            .filter(|(value, _)| **value > ROUNDING.get())
             .map(|(value, vector)| vector.dot(&moved).powi(2) / value)
             .sum();
         (whole - taken).max(0.0)

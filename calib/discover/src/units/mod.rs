@@ -31,8 +31,10 @@ pub use findings::{
 use pool::{Pooled, pool};
 use unit::Unit;
 
-/// Effects at most, shared ones and those of one unit together.
-const MOST_EFFECTS: usize = 8;
+::findings::tuning! {
+    /// Effects at most, shared ones and those of one unit together.
+    MOST_EFFECTS: usize = 8;
+}
 
 /// An effect of some of the units, with what shapes it in each.
 #[derive(Clone)]
@@ -76,7 +78,7 @@ impl Together<'_> {
     fn search(&self, units: &mut [Unit<'_>]) -> Result<Vec<EffectOfUnits>, Error> {
         let mut held: Vec<EffectOfUnits> = Vec::new();
         let mut passed: Vec<String> = Vec::new();
-        while held.len() < MOST_EFFECTS {
+        while held.len() < MOST_EFFECTS.get() {
             let pooled = pool(units, &self.candidates, self.request.threshold(), &[]);
             let may = |p: &&Pooled| {
                 let is_in = |h: &EffectOfUnits| h.effect.name() == p.effect.name();

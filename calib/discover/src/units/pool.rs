@@ -12,18 +12,20 @@ use crate::rank::{APART, Ranked};
 use crate::score::log_tail;
 use crate::search::Ranking;
 
-/// A noncentrality that hardly any unit would hide: 95 % of those with three degrees of freedom are beyond 0.5 % of chance.
-const WOULD_SHOW: f64 = 25.0;
+findings::tuning! {
+    /// A noncentrality that hardly any unit would hide: 95 % of those with three degrees of freedom are beyond 0.5 % of chance.
+    WOULD_SHOW: f64 = 25.0;
 
-/// A unit that shows an effect by less of a chance than this may have it.
-const PERHAPS: f64 = 0.05;
+    /// A unit that shows an effect by less of a chance than this may have it.
+    PERHAPS: f64 = 0.05;
 
-/// The share of the evidence for what goes with time that counts beside other units: of 39 cases of five units with biases that
-/// walk, and without a drift, four had one by the whole.
-const BESIDE_A_WALK: f64 = 0.5;
+    /// The share of the evidence for what goes with time that counts beside other units: of 39 cases of five units with biases that
+    /// walk, and without a drift, four had one by the whole.
+    BESIDE_A_WALK: f64 = 0.5;
 
-/// Sizes of two units that differ by less of a chance are not the same.
-const DIFFERENT: f64 = 1e-3;
+    /// Sizes of two units that differ by less of a chance are not the same.
+    DIFFERENT: f64 = 1e-3;
+}
 
 /// Evidence of one unit for an effect.
 #[derive(Clone, Debug)]
@@ -87,7 +89,7 @@ pub(super) fn pool(
         let evidence = ranked.evidence - weakened;
         // A walk that is estimated leaves a drift too much of a chance: half of it is counted, as it adds up over the units.
         let share = if effect.needs().contains(&Quantity::Time) {
-            BESIDE_A_WALK
+            BESIDE_A_WALK.get()
         } else {
             1.0
         };
@@ -146,7 +148,8 @@ impl Pooled {
     /// Names the effects that all of the units together cannot tell from it.
     pub fn ties(&self, all: &[Self]) -> Vec<String> {
         let near = |other: &&Self| {
-            other.effect.name() != self.effect.name() && other.evidence > self.evidence - APART
+            other.effect.name() != self.effect.name()
+                && other.evidence > self.evidence - APART.get()
         };
         all.iter()
             .filter(near)
@@ -182,7 +185,8 @@ impl Pooled {
         let change = &mine.ranked.score.change;
         let shows = |(place, unit): (usize, &Unit<'_>)| {
             let own = self.units[place].as_ref();
-            let denies = |own: &Says| own.log_p >= PERHAPS.ln() && own.differs_from(&mine.ranked);
+            let denies =
+                |own: &Says| own.log_p >= PERHAPS.get().ln() && own.differs_from(&mine.ranked);
             if !own.is_some_and(denies) || unit.state.fit.data.misses_something_between_samples() {
                 return false;
             }
@@ -195,7 +199,7 @@ impl Pooled {
             let moved = unit.state.projected.columns((columns * change).as_ref());
             let whitened = unit.state.projected.at(unit.state.noise);
             whitened.is_some_and(|w| {
-                w.columns(&moved).squared_norm_l2() > WOULD_SHOW * unit.excess.powi(2)
+                w.columns(&moved).squared_norm_l2() > WOULD_SHOW.get() * unit.excess.powi(2)
             })
         };
         let others = units.iter().enumerate().filter(|(other, _)| *other != k);
@@ -215,7 +219,7 @@ impl Says {
         let covariance = &one.covariance + &two.covariance;
         let weighed = covariance.cholesky().map(|factor| factor.solve(&apart));
         let chi2 = weighed.map_or(0.0, |weighed| weighed.dot(&apart));
-        log_tail(chi2, apart.len() as f64) < DIFFERENT.ln()
+        log_tail(chi2, apart.len() as f64) < DIFFERENT.get().ln()
     }
 
     /// Computes the contribution of its estimate to the rows, white-whitened.

@@ -74,7 +74,11 @@ pub(super) fn calibration(
     .into_iter()
     .flatten()
     .collect();
-    warnings.extend(remainders.iter().filter_map(|r| r.finding(WITHOUT_WALKS)));
+    warnings.extend(
+        remainders
+            .iter()
+            .filter_map(|r| r.finding(WITHOUT_WALKS.get())),
+    );
     let mut effects = Vec::new();
     for fit in [
         accelerometer.map(|fit| (&fit.model, &fit.fitted)),

@@ -7,8 +7,10 @@ use sensor::Base;
 
 use crate::methods::joint::SensorNoise;
 
-/// Time left out at either end of a static interval, where it may still move, for the long-run noise, s.
-const ENDS: f64 = 0.5;
+findings::tuning! {
+    /// Time left out at either end of a static interval, where it may still move, for the long-run noise, s.
+    ENDS: f64 = 0.5;
+}
 
 /// Returns the ratio of the scatter of a static interval's mean to that by white noise of the same samples; 1 where it
 /// cannot be measured.
@@ -17,7 +19,7 @@ pub(super) fn long_run(stream: Option<&Stream>, segmentation: &Segmentation) -> 
     let rests: Vec<_> = segmentation
         .statics
         .iter()
-        .map(|rest| stream.between(rest.span.from + ENDS, rest.span.to - ENDS))
+        .map(|rest| stream.between(rest.span.from + ENDS.get(), rest.span.to - ENDS.get()))
         .filter(|range| range.len() > 1)
         .collect();
     SensorNoise::long_run_of(stream, &rests)

@@ -11,29 +11,32 @@ use crate::methods::joint::{Apart, JointFit, Portion};
 use crate::methods::{AccelerometerFit, AccelerometerRequest, fit_accelerometer};
 use crate::residuals::StaticMean;
 
-/// Devices are told apart where chance makes so much difference this rarely.
-const LEVEL: f64 = 1e-7;
+findings::tuning! {
+    /// Devices are told apart where chance makes so much difference this rarely.
+    LEVEL: f64 = 1e-7;
 
-/// Differences of scale factors and misalignments below this are no other device: a fit's own misfit
-/// may explain them.
-const SAME: f64 = 1e-3;
+    /// Differences of scale factors and misalignments below this are no other device: a fit's own misfit
+    /// may explain them.
+    SAME: f64 = 1e-3;
 
-/// Those beyond this are said where chance makes them in one of so many calibrations: a temperature that changes them, and not the
-/// effects that they look like.
-const NOTICED: f64 = 2e-4;
-const SAID: f64 = 2e-3;
+    /// Differences beyond this are said where chance seldom makes them: a temperature that changes the device, and not the effects that
+    /// they look like.
+    NOTICED: f64 = 2e-4;
+    /// Chance makes them in one of so many calibrations.
+    SAID: f64 = 2e-3;
 
-/// The same of a sensor that misfits: an error of it that other placements show otherwise looks like a difference.
-const SAID_BESIDE_MISFIT: f64 = 1e-5;
+    /// The same of a sensor that misfits: an error of it that other placements show otherwise looks like a difference.
+    SAID_BESIDE_MISFIT: f64 = 1e-5;
 
-/// Standard errors within which scale factors are the same, and twice as many beyond which they differ.
-const CHANCE: f64 = 3.0;
+    /// Standard errors within which scale factors are the same, and twice as many beyond which they differ.
+    CHANCE: f64 = 3.0;
 
-/// A gyroscope that differs by more is another: temperatures of a room and clocks of one maker do not make so much.
-const ANOTHER_GYROSCOPE: f64 = 3e-3;
+    /// A gyroscope that differs by more is another: temperatures of a room and clocks of one maker do not make so much.
+    ANOTHER_GYROSCOPE: f64 = 3e-3;
 
-/// Largest change of a scale factor or misalignment per kelvin: several times what data sheets state.
-const PER_KELVIN: f64 = 5e-4;
+    /// Largest change of a scale factor or misalignment per kelvin: several times what data sheets state.
+    PER_KELVIN: f64 = 5e-4;
+}
 
 /// Refuses recordings whose scale factors or misalignments of the accelerometer differ by more than chance, misfit and their
 /// temperatures make, each fitted on its own; those too short for that are passed. Smaller [`differences`] are of the joint fit.
@@ -92,7 +95,7 @@ pub(super) fn same_accelerometer(
                     .detail("parameter", difference.parameter.clone());
                 between.add_to(found)
             };
-            let is_another = difference.size > SAME && difference.p_value < LEVEL;
+            let is_another = difference.size > SAME.get() && difference.p_value < LEVEL.get();
             if is_another && difference.size > between.allowed() {
                 let found = of(Kind::DevicesDiffer)
                     .detail("one", format!("{:.5}", difference.values[0]))
@@ -104,7 +107,7 @@ pub(super) fn same_accelerometer(
                 }));
             }
             let pairs = alone.len() * (alone.len() - 1) / 2;
-            if difference.p_value * pairs as f64 <= SAID {
+            if difference.p_value * pairs as f64 <= SAID.get() {
                 warmer.get_or_insert_with(|| {
                     let change = difference.values[1] - difference.values[0];
                     of(Kind::RecordingsDiffer)
@@ -165,11 +168,11 @@ pub fn differences(
 /// temperature or clock was another, as large as between devices.
 fn is_said(apart: &Apart, tried: usize) -> bool {
     let least = match apart.part {
-        Portion::Recording(_) => NOTICED,
-        Portion::SecondHalf(_) => SAME,
+        Portion::Recording(_) => NOTICED.get(),
+        Portion::SecondHalf(_) => SAME.get(),
     };
     let size = apart.changes[apart.most].size.abs();
-    apart.p_value * tried as f64 <= SAID && size > least
+    apart.p_value * tried as f64 <= SAID.get() && size > least
 }
 
 fn gyroscope_of_another(apart: &Apart, recordings: &[&Recording], place: usize) -> Option<Finding> {
@@ -179,8 +182,8 @@ fn gyroscope_of_another(apart: &Apart, recordings: &[&Recording], place: usize) 
     let between = others.map(|(_, other)| Temperatures::of(celsius(own), celsius(other)));
     let between: Vec<Temperatures> = between.collect();
     let allowed = between.iter().map(Temperatures::allowed);
-    let is_another = most.size.abs() > ANOTHER_GYROSCOPE.max(allowed.fold(0.0, f64::max))
-        && apart.p_value < LEVEL
+    let is_another = most.size.abs() > ANOTHER_GYROSCOPE.get().max(allowed.fold(0.0, f64::max))
+        && apart.p_value < LEVEL.get()
         && apart.sensor == Sensor::Gyroscope;
     is_another.then(|| {
         let found = Finding::of(Kind::GyroscopeOfOther)
@@ -251,7 +254,7 @@ impl Differences {
             all.any(|found| found.kind == Kind::Misfit && found.place.sensor == Some(sensor))
         };
         self.0
-            .retain(|own| own.chance <= SAID_BESIDE_MISFIT || !misfits(own.apart.sensor));
+            .retain(|own| own.chance <= SAID_BESIDE_MISFIT.get() || !misfits(own.apart.sensor));
         self
     }
 
@@ -308,7 +311,7 @@ impl Temperatures {
     /// Returns the largest change of a scale factor or misalignment between these temperatures.
     fn allowed(&self) -> f64 {
         self.0
-            .map_or(0.0, |[one, other]| PER_KELVIN * (one - other).abs())
+            .map_or(0.0, |[one, other]| PER_KELVIN.get() * (one - other).abs())
     }
 
     /// The finding with them, where they are known.
@@ -336,7 +339,7 @@ fn gravity_apart(a: &AccelerometerFit, b: &AccelerometerFit) -> Option<f64> {
     let all: Vec<(f64, f64)> = ["x", "y", "z"].iter().filter_map(|axis| of(axis)).collect();
     let mean = all.iter().map(|(change, _)| change).sum::<f64>() / 3.0;
     let is_common = |(change, std): &(f64, f64)| {
-        (change - mean).abs() < CHANCE * std && mean.abs() > 2.0 * CHANCE * std
+        (change - mean).abs() < CHANCE.get() * std && mean.abs() > 2.0 * CHANCE.get() * std
     };
     (all.len() == 3 && all.iter().all(is_common)).then_some(-mean)
 }
@@ -379,12 +382,12 @@ fn difference(a: &AccelerometerFit, b: &AccelerometerFit) -> Option<BetweenFits>
     let change = DVector::from_fn(n, |k, _| values[k][1] - values[k][0]);
     let times = |k: usize| change[k].abs() / covariance[(k, k)].sqrt();
     // The largest of those that clearly differ.
-    let weight = |k: usize| times(k).min(2.0 * CHANCE) * (1.0 + change[k].abs() / scale);
+    let weight = |k: usize| times(k).min(2.0 * CHANCE.get()) * (1.0 + change[k].abs() / scale);
     let most = (0..n).max_by(|i, k| weight(*i).total_cmp(&weight(*k)))?;
     let law = FisherSnedecor::new(n as f64, spare(a).min(spare(b))).ok()?;
     let square = change.dot(&covariance.clone().cholesky()?.solve(&change));
     let size = change[most].abs() / scale;
-    (size > NOTICED && times(most).is_finite()).then(|| BetweenFits {
+    (size > NOTICED.get() && times(most).is_finite()).then(|| BetweenFits {
         size,
         scale,
         parameter: both[most].0.clone(),

@@ -9,8 +9,10 @@ use super::noise;
 use crate::methods::AccelerometerFit;
 use crate::methods::joint::{Oriented, Pattern, Shown, StaticNumbers};
 
-/// No mean is known better than this, m/s²: simulated rests may have no noise at all.
-const LEAST_NOISE: f64 = 1e-7;
+findings::tuning! {
+    /// No mean is known better than this, m/s²: simulated rests may have no noise at all.
+    LEAST_NOISE: f64 = 1e-7;
+}
 
 /// The products of a direction and a corrected reading that `T` is known by.
 const PRODUCTS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
@@ -58,7 +60,7 @@ impl StaticNorms {
                     mean: moments.mean,
                     force,
                     residual: *fit.first.residuals.get(all.len())?,
-                    sigma: sigma.max(LEAST_NOISE),
+                    sigma: sigma.max(LEAST_NOISE.get()),
                     along: base.t.transpose() * u,
                     time: 0.5 * (rest.span.from + rest.span.to),
                     recording: place,

@@ -7,8 +7,10 @@ use recording::intervals::{Segmentation, TurnFault};
 use super::bias::at_rest::rest_bias;
 use crate::calibration::{NotCalibrated, NotCalibratedReason};
 
-/// A turn has two numbers; so many parameters has the gyroscope without its bias, and one turn more checks them.
-const FEWEST_TURNS: usize = 6;
+findings::tuning! {
+    /// A turn has two numbers; so many parameters has the gyroscope without its bias, and one turn more checks them.
+    FEWEST_TURNS: usize = 6;
+}
 
 /// Turns that were found, and why those that are not used are not.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -57,7 +59,7 @@ impl TurnCount {
     pub fn reason(&self) -> Option<NotCalibratedReason> {
         match self.usable() {
             0 => Some(NotCalibratedReason::NoUsableTurn),
-            few if few <= FEWEST_TURNS => Some(NotCalibratedReason::TooFewTurns),
+            few if few <= FEWEST_TURNS.get() => Some(NotCalibratedReason::TooFewTurns),
             _ if self.saturated > 0 => Some(NotCalibratedReason::NotObservable),
             _ => None,
         }
@@ -70,8 +72,8 @@ impl TurnCount {
         }
         let found = match self.usable() {
             0 => Finding::of(Kind::TurnsUnusable),
-            few if few <= FEWEST_TURNS => {
-                Finding::of(Kind::TurnsUsableFew).count("least", FEWEST_TURNS + 1)
+            few if few <= FEWEST_TURNS.get() => {
+                Finding::of(Kind::TurnsUsableFew).count("least", FEWEST_TURNS.get() + 1)
             }
             _ => Finding::of(Kind::TurnsUsableOpen),
         };

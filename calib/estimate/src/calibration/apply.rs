@@ -11,11 +11,13 @@ use super::{Calibration, EffectValues};
 use crate::methods::MULTIPLIERS;
 use crate::truth::{Models, Truth, require_of_instants};
 
-/// Readings between two looks at whether the work is to end.
-const BETWEEN_STEPS: usize = 1 << 12;
+findings::tuning! {
+    /// Readings between two looks at whether the work is to end.
+    BETWEEN_STEPS: usize = 1 << 12;
 
-/// A static interval shows gravity to within this share: more than effects and moved biases make of it.
-const AT_GRAVITY: f64 = 0.03;
+    /// A static interval shows gravity to within this share: more than effects and moved biases make of it.
+    AT_GRAVITY: f64 = 0.03;
+}
 
 /// The corrected recording, each sensor on its own clock. A sensor that the calibration does not
 /// speak of stays raw, which a warning says. Of several recordings that the calibration is made from
@@ -128,7 +130,7 @@ fn correct(
         return Ok(());
     };
     for (k, (t, value)) in stream.t.iter().zip(&mut stream.values).enumerate() {
-        if k % BETWEEN_STEPS == 0 {
+        if k % BETWEEN_STEPS.get() == 0 {
             watch.step(Stage::Correcting)?;
         }
         *value = sensing.correct(value, &truth.at(*t));
@@ -271,7 +273,7 @@ fn intervals_of(
     let (base, gravity) = (triad.base(), calibration.gravity);
     let at_gravity = |rest: &&StaticInterval| {
         let norm = rest.accelerometer.map(|m| base.correct(&m.mean).norm());
-        norm.is_some_and(|norm| (norm / gravity - 1.0).abs() < AT_GRAVITY)
+        norm.is_some_and(|norm| (norm / gravity - 1.0).abs() < AT_GRAVITY.get())
     };
     let mut best: Option<(usize, Segmentation)> = None;
     for multiplier in MULTIPLIERS {

@@ -11,8 +11,10 @@ use super::document::marks;
 use super::{Calibration, Outside, SCHEMA, Triad};
 use crate::unreadable::of_json;
 
-/// Largest ratio of the singular values of `T`: sensitivities of one chip differ by a tenth, units of its axes not at all.
-const MOST_UNEQUAL: f64 = 10.0;
+findings::tuning! {
+    /// Largest ratio of the singular values of `T`: sensitivities of one chip differ by a tenth, units of its axes not at all.
+    MOST_UNEQUAL: f64 = 10.0;
+}
 
 /// Largest bias that is believed of readings in SI units, and of counts, m/s²: twice gravity, and twice what 200 g are.
 const LARGEST_FORCE: [f64; 2] = [20.0, 4000.0];
@@ -214,7 +216,7 @@ fn absurd(name: &str, triad: &Triad) -> Result<(), Box<Finding>> {
     let base = triad.base();
     let sizes = base.t.singular_values();
     let (largest, least) = (sizes.max(), sizes.min());
-    if largest > MOST_UNEQUAL * least {
+    if largest > MOST_UNEQUAL.get() * least {
         let found = Finding::of(Kind::MatrixUnequal)
             .detail("key", format!("{name}.T"))
             .detail("times", figure((largest / least).round()));

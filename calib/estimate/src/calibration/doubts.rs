@@ -11,40 +11,44 @@ use super::Calibration;
 use crate::evaluate::{FieldMisfit, Misfits, misfits};
 use crate::methods::cut;
 
-/// A corrected rate above this in static intervals is none of the device or unit that was calibrated, rad/s. Biases of
-/// cheap gyroscopes come back to a tenth of it.
-const FOREIGN_RATE: f64 = 0.3;
+findings::tuning! {
+    /// A corrected rate above this in static intervals is none of the device or unit that was calibrated, rad/s. Biases of
+    /// cheap gyroscopes come back to a tenth of it.
+    FOREIGN_RATE: f64 = 0.3;
 
-/// Above this the bias has moved by more than a turn of a minute leaves unseen (0.3 °/s), rad/s.
-const MOVED_RATE: f64 = 0.005;
+    /// Above this the bias has moved by more than a turn of a minute leaves unseen (0.3 °/s), rad/s.
+    MOVED_RATE: f64 = 0.005;
 
-/// Gravity missed by more than this through turns: another unit, sign or order of axes, °.
-const FOREIGN_ANGLE: f64 = 20.0;
+    /// Gravity missed by more than this through turns: another unit, sign or order of axes, °.
+    FOREIGN_ANGLE: f64 = 20.0;
 
-/// Turns that show so.
-const ENOUGH_TURNS: usize = 3;
+    /// Turns that show so.
+    ENOUGH_TURNS: usize = 3;
 
-/// One turn in so many may be spoilt.
-const MAY_BE_SPOILT: usize = 8;
+    /// One turn in so many may be spoilt.
+    MAY_BE_SPOILT: usize = 8;
 
-/// Static intervals that show an uneven field.
-const ENOUGH_FIELDS: usize = 4;
+    /// Static intervals that show an uneven field.
+    ENOUGH_FIELDS: usize = 4;
 
-/// Spread of a corrected field's strength, or of its angle to the vertical in rad, from one static interval to the next that is no field
-/// of a room away from iron (2.3°).
-const UNEVEN: f64 = 0.04;
+    /// Spread of a corrected field's strength, or of its angle to the vertical in rad, from one static interval to the next that is no field
+    /// of a room away from iron (2.3°).
+    UNEVEN: f64 = 0.04;
 
-/// Longer turns add up too much of a bias to judge by, s.
-const LONGEST_TURN: f64 = 20.0;
+    /// Longer turns add up too much of a bias to judge by, s.
+    LONGEST_TURN: f64 = 20.0;
 
-/// Ratio of the residual to that of the calibration's own recordings above which it is doubted.
-const WORSE: f64 = 5.0;
+    /// Ratio of the residual to that of the calibration's own recordings above which it is doubted.
+    WORSE: f64 = 5.0;
+}
 
 /// No doubt below these, ° and m/s²: what other hands, places and temperatures make.
 const FINE: (f64, f64) = (0.5, 0.05);
 
-/// A misfit of gravity's norm that has grown by [`WORSE`] is stated from here on, m/s² (1 mg).
-const GROWN: f64 = 0.01;
+findings::tuning! {
+    /// A misfit of gravity's norm that has grown by [`WORSE`] is stated from here on, m/s² (1 mg).
+    GROWN: f64 = 0.01;
+}
 
 /// Compares a recording with a calibration at its static intervals and through its turns; of a recording without these,
 /// and with effects that cannot be known, nothing is said.
@@ -105,10 +109,10 @@ fn rate_in_doubt(
             )
             .affects("corrected_reading", size, "rad/s")
     };
-    if size > FOREIGN_RATE {
+    if size > FOREIGN_RATE.get() {
         return Err(beyond_doubt(doubt()));
     }
-    Ok((size > MOVED_RATE).then(doubt))
+    Ok((size > MOVED_RATE.get()).then(doubt))
 }
 
 fn direction_in_doubt(
@@ -122,14 +126,14 @@ fn direction_in_doubt(
     };
     let short = left.turns.iter().filter(|turn| {
         let own = segmentation.turns.iter().find(|t| t.from == turn.index);
-        own.is_some_and(|t| t.span.length() < LONGEST_TURN)
+        own.is_some_and(|t| t.span.length() < LONGEST_TURN.get())
     });
     let mut angles: Vec<f64> = short.map(|turn| turn.value).collect();
     // A turn that lost rows is none of the device.
     angles.sort_by(f64::total_cmp);
-    let spoilt = angles.len() / MAY_BE_SPOILT;
+    let spoilt = angles.len() / MAY_BE_SPOILT.get();
     angles.truncate(angles.len() - spoilt);
-    if angles.len() < ENOUGH_TURNS || calibration.accelerometer.is_none() {
+    if angles.len() < ENOUGH_TURNS.get() || calibration.accelerometer.is_none() {
         return Ok(None);
     }
     let rms = root_mean_square(&angles);
@@ -144,10 +148,10 @@ fn direction_in_doubt(
         left_of_its_own(found, usual.to_radians(), "rad")
     };
     // A calibration that misses its own recordings as much is bad, not foreign: its gate has said so.
-    if rms > FOREIGN_ANGLE.max(WORSE * usual) {
+    if rms > FOREIGN_ANGLE.get().max(WORSE.get() * usual) {
         return Err(beyond_doubt(doubt()));
     }
-    Ok((rms > (WORSE * usual).max(FINE.0)).then(doubt))
+    Ok((rms > (WORSE.get() * usual).max(FINE.0)).then(doubt))
 }
 
 fn norm_in_doubt(
@@ -159,9 +163,9 @@ fn norm_in_doubt(
     let values: Vec<f64> = left.rests.iter().map(|rest| rest.value).collect();
     let rms = root_mean_square(&values);
     // What another tool made does not say what it left.
-    let kind = match (WORSE * usual, usual > 0.0) {
+    let kind = match (WORSE.get() * usual, usual > 0.0) {
         (worse, _) if rms > worse.max(FINE.1) => Kind::NormOff,
-        (worse, true) if rms > worse.max(GROWN) => Kind::NormGrown,
+        (worse, true) if rms > worse.max(GROWN.get()) => Kind::NormGrown,
         _ => return None,
     };
     let found = Finding::of(kind)
@@ -178,10 +182,11 @@ fn field_in_doubt(
     left: &Misfits,
 ) -> Option<Finding> {
     let own = calibration.magnetic_field.as_ref()?;
-    let seen = FieldMisfit::of(&left.fields).filter(|_| left.fields.len() >= ENOUGH_FIELDS)?;
+    let seen =
+        FieldMisfit::of(&left.fields).filter(|_| left.fields.len() >= ENOUGH_FIELDS.get())?;
     let usual = own.unevenness / own.last.strength;
     let angle = seen.angle_spread.to_radians();
-    let limit = UNEVEN.max(WORSE * usual);
+    let limit = UNEVEN.get().max(WORSE.get() * usual);
     (seen.norm_spread.max(angle) > limit).then(|| {
         let found = Finding::of(Kind::FieldOff)
             .in_recording(&recording.name)

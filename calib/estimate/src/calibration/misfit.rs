@@ -7,18 +7,22 @@ use serde::{Deserialize, Serialize};
 use crate::methods::joint::{Channel, ChannelMisfit, Pattern, Shown};
 use crate::methods::small_sample::by_chance;
 
-/// A misfit above this many times the noise is worth a warning where chance does not explain it and walks of the
-/// biases are counted as noise.
-pub const WITH_WALKS: f64 = std::f64::consts::SQRT_2;
+findings::tuning! {
+    /// A misfit above this many times the noise is worth a warning where chance does not explain it and walks of the
+    /// biases are counted as noise.
+    pub WITH_WALKS: f64 = std::f64::consts::SQRT_2;
 
-/// The same where walks are not told from a misfit.
-pub const WITHOUT_WALKS: f64 = 3.0;
+    /// The same where walks are not told from a misfit.
+    pub WITHOUT_WALKS: f64 = 3.0;
+}
 
 /// Probabilities are stated down to this.
 const LEAST_CHANCE: f64 = 1e-300;
 
-/// By chance in fewer cases than this.
-const UNLIKELY: f64 = 1e-4;
+findings::tuning! {
+    /// By chance in fewer cases than this.
+    UNLIKELY: f64 = 1e-4;
+}
 
 /// One kind of comparison between a calibration and its recordings.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -87,7 +91,7 @@ impl Remainder {
     /// A finding where more than `limit` times the noise is left and chance does not explain it.
     pub fn finding(&self, limit: f64) -> Option<Finding> {
         let ratio = self.reduced_chi2.sqrt();
-        let much = ratio > limit && self.p_value < UNLIKELY;
+        let much = ratio > limit && self.p_value < UNLIKELY.get();
         if !much && self.pattern.is_none() {
             return None;
         }

@@ -9,8 +9,10 @@ use sensor::Sensor;
 
 use super::{Calibration, RecordingBias, Triad};
 
-/// Biases of two recordings that differ by so many standard errors are not the same.
-const DIFFERENT: f64 = 3.0;
+findings::tuning! {
+    /// Biases of two recordings that differ by so many standard errors are not the same.
+    DIFFERENT: f64 = 3.0;
+}
 
 impl Calibration {
     /// The calibration as it holds for one recording: with the biases of this one, where it was made from it among others; for
@@ -128,7 +130,7 @@ fn largest_difference(biases: &[RecordingBias]) -> Option<f64> {
         (0..3).filter_map(move |axis| {
             let change = (a.bias[axis] - b.bias[axis]).abs();
             let std = a.bias_std[axis]?.hypot(b.bias_std[axis]?);
-            (change > DIFFERENT * std).then_some(change)
+            (change > DIFFERENT.get() * std).then_some(change)
         })
     });
     of_axes.reduce(f64::max)

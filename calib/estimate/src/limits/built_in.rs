@@ -8,14 +8,16 @@ use super::line::{Bound, Limit, LimitLine};
 use super::quantity::unexplained;
 use crate::calibration::Calibration;
 
-/// A residual above this, one hundredth of gravity, is no calibration, mm/s².
-pub const LARGEST_RESIDUAL: f64 = 100.0;
-/// A residual above this that noise does not explain, three thousandths of gravity, mm/s².
-pub const LARGEST_UNEXPLAINED_RESIDUAL: f64 = 30.0;
-/// Gravity missed through turns by more than this is no calibration, °.
-pub const LARGEST_ANGLE: f64 = 5.0;
-/// The same where noise does not explain it, °.
-pub const LARGEST_UNEXPLAINED_ANGLE: f64 = 3.0;
+findings::tuning! {
+    /// A residual above this, one hundredth of gravity, is no calibration, mm/s².
+    pub LARGEST_RESIDUAL: f64 = 100.0;
+    /// A residual above this that noise does not explain, three thousandths of gravity, mm/s².
+    pub LARGEST_UNEXPLAINED_RESIDUAL: f64 = 30.0;
+    /// Gravity missed through turns by more than this is no calibration, °.
+    pub LARGEST_ANGLE: f64 = 5.0;
+    /// The same where noise does not explain it, °.
+    pub LARGEST_UNEXPLAINED_ANGLE: f64 = 3.0;
+}
 
 /// The lines that hold without a file.
 pub fn built_in(calibration: &Calibration) -> Vec<LimitLine> {
@@ -29,17 +31,27 @@ pub fn built_in(calibration: &Calibration) -> Vec<LimitLine> {
     };
     if let Some(triad) = &calibration.accelerometer {
         let (name, unit) = ("accelerometer.residual_mm_s2", "mm/s^2");
-        line(name, unit, LARGEST_RESIDUAL, Some(1e3 * triad.residual_rms));
+        line(
+            name,
+            unit,
+            LARGEST_RESIDUAL.get(),
+            Some(1e3 * triad.residual_rms),
+        );
         let left = unexplained(triad).map(|left| 1e3 * left);
         let name = "accelerometer.unexplained_residual_mm_s2";
-        line(name, unit, LARGEST_UNEXPLAINED_RESIDUAL, left);
+        line(name, unit, LARGEST_UNEXPLAINED_RESIDUAL.get(), left);
     }
     let turned = calibration.gyroscope.as_ref();
     if let Some(triad) = turned.filter(|t| t.dynamic_intervals.is_some_and(|n| n > 0)) {
         let name = "gyroscope.residual_deg";
-        line(name, "deg", LARGEST_ANGLE, Some(triad.residual_rms));
+        line(name, "deg", LARGEST_ANGLE.get(), Some(triad.residual_rms));
         let name = "gyroscope.unexplained_residual_deg";
-        line(name, "deg", LARGEST_UNEXPLAINED_ANGLE, unexplained(triad));
+        line(
+            name,
+            "deg",
+            LARGEST_UNEXPLAINED_ANGLE.get(),
+            unexplained(triad),
+        );
     }
     lines
 }

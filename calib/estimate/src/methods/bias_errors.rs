@@ -51,7 +51,7 @@ pub(super) fn covariance(
         Some(_) => {
             let left = DMatrix::identity(n, n) - &by_biases * &solve;
             let larger = square / (&left * &expected).trace().max(f64::MIN_POSITIVE);
-            let is_chance = by_chance(larger * freedom as f64, freedom as f64) > UNREMARKABLE;
+            let is_chance = by_chance(larger * freedom as f64, freedom as f64) > UNREMARKABLE.get();
             expected
                 * match is_chance {
                     true => larger.max(1.0),

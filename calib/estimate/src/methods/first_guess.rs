@@ -8,8 +8,10 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use crate::residuals::StaticMean;
 use crate::truth::RawUnit;
 
-/// Static readings whose median norm lies within this fraction of gravity are m/s².
-const SI_NORM: f64 = 0.5;
+findings::tuning! {
+    /// Static readings whose median norm lies within this fraction of gravity are m/s².
+    SI_NORM: f64 = 0.5;
+}
 
 impl RawUnit {
     /// Static means near SI units.
@@ -31,7 +33,7 @@ pub fn accelerometer_unit(means: &[Vector3<f64>], gravity: f64) -> Option<RawUni
     let mut norms: Vec<f64> = means.iter().map(|m| m.norm() / gravity).collect();
     norms.sort_by(f64::total_cmp);
     let middle = norms.get(norms.len() / 2)?;
-    if (middle - 1.0).abs() < SI_NORM {
+    if (middle - 1.0).abs() < SI_NORM.get() {
         return Some(RawUnit::SI);
     }
     let (zero, radius) = sphere(means)?;

@@ -9,37 +9,46 @@ use crate::kernel::TurnProblem;
 use crate::residuals::{Integrator, PropagatedGravity, TurnData};
 use crate::truth::RawUnit;
 
-/// Turns predicted this well, rms of the chord, need no other unit or axes.
-const PREDICTED: f64 = 0.5;
+findings::tuning! {
+    /// Turns predicted this well, rms of the chord, need no other unit or axes.
+    PREDICTED: f64 = 0.5;
+}
 
 /// Smallest and largest angle of the longest turn that a first guess of the scale reaches for, rad.
 const TURN_ANGLES: (f64, f64) = (0.3, 60.0);
 
-/// Ratio of neighbouring scales tried, with the axes as they are named and with any.
-const SCALE_STEP: f64 = 1.01;
-const COARSE_STEP: f64 = 1.03;
+findings::tuning! {
+    /// Ratio of neighbouring scales tried with the axes as they are named.
+    SCALE_STEP: f64 = 1.01;
+    /// The same with any axes.
+    COARSE_STEP: f64 = 1.03;
 
-/// Turns looked at when many scales are tried, and how many of those scales all turns are asked about.
-const FEW_TURNS: usize = 8;
-const PROMISING: usize = 12;
+    /// Turns looked at when many scales are tried.
+    FEW_TURNS: usize = 8;
+    /// So many of those scales all turns are asked about.
+    PROMISING: usize = 12;
 
-/// Fine steps on either side of a scale found by few turns that all turns are asked about.
-const NEAR: i32 = 8;
+    /// Fine steps on either side of a scale found by few turns that all turns are asked about.
+    NEAR: i32 = 8;
 
-/// Samples averaged into one while many scales are tried.
-const AVERAGED: usize = 8;
+    /// Samples averaged into one while many scales are tried.
+    AVERAGED: usize = 8;
 
-/// Permutations from which any other mounting is looked for, the steps at most, and the longest of them, rad.
-const STARTS: usize = 8;
-const STEPS: usize = 15;
-const LONGEST: f64 = 0.5;
+    /// Permutations from which any other mounting is looked for.
+    STARTS: usize = 8;
+    /// Steps of that search at most.
+    STEPS: usize = 15;
+    /// The longest of them, rad.
+    LONGEST: f64 = 0.5;
 
-/// Step of the differences in place of derivatives, rad.
-const SMALL: f64 = 1e-4;
+    /// Step of the differences in place of derivatives, rad.
+    SMALL: f64 = 1e-4;
 
-/// Turns and the rms of their chords from which on such a mounting is believed.
-const ENOUGH_TURNS: usize = 6;
-const TURNED: f64 = 0.25;
+    /// Turns from which on such a mounting is believed.
+    ENOUGH_TURNS: usize = 6;
+    /// Rms of the turns' chords below which it is.
+    TURNED: f64 = 0.25;
+}
 
 /// Starting point of a gyroscope's fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,7 +72,7 @@ pub fn gyroscope_guess(turns: &[TurnData]) -> GyroGuess {
     let longest = turns.iter().map(travel).fold(0.0, f64::max);
     let model = Model::base(Sensor::Gyroscope);
     let all = plain(&model, turns);
-    if longest <= 0.0 || misfit(&all, 1.0, &named) < PREDICTED {
+    if longest <= 0.0 || misfit(&all, 1.0, &named) < PREDICTED.get() {
         return guess(1.0, named);
     }
     let all_axes = signed_permutations();
@@ -71,30 +80,30 @@ pub fn gyroscope_guess(turns: &[TurnData]) -> GyroGuess {
     let in_si = (TURN_ANGLES.0..TURN_ANGLES.1).contains(&longest);
     let tried = all_axes.iter().filter(|_| in_si);
     let mounted = least(tried.map(|axes| (misfit(&all, 1.0, axes), *axes)));
-    if let Some((_, axes)) = mounted.filter(|(value, _)| *value < PREDICTED) {
+    if let Some((_, axes)) = mounted.filter(|(value, _)| *value < PREDICTED.get()) {
         return guess(1.0, axes);
     }
     if in_si
-        && turns.len() >= ENOUGH_TURNS
+        && turns.len() >= ENOUGH_TURNS.get()
         && let Some(axes) = turned(&all, &all_axes)
     {
         return guess(1.0, axes);
     }
-    let fine = scales(longest, SCALE_STEP);
-    let thin: Vec<TurnData> = turns.iter().take(FEW_TURNS).map(thinned).collect();
+    let fine = scales(longest, SCALE_STEP.get());
+    let thin: Vec<TurnData> = turns.iter().take(FEW_TURNS.get()).map(thinned).collect();
     let few = plain(&model, &thin);
     let scaled = least(promising(&few, &fine).map(|s| (misfit(&all, s, &named), s)));
-    if let Some((_, scale)) = scaled.filter(|(value, _)| *value < PREDICTED) {
+    if let Some((_, scale)) = scaled.filter(|(value, _)| *value < PREDICTED.get()) {
         return guess(scale, named);
     }
-    let coarse = scales(longest, COARSE_STEP);
+    let coarse = scales(longest, COARSE_STEP.get());
     let both = all_axes.iter().flat_map(|axes| {
         let (tried, few) = (coarse.iter(), &few);
         tried.map(move |&s| (misfit(few, s, axes), (s, *axes)))
     });
     let both = least(both).and_then(|(_, (scale, axes))| {
         // Averaged turns lack half a block at either end, so their scale is a little too large.
-        let near = (-NEAR..=NEAR).map(|k| scale * SCALE_STEP.powi(k));
+        let near = (-NEAR.get()..=NEAR.get()).map(|k| scale * SCALE_STEP.get().powi(k));
         least(near.map(|s| (misfit(&all, s, &axes), s))).map(|(value, s)| (value, s, axes))
     });
     match (both, scaled) {
@@ -112,19 +121,19 @@ fn turned(turns: &TurnProblem<'_>, all_axes: &[Matrix3<f64>]) -> Option<Matrix3<
         .map(|axes| (misfit(turns, 1.0, axes), *axes))
         .collect();
     starts.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let nearest = starts.into_iter().take(STARTS);
+    let nearest = starts.into_iter().take(STARTS.get());
     let (value, axes) = least(nearest.map(|(_, axes)| improved(turns, axes)))?;
-    (value < TURNED).then_some(axes)
+    (value < TURNED.get()).then_some(axes)
 }
 
 /// The axes turned so that the turns miss least, by Gauss–Newton on the angle `δ` of `exp(δ) axes`, and by how much they miss then.
 fn improved(turns: &TurnProblem<'_>, mut axes: Matrix3<f64>) -> (f64, Matrix3<f64>) {
     let mut value = misfit(turns, 1.0, &axes);
-    for _ in 0..STEPS {
+    for _ in 0..STEPS.get() {
         let rows = chords(turns, &axes);
         let column = |axis: usize| {
-            let by = Rotation3::new(Vector3::ith(axis, SMALL));
-            (chords(turns, &(by * axes)) - &rows) / SMALL
+            let by = Rotation3::new(Vector3::ith(axis, SMALL.get()));
+            (chords(turns, &(by * axes)) - &rows) / SMALL.get()
         };
         let jacobian = DMatrix::from_columns(&[column(0), column(1), column(2)]);
         let Some(step) = (jacobian.transpose() * &jacobian)
@@ -134,7 +143,7 @@ fn improved(turns: &TurnProblem<'_>, mut axes: Matrix3<f64>) -> (f64, Matrix3<f6
             break;
         };
         let step = Vector3::new(-step[0], -step[1], -step[2]);
-        let step = step * (LONGEST / step.norm().max(LONGEST));
+        let step = step * (LONGEST.get() / step.norm().max(LONGEST.get()));
         let halved = (0..4).map(|halvings| step * 0.5f64.powi(halvings));
         let tried = halved.map(|step| Rotation3::new(step) * axes);
         let better = tried
@@ -159,7 +168,10 @@ fn chords(turns: &TurnProblem<'_>, matrix: &Matrix3<f64>) -> DVector<f64> {
 
 /// A turn with its samples averaged some at a time: enough to look for a scale, at a fraction of the cost.
 fn thinned(turn: &TurnData) -> TurnData {
-    let blocks = turn.t.chunks(AVERAGED).zip(turn.readings.chunks(AVERAGED));
+    let blocks = turn
+        .t
+        .chunks(AVERAGED.get())
+        .zip(turn.readings.chunks(AVERAGED.get()));
     let (t, readings) = blocks
         .map(|(t, w)| {
             let count = t.len() as f64;
@@ -185,7 +197,7 @@ fn promising(few: &TurnProblem<'_>, scales: &[f64]) -> impl Iterator<Item = f64>
         .map(|&s| (misfit(few, s, &named), s))
         .collect();
     tried.sort_by(|a, b| a.0.total_cmp(&b.0));
-    tried.into_iter().take(PROMISING).map(|(_, s)| s)
+    tried.into_iter().take(PROMISING.get()).map(|(_, s)| s)
 }
 
 /// The entry with the smallest misfit.
@@ -320,7 +332,7 @@ mod tests {
             let guess = gyroscope_guess(&turns);
             let model = Model::base(Sensor::Gyroscope);
             let left = misfit(&plain(&model, &turns), 1.0, &guess.axes);
-            assert!(left < PREDICTED, "{angle}: {left}");
+            assert!(left < PREDICTED.get(), "{angle}: {left}");
         }
     }
 

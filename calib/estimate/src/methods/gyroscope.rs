@@ -17,11 +17,13 @@ use crate::residuals::{
 };
 use crate::truth::RawUnit;
 
-/// Rounds in which the two kinds of rows are weighted by what the fit before left of them.
-const WEIGHT_ROUNDS: usize = 6;
+findings::tuning! {
+    /// Rounds in which the two kinds of rows are weighted by what the fit before left of them.
+    WEIGHT_ROUNDS: usize = 6;
 
-/// At least this share of the sum of squares counts as the turns' own, however much the accelerometer's errors explain.
-const LEAST_OWN_SHARE: f64 = 0.25;
+    /// At least this share of the sum of squares counts as the turns' own, however much the accelerometer's errors explain.
+    LEAST_OWN_SHARE: f64 = 0.25;
+}
 
 /// Independent numbers in the three rows of a turn: a direction has two.
 const NUMBERS_PER_TURN: usize = 2;
@@ -143,7 +145,7 @@ fn published(
     let carried = carried(request, &problem, turns, &report, &mask);
     let own = (2.0 * report.cost - carried.left.iter().sum::<f64>()).max(0.0);
     // A residual that the accelerometer's errors explain still says little of the noise.
-    let least = 2.0 * report.cost * LEAST_OWN_SHARE;
+    let least = 2.0 * report.cost * LEAST_OWN_SHARE.get();
     let variance = own.max(least) / spare as f64 * widening(spare).powi(2);
     for (row, carried) in report
         .uncertainty
@@ -195,7 +197,7 @@ fn with_effects(
     let (mut sigma_turn, mut sigma_rest) = (5e-3, 1e-4);
     let mut problem = turns_and_rests(request, &near_si);
     let mut result = None;
-    for _ in 0..WEIGHT_ROUNDS {
+    for _ in 0..WEIGHT_ROUNDS.get() {
         for part in &mut problem.parts {
             part.first.weigh(sigma_turn);
             part.second.sigma = sigma_rest;

@@ -17,11 +17,13 @@ use crate::truth::{Models, Truth};
 /// section 4.2), s.
 pub const LONG_ENOUGH: f64 = 20.0;
 
-/// Fewest rests for an accelerometer's bias: one more than its three numbers.
-const FEWEST_RESTS: usize = 4;
+findings::tuning! {
+    /// Fewest rests for an accelerometer's bias: one more than its three numbers.
+    FEWEST_RESTS: usize = 4;
 
-/// Orientations whose bias is worse conditioned than this do not tell the axes apart.
-const WORST_CONDITION: f64 = 30.0;
+    /// Orientations whose bias is worse conditioned than this do not tell the axes apart.
+    WORST_CONDITION: f64 = 30.0;
+}
 
 /// The gyroscope's bias seen in one rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -198,11 +200,11 @@ pub fn update_accelerometer(
     let Some((model, p)) = calibration.model(Sensor::Accelerometer) else {
         return Err(Error::not_enough(of(Kind::SensorNotInCalibration)));
     };
-    if means.len() < FEWEST_RESTS {
+    if means.len() < FEWEST_RESTS.get() {
         return Err(Error::not_enough(
             of(Kind::RestsTooFew)
                 .count("rests", means.len())
-                .count("least", FEWEST_RESTS),
+                .count("least", FEWEST_RESTS.get()),
         ));
     }
     let mut start = model.parameters();
@@ -222,7 +224,7 @@ pub fn update_accelerometer(
         ));
     }
     let condition = condition(&report.uncertainty);
-    if condition > WORST_CONDITION {
+    if condition > WORST_CONDITION.get() {
         return Err(Error::not_enough(of(Kind::RestsInPlane).number(
             "condition",
             condition,
@@ -322,11 +324,13 @@ struct Mean {
     drift: Vector3<f64>,
 }
 
-/// Parts of a rest whose means are compared with each other.
-const PARTS: usize = 5;
+findings::tuning! {
+    /// Parts of a rest whose means are compared with each other.
+    PARTS: usize = 5;
 
-/// The variance of their means is this many times what noise makes of it in one rest of a hundred: `χ²(4)/4`.
-const BY_CHANCE: f64 = 3.32;
+    /// The variance of their means is this many times what noise makes of it in one rest of a hundred: `χ²(4)/4`.
+    BY_CHANCE: f64 = 3.32;
+}
 
 impl Mean {
     /// The mean with its standard error: from the scatter of `batches` means in a row, which sees slow noise that single samples do not
@@ -337,11 +341,11 @@ impl Mean {
         let (_, by_batches) = scatter(values, batches.max(2))?;
         let count = (values.len() / (values.len() / batches.max(2))) as f64;
         let of_mean = by_batches / count;
-        let parts = scatter(values, PARTS);
+        let parts = scatter(values, PARTS.get());
         let beyond = |axis: usize| {
             let (_, by_parts) = parts.as_ref()?;
-            let by_noise = of_mean[axis] * PARTS as f64;
-            (by_parts[axis] > BY_CHANCE * by_noise).then(|| by_parts[axis] - by_noise)
+            let by_noise = of_mean[axis] * PARTS.get() as f64;
+            (by_parts[axis] > BY_CHANCE.get() * by_noise).then(|| by_parts[axis] - by_noise)
         };
         let drift = |axis: usize| {
             let (means, _) = parts.as_ref()?;

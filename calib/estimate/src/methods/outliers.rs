@@ -3,8 +3,10 @@
 use solver::{Problem, Report};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
-/// A row that the fit follows more closely than this says nothing of the others.
-const LEAST_FREE_SHARE: f64 = 1e-6;
+findings::tuning! {
+    /// A row that the fit follows more closely than this says nothing of the others.
+    LEAST_FREE_SHARE: f64 = 1e-6;
+}
 
 /// A residual that the others do not explain.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,7 +50,7 @@ pub fn outliers(problem: &dyn Problem, report: &Report, level: f64) -> Vec<Outli
             let free_share = 1.0 - leverage(row);
             let rest = (2.0 * report.cost - e * e / free_share) / spare as f64;
             let t = (e / (rest * free_share).sqrt()).abs();
-            if free_share < LEAST_FREE_SHARE || !t.is_finite() {
+            if free_share < LEAST_FREE_SHARE.get() || !t.is_finite() {
                 return None;
             }
             let p_value = (2.0 * law.sf(t) * rows as f64).min(1.0);

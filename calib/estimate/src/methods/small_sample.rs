@@ -5,12 +5,14 @@ use statrs::distribution::{ContinuousCDF, Gamma, StudentsT};
 /// Half-width of a 95 % interval in standard deviations of a normal law.
 const NORMAL: f64 = 1.959_963_985;
 
-/// With fewer spare numbers than this the residual says too little of the noise: 12.7 or 4.3 standard errors would
-/// be a 95 % interval.
-pub const LEAST_SPARE: usize = 3;
+findings::tuning! {
+    /// With fewer spare numbers than this the residual says too little of the noise: 12.7 or 4.3 standard errors would
+    /// be a 95 % interval.
+    pub LEAST_SPARE: usize = 3;
 
-/// A residual that the noise makes by chance in more cases than this says nothing against the noise.
-pub const UNREMARKABLE: f64 = 0.05;
+    /// A residual that the noise makes by chance in more cases than this says nothing against the noise.
+    pub UNREMARKABLE: f64 = 0.05;
+}
 
 /// Factor on a standard error that was estimated with `dof` degrees of freedom, so that 1.96 of it are a 95 %
 /// interval: `t₀.₉₇₅(dof)/1.96`; 1 without degrees of freedom.
@@ -51,8 +53,8 @@ pub fn residual_std(square: f64, dof: usize, noise: f64) -> f64 {
         return own;
     }
     let p = by_chance(square / (noise * noise), dof as f64);
-    if p > UNREMARKABLE || own <= noise {
-        if dof < LEAST_SPARE {
+    if p > UNREMARKABLE.get() || own <= noise {
+        if dof < LEAST_SPARE.get() {
             noise
         } else {
             own.max(noise)

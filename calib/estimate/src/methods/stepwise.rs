@@ -13,17 +13,19 @@ use super::small_sample::residual_std;
 use crate::residuals::{GravityNorm, OwnBias, StaticMean};
 use crate::truth::RawUnit;
 
-/// Recordings get biases of their own where a common one is refuted at this level.
-const OWN_BIAS_LEVEL: f64 = 0.01;
+findings::tuning! {
+    /// Recordings get biases of their own where a common one is refuted at this level.
+    OWN_BIAS_LEVEL: f64 = 0.01;
 
-/// Biases of their own are cheap where no standard error of a scale factor or misalignment becomes larger by more than this.
-const CHEAP: f64 = 1.5;
+    /// Biases of their own are cheap where no standard error of a scale factor or misalignment becomes larger by more than this.
+    CHEAP: f64 = 1.5;
 
-/// Steps that a fit may take: placements that determine the parameters need ten.
-const MOST_STEPS: usize = 200;
+    /// Steps that a fit may take: placements that determine the parameters need ten.
+    MOST_STEPS: usize = 200;
 
-/// A rest is called an outlier where chance makes one in so many sessions.
-const OUTLIER_LEVEL: f64 = 1e-4;
+    /// A rest is called an outlier where chance makes one in so many sessions.
+    OUTLIER_LEVEL: f64 = 1e-4;
+}
 
 /// Request for a fit of an accelerometer.
 #[derive(Clone, Debug)]
@@ -92,7 +94,11 @@ pub fn fit_accelerometer(request: &AccelerometerRequest) -> Result<Accelerometer
     Ok(AccelerometerFit {
         model: request.model.clone(),
         fitted: Fitted::in_raw_units(&first, &unit, shared, scatter(&first, &near_si)),
-        outliers: outliers(&problem(request, &near_si, own_bias), &first, OUTLIER_LEVEL),
+        outliers: outliers(
+            &problem(request, &near_si, own_bias),
+            &first,
+            OUTLIER_LEVEL.get(),
+        ),
         first,
         unit,
         own_bias,
@@ -130,7 +136,7 @@ fn step_one(
     let start = problem.parameters(&request.model.parameters(), &request.names);
     let mask = start.free_where(accelerometer::is_free_in_triangular_frame);
     let options = Options {
-        max_iterations: MOST_STEPS,
+        max_iterations: MOST_STEPS.get(),
         ..Options::default()
     };
     Ok(solve(&problem, &start, &mask, &options)?)
@@ -152,7 +158,7 @@ pub fn step_two(request: &AccelerometerRequest, fit: &AccelerometerFit) -> Resul
     let mask = start.free_where(|name| base.iter().any(|free| free == name));
     let options = Options {
         variant: Variant::GaussNewtonMinimumNorm,
-        max_iterations: MOST_STEPS,
+        max_iterations: MOST_STEPS.get(),
         ..Options::default()
     };
     Ok(solve(&problem, &start, &mask, &options)?)
@@ -166,7 +172,7 @@ fn is_cheap(common: &Report, own: &Report) -> bool {
         let own = each.names.iter().position(|other| other == name)?;
         (!name.contains(".b_")).then(|| each.standard_error(own, 1.0) / one.standard_error(k, 1.0))
     });
-    each.rank == each.names.len() && growth.fold(0.0, f64::max) < CHEAP
+    each.rank == each.names.len() && growth.fold(0.0, f64::max) < CHEAP.get()
 }
 
 /// The fit with own biases where the F test refutes a common one, and that test's p-value.
@@ -182,7 +188,7 @@ fn choose_bias(common: Report, own: Report) -> (Report, Option<f64>) {
     }
     let p = FisherSnedecor::new(extra, dof).ok().map(|law| law.sf(f));
     match p {
-        Some(p) if p < OWN_BIAS_LEVEL => (own, Some(p)),
+        Some(p) if p < OWN_BIAS_LEVEL.get() => (own, Some(p)),
         _ => (common, p),
     }
 }

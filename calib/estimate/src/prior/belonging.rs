@@ -8,14 +8,16 @@
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor, Normal, StudentsT};
 
-/// A device of the type is refused in one of so many.
-pub const FALSE_FLAGS: f64 = 0.01;
+findings::tuning! {
+    /// A device of the type is refused in one of so many.
+    pub FALSE_FLAGS: f64 = 0.01;
 
-/// Share of that for the parameter that is furthest: what is wrong with a device is mostly one thing. The remainder is for
-/// all parameters together.
-const ONE_PARAMETER: f64 = 0.8;
-/// Degrees of freedom from which a covariance counts as known.
-const KNOWN: f64 = 1e7;
+    /// Share of that for the parameter that is furthest: what is wrong with a device is mostly one thing. The remainder is for
+    /// all parameters together.
+    ONE_PARAMETER: f64 = 0.8;
+    /// Degrees of freedom from which a covariance counts as known.
+    KNOWN: f64 = 1e7;
+}
 
 /// A device against its type.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,7 +33,7 @@ pub struct Belonging {
 impl Belonging {
     /// Returns true if the device belongs to the type.
     pub fn belongs(&self) -> bool {
-        self.p_value >= FALSE_FLAGS
+        self.p_value >= FALSE_FLAGS.get()
     }
 }
 
@@ -94,8 +96,8 @@ fn judged(
         freedom * of_one_degree(&factor.solve(&sampled)),
     )?;
     let one = -(n as f64 * (-tail).ln_1p()).exp_m1();
-    let p_value = (one / ONE_PARAMETER)
-        .min(all / (1.0 - ONE_PARAMETER))
+    let p_value = (one / ONE_PARAMETER.get())
+        .min(all / (1.0 - ONE_PARAMETER.get()))
         .min(1.0);
     p_value.is_finite().then_some(Belonging {
         p_value,
@@ -115,7 +117,7 @@ fn of_one_degree(m: &DMatrix<f64>) -> f64 {
 
 /// Chance of `|z|` or more on both sides.
 fn tail(z: f64, freedom: f64) -> Option<f64> {
-    let one = match freedom < KNOWN {
+    let one = match freedom < KNOWN.get() {
         true => StudentsT::new(0.0, 1.0, freedom).ok()?.sf(z.abs()),
         false => Normal::standard().sf(z.abs()),
     };
@@ -124,7 +126,7 @@ fn tail(z: f64, freedom: f64) -> Option<f64> {
 
 /// Chance of a squared distance of `squared` or more in `n` parameters; 1 where the degrees of freedom are too few to tell.
 fn distance_tail(squared: f64, n: f64, freedom: f64) -> Option<f64> {
-    if freedom >= KNOWN {
+    if freedom >= KNOWN.get() {
         return Some(ChiSquared::new(n).ok()?.sf(squared));
     }
     let left = freedom - n + 1.0;
@@ -209,7 +211,7 @@ mod tests {
         // 2.262 is the 0.975 quantile of 9 degrees of freedom in every table.
         let gap = DVector::from_element(1, 2.262_157 * 4.4_f64.sqrt());
         let found = known.belonging(&gap, &one(0.0)).unwrap();
-        assert!((found.p_value - 0.05 / ONE_PARAMETER).abs() < 1e-6);
+        assert!((found.p_value - 0.05 / ONE_PARAMETER.get()).abs() < 1e-6);
         assert!((found.deviation - 2.262_157).abs() < 1e-12);
     }
 }

@@ -19,12 +19,15 @@ pub(super) struct KnownRest {
     pub turned: f64,
 }
 
-/// A device turns as long as its rate is beyond this (rad/s) and beyond so many times what the interval after it scatters.
-const TURNING: f64 = 0.02;
-const OF_SCATTER: f64 = 5.0;
+findings::tuning! {
+    /// A device turns as long as its rate is beyond this, rad/s, ...
+    TURNING: f64 = 0.02;
+    /// ... and beyond so many times what the interval after it scatters.
+    OF_SCATTER: f64 = 5.0;
 
-/// Rounds at most in which a change of force is judged with the errors that its own sign makes taken off.
-const ROUNDS: usize = 5;
+    /// Rounds at most in which a change of force is judged with the errors that its own sign makes taken off.
+    ROUNDS: usize = 5;
+}
 
 /// All of a recording that begins at `start`.
 pub(super) fn of(
@@ -63,7 +66,7 @@ pub(super) fn of(
 
 /// The specific force of every interval, with all else that is known of it, and where it came from.
 fn give_forces(rests: &mut [KnownRest], statics: &[StaticInterval], sensing: &Sensing) {
-    for _ in 0..ROUNDS {
+    for _ in 0..ROUNDS.get() {
         let mut last = Vector3::zeros();
         for (own, rest) in rests.iter_mut().zip(statics) {
             if let Some(mean) = rest.accelerometer {
@@ -157,7 +160,7 @@ impl Rates<'_> {
     fn ended(&self, turn: &Turn) -> Option<f64> {
         let scatter = self.still.covariance.trace().max(0.0).sqrt();
         let scale = self.sensing.map_or(1.0, |s| s.unit.scale.abs());
-        let least = TURNING.max(OF_SCATTER * scatter * scale);
+        let least = TURNING.get().max(OF_SCATTER.get() * scatter * scale);
         let last = turn
             .samples
             .clone()

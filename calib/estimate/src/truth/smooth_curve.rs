@@ -12,12 +12,14 @@ const ORDER: usize = 3;
 /// `Δ³`.
 const DIFFERENCE: [f64; ORDER + 1] = [-1.0, 3.0, -3.0, 1.0];
 
-/// Knots at most: stamps that are wrong by days do not fill the memory.
-const MOST_KNOTS: usize = 10_000;
+findings::tuning! {
+    /// Knots at most: stamps that are wrong by days do not fill the memory.
+    MOST_KNOTS: usize = 10_000;
 
-/// Steps of the stiffness: `λ = w (τ/h)⁶`, `w` the weight of the readings in one knot interval `h`, and `τ` from `h` to `32 h`
-/// in steps of √2. By `λ` the curve forgets within about τ. Beyond 32 knots, rounding would show (λ = 10⁹ w).
-const STEPS: i32 = 11;
+    /// Steps of the stiffness: `λ = w (τ/h)⁶`, `w` the weight of the readings in one knot interval `h`, and `τ` from `h` to `32 h`
+    /// in steps of √2. By `λ` the curve forgets within about τ. Beyond 32 knots, rounding would show (λ = 10⁹ w).
+    STEPS: i32 = 11;
+}
 
 /// A row of a symmetric banded matrix: the diagonal, and what follows it.
 type Row = [f64; ORDER + 1];
@@ -49,7 +51,7 @@ impl SmoothCurve {
         if readings.len() <= ORDER + 1 || !(length > 0.0 && length.is_finite()) {
             return None;
         }
-        let spacing = spacing.max(length / MOST_KNOTS as f64);
+        let spacing = spacing.max(length / MOST_KNOTS.get() as f64);
         let mut curve = Self {
             start: first.t,
             end: last.t,
@@ -58,7 +60,8 @@ impl SmoothCurve {
         };
         let middle = readings.iter().map(|r| r.value).sum::<f64>() / readings.len() as f64;
         let sums = Sums::of(readings, &curve, middle);
-        let fits = (0..STEPS).filter_map(|step| sums.fit(2.0_f64.powf(0.5 * f64::from(step))));
+        let fits =
+            (0..STEPS.get()).filter_map(|step| sums.fit(2.0_f64.powf(0.5 * f64::from(step))));
         let (_, coefficients) = fits.max_by(|a, b| a.0.total_cmp(&b.0))?;
         curve.coefficients = coefficients.iter().map(|c| c + middle).collect();
         Some(curve)

@@ -5,28 +5,31 @@ use recording::averages::median;
 
 use super::smooth_curve::{Reading, SmoothCurve};
 
-/// Readings are taken together over this long, s: the temperature of a device does not change faster.
-const BIN: f64 = 1.0;
+findings::tuning! {
+    /// Readings are taken together over this long, s: the temperature of a device does not change faster.
+    BIN: f64 = 1.0;
 
-/// Between the knots of the curve whose derivative is taken, s; longer where readings are rarer.
-const KNOTS: f64 = 4.0;
+    /// Between the knots of the curve whose derivative is taken, s; longer where readings are rarer.
+    KNOTS: f64 = 4.0;
 
-/// Share of bins equal to the one before above which the thermometer is coarse, or its readings are held.
-const REPEATED: f64 = 0.5;
+    /// Share of bins equal to the one before above which the thermometer is coarse, or its readings are held.
+    REPEATED: f64 = 0.5;
 
-/// Weight of the first and the last bin of a coarse thermometer, relative to its steps.
-///
-/// The temperature may be half a step from these bins, but is near half way where the reading steps. In simulated swings
-/// and warm-ups of 3 to 8 K, read to 0.25 and 0.5 K, the error of the derivative was 1.9 to 6.6 % with a tenth, 2.0 to 13.8
-/// % with 1 and 1.9 to 4.2 % with a hundredth.
-const END_WEIGHT: f64 = 0.1;
+    /// Weight of the first and the last bin of a coarse thermometer, relative to its steps.
+    ///
+    /// The temperature may be half a step from these bins, but is near half way where the reading steps. In simulated swings
+    /// and warm-ups of 3 to 8 K, read to 0.25 and 0.5 K, the error of the derivative was 1.9 to 6.6 % with a tenth, 2.0 to 13.8
+    /// % with 1 and 1.9 to 4.2 % with a hundredth.
+    END_WEIGHT: f64 = 0.1;
 
-/// Bins on either side of a turning point of the readings, within which the derivative has its zero.
-const REACH: usize = 12;
+    /// Bins on either side of a turning point of the readings, within which the derivative has its zero.
+    REACH: usize = 12;
 
-/// A turning point counts where the temperature comes back from it by this, K, and by so many times its noise.
-const LEAST_RETURN: f64 = 0.2;
-const OF_NOISE: f64 = 6.0;
+    /// A turning point counts where the temperature comes back from it by this, K, ...
+    LEAST_RETURN: f64 = 0.2;
+    /// ... and by so many times its noise.
+    OF_NOISE: f64 = 6.0;
+}
 
 /// The course of the temperature of one recording.
 #[derive(Clone, Debug, Default)]
@@ -42,7 +45,7 @@ impl Thermal {
         let bins = bins(&temperature.t, &temperature.celsius);
         let (t, celsius): (Vec<f64>, Vec<f64>) = bins.iter().map(|b| (b.t, b.value)).unzip();
         let repeated = celsius.windows(2).filter(|c| is_repeated(c)).count();
-        let curve = if repeated as f64 > REPEATED * t.len() as f64 {
+        let curve = if repeated as f64 > REPEATED.get() * t.len() as f64 {
             SmoothCurve::through(&steps(temperature), knots(&t))
         } else {
             SmoothCurve::through(&bins, knots(&t))
@@ -94,7 +97,7 @@ fn bins(stamps: &[f64], celsius: &[f64]) -> Vec<Reading> {
     let mut first = 0;
     for k in 1..=stamps.len() {
         let next = stamps.get(k);
-        if next.is_none_or(|&next| next - stamps[first] >= BIN) {
+        if next.is_none_or(|&next| next - stamps[first] >= BIN.get()) {
             let count = (k - first) as f64;
             bins.push(Reading {
                 t: stamps[first..k].iter().sum::<f64>() / count,
@@ -129,7 +132,7 @@ fn steps(temperature: &Temperature) -> Vec<Reading> {
         t.zip(c).map(|(&t, &value)| Reading {
             t,
             value,
-            weight: END_WEIGHT,
+            weight: END_WEIGHT.get(),
         })
     };
     let first = end(t.first(), celsius.first());
@@ -139,12 +142,12 @@ fn steps(temperature: &Temperature) -> Vec<Reading> {
 
 /// Between the knots of a curve through bins at `t`, s.
 fn knots(t: &[f64]) -> f64 {
-    median(t.windows(2).map(|t| t[1] - t[0])).map_or(KNOTS, |apart| apart.max(KNOTS))
+    median(t.windows(2).map(|t| t[1] - t[0])).map_or(KNOTS.get(), |apart| apart.max(KNOTS.get()))
 }
 
 /// When the temperature begins to rise or fall: at its turning points, the first way from the begin on.
 fn ways(t: &[f64], celsius: &[f64]) -> Vec<(f64, f64)> {
-    let least = LEAST_RETURN.max(OF_NOISE * noise(celsius));
+    let least = LEAST_RETURN.get().max(OF_NOISE.get() * noise(celsius));
     let mut ways: Vec<(f64, f64)> = Vec::new();
     let (mut low, mut high) = (0, 0);
     for (k, &c) in celsius.iter().enumerate() {
@@ -176,7 +179,7 @@ fn ways(t: &[f64], celsius: &[f64]) -> Vec<(f64, f64)> {
 /// Finds the time at which the derivative changes its sign, nearest to the turning point `about` of the noisy readings, s.
 fn crossing(t: &[f64], curve: &SmoothCurve, about: f64) -> f64 {
     let near = t.partition_point(|&s| s < about);
-    let range = near.saturating_sub(REACH)..(near + REACH + 1).min(t.len());
+    let range = near.saturating_sub(REACH.get())..(near + REACH.get() + 1).min(t.len());
     let slopes: Vec<(f64, f64)> = t[range].iter().map(|&t| (t, curve.slope(t))).collect();
     slopes
         .windows(2)

@@ -11,17 +11,19 @@ use crate::methods::joint::Evidence;
 /// Time constants tried, s.
 const TIME_CONSTANTS: [f64; 6] = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0];
 
-/// Slower than this, s, is tried only what the means of the intervals see: within the intervals it is a slope of any size.
-const SLOWEST_WITHIN: f64 = 16.0;
+findings::tuning! {
+    /// Slower than this, s, is tried only what the means of the intervals see: within the intervals it is a slope of any size.
+    SLOWEST_WITHIN: f64 = 16.0;
 
-/// Chance makes readings fade so in fewer recordings than this, over all that is tried.
-const LEVEL: f64 = 1e-3;
+    /// Chance makes readings fade so in fewer recordings than this, over all that is tried.
+    LEVEL: f64 = 1e-3;
 
-/// A time constant is not ruled out where its log-likelihood is within this of the best (a 95 % interval).
-const RULED_OUT: f64 = 2.0;
+    /// A time constant is not ruled out where its log-likelihood is within this of the best (a 95 % interval).
+    RULED_OUT: f64 = 2.0;
 
-/// Static intervals of which the scatter tells what chance does.
-const FEWEST: usize = 6;
+    /// Static intervals of which the scatter tells what chance does.
+    FEWEST: usize = 6;
+}
 
 /// An error after each turn that fades.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,7 +63,7 @@ impl Tried {
             .map(|(own, change)| (own, change, own.at_first(tau)))
             .collect();
         let mut tested = Vec::new();
-        let is_tried = |way: &Way| tau <= SLOWEST_WITHIN || way.is_seen_in_means();
+        let is_tried = |way: &Way| tau <= SLOWEST_WITHIN.get() || way.is_seen_in_means();
         for way in Way::ALL.into_iter().filter(is_tried) {
             let alike = way.may_be_alike().then_some(None);
             for axis in (0..3).map(Some).chain(alike) {
@@ -129,7 +131,7 @@ pub struct Trials<'a> {
 impl<'a> Trials<'a> {
     /// By the readings within the intervals; `None` where these are too few.
     pub fn within(rests: &'a [Rested<'a>]) -> Option<Self> {
-        (rests.iter().filter(|own| own.is_sound).count() >= FEWEST).then(|| Self {
+        (rests.iter().filter(|own| own.is_sound).count() >= FEWEST.get()).then(|| Self {
             rests,
             all: TIME_CONSTANTS.map(|tau| Tried::of(rests, tau)).into(),
         })
@@ -168,12 +170,12 @@ impl<'a> Trials<'a> {
         let tested = self.all.iter().flat_map(|own| &own.tested);
         let tests = tested.clone().count();
         let best = tested.max_by(|a, b| a.gain().total_cmp(&b.gain()))?;
-        (best.p_value() * (tests as f64) < LEVEL && best.agrees()).then_some(*best)
+        (best.p_value() * (tests as f64) < LEVEL.get() && best.agrees()).then_some(*best)
     }
 
     /// The slowest decay of that error that nothing rules out.
     pub fn slowest(&self, found: &Tested) -> Option<Decay> {
-        let least = found.gain() - RULED_OUT;
+        let least = found.gain() - RULED_OUT.get();
         let mut slowest_first = self.all.iter().rev();
         let is_open = |own: &&Tried| own.same(found).is_some_and(|own| own.gain() > least);
         let open = slowest_first.find(is_open)?;

@@ -16,8 +16,10 @@ use self::rested::Rested;
 use crate::calibration::Calibration;
 use crate::methods::joint::{BiasMotion, JointFit, MeanSensitivity};
 
-/// It is said where it moves a parameter by more than so many of its standard errors.
-const WORTH: f64 = 1.0;
+findings::tuning! {
+    /// It is said where it moves a parameter by more than so many of its standard errors.
+    WORTH: f64 = 1.0;
+}
 
 /// Readings that settle after the turns.
 #[derive(Clone, Debug)]
@@ -50,7 +52,7 @@ impl AfterTurns {
         let off = fit.moved_by(&column);
         let matters = off.iter().any(|(name, off)| {
             let std = calibration.standard_error_of(name);
-            std.is_some_and(|std| off.abs() > WORTH * std)
+            std.is_some_and(|std| off.abs() > WORTH.get() * std)
         });
         matters.then(|| Self {
             finding: said(&decay),

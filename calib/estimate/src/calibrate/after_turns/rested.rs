@@ -2,8 +2,10 @@
 
 use nalgebra::Vector3;
 
-/// The first readings after a turn are the tail of a filter, s.
-const FILTERED: f64 = 0.4;
+findings::tuning! {
+    /// The first readings after a turn are the tail of a filter, s.
+    FILTERED: f64 = 0.4;
+}
 
 /// The readings in one static interval.
 pub struct Rested<'a> {
@@ -27,7 +29,7 @@ impl Rested<'_> {
     /// The error right after the turn by the readings of this interval alone, where it fades with `tau`, and its weight: the error has the
     /// variance of a reading over that. The mean of the interval has no part in it, and so has no parameter of a calibration.
     pub fn at_first(&self, tau: f64) -> (Vector3<f64>, f64) {
-        let settled = self.turned + FILTERED;
+        let settled = self.turned + FILTERED.get();
         let from = self.t.partition_point(|t| *t < settled);
         let own = self.t[from..].iter().zip(&self.values[from..]);
         let count = (self.t.len() - from).max(1) as f64;

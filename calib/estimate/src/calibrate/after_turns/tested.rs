@@ -4,8 +4,10 @@ use super::way::Way;
 use crate::methods::joint::Evidence;
 use crate::methods::small_sample::{by_chance, normal_score, two_sided};
 
-/// Readings and means that differ by more standard errors than this speak of two errors.
-const APART: f64 = 3.0;
+findings::tuning! {
+    /// Readings and means that differ by more standard errors than this speak of two errors.
+    APART: f64 = 3.0;
+}
 
 /// A factor of an error, tested.
 #[derive(Clone, Copy, Debug)]
@@ -79,7 +81,9 @@ impl Tested {
     pub fn agrees(&self) -> bool {
         let apart = self.factor - self.means.factor();
         let means = self.means.variance();
-        means.is_none_or(|(means, _)| apart * apart < APART * APART * (self.variance + means))
+        means.is_none_or(|(means, _)| {
+            apart * apart < APART.get() * APART.get() * (self.variance + means)
+        })
     }
 
     /// Student's statistic of the readings within intervals.

@@ -6,11 +6,13 @@ use sensor::{PLACES, Sensor, base_names};
 
 use crate::calibration::Calibration;
 
-/// Root mean square of an even motion from 0 to 1 about its mean, 1/√12.
-const OF_A_RAMP: f64 = 0.288_675_134_594_812_9;
+findings::tuning! {
+    /// Root mean square of an even motion from 0 to 1 about its mean, 1/√12.
+    OF_A_RAMP: f64 = 0.288_675_134_594_812_9;
 
-/// Largest standard deviation of a step from 0 to 1, one in the middle.
-const OF_A_STEP: f64 = 0.5;
+    /// Largest standard deviation of a step from 0 to 1, one in the middle.
+    OF_A_STEP: f64 = 0.5;
+}
 
 /// Adds the mean square of their motion to the variances of the biases of which the calibration's findings say that they moved.
 ///
@@ -52,14 +54,14 @@ fn motion(calibration: &Calibration, found: &Finding) -> Option<(Sensor, Vector3
     let near_si = triad.base().t.determinant().abs().cbrt();
     let size = found.value("size").map_or(0.0, f64::abs) / near_si;
     let motion = match found.kind {
-        Kind::BiasMoved => OF_A_RAMP * Vector3::repeat(found.value("change")? / near_si),
+        Kind::BiasMoved => OF_A_RAMP.get() * Vector3::repeat(found.value("change")? / near_si),
         Kind::BiasWandered | Kind::BiasUnsteady => Vector3::repeat(size),
         Kind::BiasStep => {
             let axis = ["x", "y", "z"].map(|axis| found.word("axis") == Some(axis));
             let all = axis == [false; 3];
             Vector3::from_fn(|k, _| {
                 if all || axis[k] {
-                    OF_A_STEP * size
+                    OF_A_STEP.get() * size
                 } else {
                     0.0
                 }

@@ -6,11 +6,13 @@ use recording::intervals::{Segmentation, Turn};
 use recording::{Recording, Stream};
 use sensor::Sensor;
 
-/// Turning between two samples from which on a turn is looked at, rad.
-const FAST: f64 = 0.3;
+findings::tuning! {
+    /// Turning between two samples from which on a turn is looked at, rad.
+    FAST: f64 = 0.3;
 
-/// Least unknown rotation by coning between two samples that is reported, rad.
-const WORTH: f64 = 2e-3;
+    /// Least unknown rotation by coning between two samples that is reported, rad.
+    WORTH: f64 = 2e-3;
+}
 
 /// Says where the device turns so far between two samples that the order of the rotations is not known; `t` carries the
 /// readings to rad/s.
@@ -29,10 +31,10 @@ pub fn too_fast(
             let (step, coning) = of_turn(stream, turn, t);
             (turn, step, coning)
         })
-        .filter(|(_, step, coning)| *step > FAST && *coning > WORTH)
+        .filter(|(_, step, coning)| *step > FAST.get() && *coning > WORTH.get())
         .collect();
     let (turn, step, coning) = found.iter().max_by(|a, b| a.2.total_cmp(&b.2))?;
-    let needed = stream.median_step()?.recip() * step / (0.3 * FAST);
+    let needed = stream.median_step()?.recip() * step / (0.3 * FAST.get());
     Some(
         Finding::of(Kind::TurnsTooFast)
             .in_recording(&recording.name)

@@ -7,32 +7,36 @@ use recording::Error;
 
 use crate::residuals::StaticMean;
 
-/// Placements are in one plane where they leave it by less than this share of what they spread in it.
-const FLAT: f64 = 3e-3;
-/// Fewer placements always lie near one.
-const ENOUGH_FOR_A_PLANE: usize = 9;
+findings::tuning! {
+    /// Placements are in one plane where they leave it by less than this share of what they spread in it.
+    FLAT: f64 = 3e-3;
+    /// Fewer placements always lie near one.
+    ENOUGH_FOR_A_PLANE: usize = 9;
 
-/// More placements that are asked for where only the noise is too large.
-const MORE: usize = 2;
+    /// More placements that are asked for where only the noise is too large.
+    MORE: usize = 2;
+}
 
 /// Why placements are refused: what is there, what is not known, the placements to add, the requirement.
 pub(in crate::calibrate) fn refusal(directions: &[Vector3<f64>], kind: Kind) -> Finding {
-    plan::coverage(directions).or_more(MORE).refusal(kind)
+    plan::coverage(directions).or_more(MORE.get()).refusal(kind)
 }
 
-/// Directions nearer than this are the same placement again, rad (4°): what they differ by is a placement that is not
-/// repeated exactly, and shows scale factors and misalignments badly.
-const SAME: f64 = 0.07;
+findings::tuning! {
+    /// Directions nearer than this are the same placement again, rad (4°): what they differ by is a placement that is not
+    /// repeated exactly, and shows scale factors and misalignments badly.
+    SAME: f64 = 0.07;
 
-/// A combination of parameters of which the directions show less than this share of the best is open.
-const UNSEEN: f64 = 0.02;
+    /// A combination of parameters of which the directions show less than this share of the best is open.
+    UNSEEN: f64 = 0.02;
+}
 
 /// The refusal of so few directions where they leave parameters open however often they are recorded; `None` where they
 /// determine all.
 pub(in crate::calibrate) fn open_by_directions(directions: &[Vector3<f64>]) -> Option<Finding> {
     let distinct = distinct(directions);
     let seen = force_information(&distinct).symmetric_eigen();
-    let least = (UNSEEN * UNSEEN) * seen.eigenvalues.max();
+    let least = (UNSEEN.get() * UNSEEN.get()) * seen.eigenvalues.max();
     let open: Vec<&str> = (0..FORCE_NAMES.len())
         .filter(|&k| {
             let vectors = seen.eigenvalues.iter().enumerate();
@@ -59,7 +63,7 @@ pub(crate) fn few_directions(raw: &[Vector3<f64>]) -> Option<Finding> {
 fn distinct(directions: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
     let mut all: Vec<Vector3<f64>> = Vec::new();
     for direction in directions {
-        if all.iter().all(|other| other.angle(direction) > SAME) {
+        if all.iter().all(|other| other.angle(direction) > SAME.get()) {
             all.push(*direction);
         }
     }
@@ -79,8 +83,8 @@ pub fn not_in_one_plane(means: &[Vec<StaticMean>]) -> Result<(), Error> {
         .map(|m| (m - middle) * (m - middle).transpose())
         .sum();
     let spread = scatter.symmetric_eigenvalues();
-    let flat = spread.min() <= FLAT * FLAT * spread.max();
-    if raw.len() <= ENOUGH_FOR_A_PLANE || !flat {
+    let flat = spread.min() <= FLAT.get() * FLAT.get() * spread.max();
+    if raw.len() <= ENOUGH_FOR_A_PLANE.get() || !flat {
         return Ok(());
     }
     let directions: Vec<Vector3<f64>> = raw.iter().map(Vector3::normalize).collect();

@@ -9,13 +9,15 @@ use sensor::Sensor;
 
 use crate::methods::joint::{JointFit, Mean};
 
-/// Log-likelihood by which readings that are half a step larger have to explain all rows better: with nothing fitted, chance makes so
-/// much in one of ten thousand recordings, whatever the step (`√(2 · 6.9)` is exceeded so rarely).
-const BETTER: f64 = 6.9;
+findings::tuning! {
+    /// Log-likelihood by which readings that are half a step larger have to explain all rows better: with nothing fitted, chance makes so
+    /// much in one of ten thousand recordings, whatever the step (`√(2 · 6.9)` is exceeded so rarely).
+    BETTER: f64 = 6.9;
 
-/// Half a step explains this share of what the likeliest multiple of it does. Of 23 sessions whose readings were cut off the least was .93;
-/// what is no cut asks for any multiple.
-const SHARE: f64 = 0.9;
+    /// Half a step explains this share of what the likeliest multiple of it does. Of 23 sessions whose readings were cut off the least was .93;
+    /// what is no cut asks for any multiple.
+    SHARE: f64 = 0.9;
+}
 
 /// Says that readings are cut off towards zero, where readings that are half a step larger explain the rows far better: the size is that of the
 /// step, so that chance does not make it. Rests tell lengths, and turns tell the directions between them; `recordings` are those of the fit.
@@ -40,7 +42,7 @@ pub fn cut_towards_zero(fit: &JointFit, recordings: &[&Recording]) -> Option<Fin
     let column = Mat::from_fn(column.len(), 1, |row, _| column[row]);
     let evidence = *fit.evidence_for(column).first()?;
     let gain = evidence.gain();
-    if gain < BETTER || gain < SHARE * evidence.most() {
+    if gain < BETTER.get() || gain < SHARE.get() * evidence.most() {
         return None;
     }
     // An error of the accelerometer that fits better is the cause, though its coefficients follow chance as well.

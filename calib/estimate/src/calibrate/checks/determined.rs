@@ -8,20 +8,24 @@ use sensor::Sensor;
 use super::coverage::{open_by_directions, refusal};
 use crate::methods::{AccelerometerFit, AccelerometerRequest, Ending, Fitted, GyroscopeFit};
 
-/// A gyroscope that misses gravity by this much after the fit is not understood, rad.
-pub(super) const LOST: f64 = 0.1;
+findings::tuning! {
+    /// A gyroscope that misses gravity by this much after the fit is not understood, rad.
+    pub(super) LOST: f64 = 0.1;
 
-/// Standard errors of scale factors and misalignments above which a warning, or a refusal, is due.
-const RELATIVE_WARN: f64 = 0.01;
-const RELATIVE_REFUSE: f64 = 0.05;
+    /// Standard errors of scale factors and misalignments above which a warning is due.
+    RELATIVE_WARN: f64 = 0.01;
+    /// Those above which the fit is refused.
+    RELATIVE_REFUSE: f64 = 0.05;
 
-/// The same for biases, as a fraction of gravity or rad/s.
-const BIAS_WARN: f64 = 0.01;
-const BIAS_REFUSE: f64 = 0.05;
+    /// Standard errors of biases above which a warning is due, as a fraction of gravity or rad/s.
+    BIAS_WARN: f64 = 0.01;
+    /// Those above which the fit is refused.
+    BIAS_REFUSE: f64 = 0.05;
 
-/// Parameters of an accelerometer that are all known to this need no further placement, by whatever they are known: share of the scale, or
-/// of gravity.
-const KNOWN_WELL: f64 = 5e-4;
+    /// Parameters of an accelerometer that are all known to this need no further placement, by whatever they are known: share of the scale, or
+    /// of gravity.
+    KNOWN_WELL: f64 = 5e-4;
+}
 
 /// Faces of a device, which another method takes by themselves.
 const FACES: usize = 6;
@@ -135,7 +139,7 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
     }
     let found = plan::coverage(directions);
     let weakest = weakest(fit);
-    let is_known = weakest.is_some_and(|(_, error)| error <= KNOWN_WELL);
+    let is_known = weakest.is_some_and(|(_, error)| error <= KNOWN_WELL.get());
     let is_full = found.missing_faces.is_empty() && count >= plan::REQUIREMENT.placements;
     let is_enough = found.is_complete() || (is_known && is_full);
     if !is_enough {
@@ -169,7 +173,7 @@ fn stopped(sensor: Sensor, ending: &Ending) -> Finding {
 
 /// The finding with the parameter that has the largest error, a bias against gravity; as it is where all are known well.
 fn with_weakest(found: Finding, fit: &ForceEvidence<'_>) -> Finding {
-    let is_open = |(_, error): &(&str, f64)| error.is_nan() || *error > KNOWN_WELL;
+    let is_open = |(_, error): &(&str, f64)| error.is_nan() || *error > KNOWN_WELL.get();
     match weakest(fit).filter(is_open) {
         Some((name, error)) if name.contains(".b_") => {
             known_to(found, name, error, (error * fit.gravity, "m/s^2"))
@@ -254,7 +258,7 @@ pub(in crate::calibrate) fn gyroscope_is_determined(
         .filter(|w| w.refused)
         .map(|w| w.name.as_str())
         .collect();
-    if !refused.is_empty() && fit.rms < LOST {
+    if !refused.is_empty() && fit.rms < LOST.get() {
         return Err(Error::not_enough(refusal(Kind::TurnsTellLittle, &refused)));
     }
     let found = format!("{turns} turns");
@@ -331,12 +335,16 @@ fn weak_parameters(fitted: &Fitted, scale: f64, size: f64) -> Vec<Weak> {
             let share = std * scale / size;
             (
                 share,
-                [BIAS_WARN, BIAS_REFUSE],
+                [BIAS_WARN.get(), BIAS_REFUSE.get()],
                 findings::human(std * scale, unit),
             )
         } else {
             let share = std / scale;
-            (share, [RELATIVE_WARN, RELATIVE_REFUSE], percent(share))
+            (
+                share,
+                [RELATIVE_WARN.get(), RELATIVE_REFUSE.get()],
+                percent(share),
+            )
         };
         (share > limits[0]).then(|| Weak {
             name: name.clone(),

@@ -5,17 +5,20 @@ use sensor::Sensor;
 
 use crate::calibration::Calibration;
 
-/// An error of a corrected reading by an effect of the usual size is said from here on, m/s²: nearly what such an effect makes where the
-/// placements do not show it at all (10.4e-3 of a cubic one at faces alone). Twelve placements with some edges leave up to 8.6e-3.
-const WORTH: f64 = 9e-3;
+findings::tuning! {
+    /// An error of a corrected reading by an effect of the usual size is said from here on, m/s²: nearly what such an effect makes where the
+    /// placements do not show it at all (10.4e-3 of a cubic one at faces alone). Twelve placements with some edges leave up to 8.6e-3.
+    WORTH: f64 = 9e-3;
 
-/// The standard errors count an error that is no larger than so many of them.
-const COUNTED: f64 = 4.0;
+    /// The standard errors count an error that is no larger than so many of them.
+    COUNTED: f64 = 4.0;
 
-/// Half of such an effect is said where it is so many standard errors: faces that are tilted a little, again and again, leave that.
-/// Placements all around leave up to 6e-3 m/s² as well where the noise is large, and are six standard errors off at most.
-const HALF: f64 = 5.2e-3;
-const MANY: f64 = 12.0;
+    /// Half of such an effect is said where it is many standard errors: faces that are tilted a little, again and again, leave that.
+    /// Placements all around leave up to 6e-3 m/s² as well where the noise is large, and are six standard errors off at most.
+    HALF: f64 = 5.2e-3;
+    /// So many standard errors are many.
+    MANY: f64 = 12.0;
+}
 
 /// The parameter that is most off by an effect that the accelerometer may have and that these placements hardly show: with one face up
 /// every time, a cubic error is a scale factor, whatever its size, and leaves no misfit. `None` where the calibration says
@@ -27,7 +30,7 @@ pub fn untested_linearity(calibration: &Calibration) -> Option<Finding> {
     let triad = calibration.accelerometer.as_ref()?;
     let scale = triad.base().t.trace() / 3.0;
     let prefix = Sensor::Accelerometer.prefix();
-    let worst_first = calibration.enlarged_by_more_than(COUNTED).into_iter();
+    let worst_first = calibration.enlarged_by_more_than(COUNTED.get()).into_iter();
     worst_first
         .filter(|enlarged| enlarged.by.parameter.starts_with(prefix))
         .find_map(|enlarged| {
@@ -43,7 +46,7 @@ pub fn untested_linearity(calibration: &Calibration) -> Option<Finding> {
                 .number("size", off, "m/s^2")
                 .number("times", times, "1")
                 .affects("corrected_reading", off, "m/s^2");
-            (off > WORTH || off > HALF && times > MANY).then_some(found)
+            (off > WORTH.get() || off > HALF.get() && times > MANY.get()).then_some(found)
         })
 }
 

@@ -45,15 +45,18 @@ use sensor::{EffectRef, Quantity};
 use crate::methods::Choice;
 use crate::residuals::StaticMean;
 
-/// A recording whose one static interval is this share of it lies still.
-const STILL: f64 = 0.7;
+findings::tuning! {
+    /// A recording whose one static interval is this share of it lies still.
+    STILL: f64 = 0.7;
 
-/// Rates above this are said to be more than needed, and which would do, Hz.
-const FASTEST: f64 = 5000.0;
-const ENOUGH_RATE: f64 = 1000.0;
+    /// Rates above this are said to be more than needed, Hz.
+    FASTEST: f64 = 5000.0;
+    /// A rate that would do, Hz.
+    ENOUGH_RATE: f64 = 1000.0;
 
-/// Quiet stretches that are shown where none is quiet enough.
-const QUIETEST: usize = 3;
+    /// Quiet stretches that are shown where none is quiet enough.
+    QUIETEST: usize = 3;
+}
 
 /// Lists the findings about the readings of a recording and how it was cut.
 pub fn of_the_detector(recording: &Recording, choice: &Choice) -> Vec<Finding> {
@@ -73,10 +76,10 @@ fn fast_sampling(recording: &Recording) -> Option<Finding> {
         .flatten()
         .filter_map(Stream::median_step);
     let rate = steps.min_by(f64::total_cmp)?.recip();
-    (rate > FASTEST).then(|| {
+    (rate > FASTEST.get()).then(|| {
         Finding::of(Kind::SampledFast)
             .number("rate", rate, "Hz")
-            .number("block", (rate / ENOUGH_RATE).round(), "count")
+            .number("block", (rate / ENOUGH_RATE.get()).round(), "count")
     })
 }
 
@@ -133,7 +136,7 @@ pub(super) fn enough_rests(
                 .iter()
                 .filter_map(|r| r.accelerometer.as_ref()?.span());
             let whole: f64 = spans.map(|(from, to)| to - from).sum();
-            let kind = match length < STILL * whole {
+            let kind = match length < STILL.get() * whole {
                 true => Kind::OneStaticInterval,
                 false => Kind::AllStatic,
             };
@@ -156,7 +159,7 @@ fn quietest_of(recordings: &[&Recording]) -> Option<String> {
         let spread: Vec<String> = rate.into_iter().chain(force).collect();
         format!("t = {:.1} s ({})", quiet.span.from, spread.join(", "))
     };
-    let found: Vec<String> = quietest(recordings.first()?, QUIETEST)
+    let found: Vec<String> = quietest(recordings.first()?, QUIETEST.get())
         .iter()
         .map(of)
         .collect();

@@ -8,14 +8,16 @@ use sensor::{Kinematics, Model, PLACES};
 use crate::methods::RawUnit;
 use crate::residuals::StaticMean;
 
-/// Singular values of columns of length one below this are zero: identical columns leave some 1e-16.
-const NOTHING: f64 = 1e-9;
+findings::tuning! {
+    /// Singular values of columns of length one below this are zero: identical columns leave some 1e-16.
+    NOTHING: f64 = 1e-9;
 
-/// Fewer placements are refused elsewhere.
-const MOST_COLUMNS: usize = 10;
+    /// Fewer placements are refused elsewhere.
+    MOST_COLUMNS: usize = 10;
 
-/// A parameter with more than this share of a combination that the norm does not see belongs to it.
-const SHARE: f64 = 0.1;
+    /// A parameter with more than this share of a combination that the norm does not see belongs to it.
+    SHARE: f64 = 0.1;
+}
 
 /// Refuses effects whose parameters change the norm of specific force alike, or not at all: a fit to that norm then
 /// tells their sum only, and the direction of the corrected force is wrong by the rest. Judged for a perfect sensor, as
@@ -32,7 +34,7 @@ pub(in crate::calibrate) fn the_norm_tells_them(
         (up, truth)
     };
     let placed: Vec<_> = means.iter().flatten().map(placed).collect();
-    if placed.len() < MOST_COLUMNS {
+    if placed.len() < MOST_COLUMNS.get() {
         return Ok(());
     }
     let columns = columns(model, &placed);
@@ -107,7 +109,7 @@ fn blind(columns: Vec<Vec<f64>>) -> Vec<bool> {
     let Some(v) = svd.v_t else { return blind };
     for (row, size) in svd.singular_values.iter().enumerate() {
         for (k, place) in shown.iter().enumerate() {
-            blind[*place] |= *size < NOTHING && v[(row, k)].abs() > SHARE;
+            blind[*place] |= *size < NOTHING.get() && v[(row, k)].abs() > SHARE.get();
         }
     }
     blind

@@ -8,19 +8,21 @@ use sensor::Sensor;
 
 use crate::residuals::{Integrator, attitude_of};
 
-/// Turns that have to say the same.
-const TURNS: usize = 4;
-/// Gravity's direction should change by so much in each of them, rad (30°) ...
-const TURNED: f64 = 0.52;
-/// ... and in none it does by more than this share.
-const FOLLOWED: f64 = 0.15;
+findings::tuning! {
+    /// Turns that have to say the same.
+    TURNS: usize = 4;
+    /// Gravity's direction should change by so much in each of them, rad (30°) ...
+    TURNED: f64 = 0.52;
+    /// ... and in none it does by more than this share.
+    FOLLOWED: f64 = 0.15;
 
-/// Rests that have to say the same.
-const RESTS: usize = 6;
-/// No gyroscope's bias is another by so much from rest to rest, rad/s.
-const ANGLE: f64 = 0.5;
-/// The sine of an angle goes with a component of gravity to within this share of its variance.
-const APART: f64 = 0.02;
+    /// Rests that have to say the same.
+    RESTS: usize = 6;
+    /// No gyroscope's bias is another by so much from rest to rest, rad/s.
+    ANGLE: f64 = 0.5;
+    /// The sine of an angle goes with a component of gravity to within this share of its variance.
+    APART: f64 = 0.02;
+}
 
 /// Refuses forces in axes of the room (gravity points the same way however the device is turned), and angles in the columns of the
 /// rates (they are others in each placement, as gravity is).
@@ -67,9 +69,14 @@ fn axes_of_the_room(recording: &Recording, segmentation: &Segmentation) -> Optio
         .filter(|turn| turn.fault.is_none())
         .filter_map(turned)
         .collect();
-    let over: Vec<_> = all.iter().filter(|[told, _]| *told > TURNED).collect();
-    let stays = over.iter().all(|[told, read]| *read < FOLLOWED * told);
-    (over.len() >= TURNS && stays).then(|| {
+    let over: Vec<_> = all
+        .iter()
+        .filter(|[told, _]| *told > TURNED.get())
+        .collect();
+    let stays = over
+        .iter()
+        .all(|[told, read]| *read < FOLLOWED.get() * told);
+    (over.len() >= TURNS.get() && stays).then(|| {
         let most = over.iter().map(|turn| turn[0]).fold(0.0, f64::max);
         Finding::of(Kind::AxesOfTheRoom)
             .count("turns", over.len())
@@ -90,10 +97,10 @@ fn angles_for_rates(segmentation: &Segmentation) -> Option<Finding> {
         rates.clone().fold(f64::MIN, f64::max) - rates.fold(f64::MAX, f64::min)
     };
     let is_angle = |axis: usize| {
-        range(axis) > ANGLE
-            && (0..3).any(|of| correlation(sines(axis), ups(of)).abs() > 1.0 - APART)
+        range(axis) > ANGLE.get()
+            && (0..3).any(|of| correlation(sines(axis), ups(of)).abs() > 1.0 - APART.get())
     };
-    (rests.len() >= RESTS && (0..3).any(is_angle)).then(|| {
+    (rests.len() >= RESTS.get() && (0..3).any(is_angle)).then(|| {
         let widest = (0..3).map(range).fold(0.0, f64::max);
         Finding::of(Kind::AnglesForRates).number("range", widest, "rad/s")
     })

@@ -5,20 +5,22 @@ use recording::Recording;
 use recording::intervals::Segmentation;
 use sensor::Sensor;
 
-/// A mean of an interval is zero to within so many of its standard errors ...
-const ZERO: f64 = 5.0;
+findings::tuning! {
+    /// A mean of an interval is zero to within so many of its standard errors ...
+    ZERO: f64 = 5.0;
 
-/// ... in so many of the intervals, on each axis.
-const SHARE: f64 = 0.8;
+    /// ... in so many of the intervals, on each axis.
+    SHARE: f64 = 0.8;
 
-/// The mean over all intervals is zero to within so many of its standard errors, ...
-const TOGETHER: f64 = 3.0;
+    /// The mean over all intervals is zero to within so many of its standard errors, ...
+    TOGETHER: f64 = 3.0;
 
-/// ... which are no larger than this, rad/s: a bias is seldom smaller than larger ones.
-const TELLS: f64 = 1e-3;
+    /// ... which are no larger than this, rad/s: a bias is seldom smaller than larger ones.
+    TELLS: f64 = 1e-3;
 
-/// Fewest static intervals.
-const FEWEST: usize = 6;
+    /// Fewest static intervals.
+    FEWEST: usize = 6;
+}
 
 /// Returns the finding that a gyroscope reads nothing at rest, as none does whose readings nobody corrected.
 pub fn corrected_before(recording: &Recording, segmentation: &Segmentation) -> Option<Finding> {
@@ -43,17 +45,17 @@ pub(in crate::calibrate) fn reads_zero_at_rest(
         .filter_map(|rest| rest.gyroscope)
         .filter(|m| m.count > 1 && m.white_of_mean() > 0.0)
         .collect();
-    if means.len() < FEWEST {
+    if means.len() < FEWEST.get() {
         return false;
     }
     let is_zero = |axis: usize| {
         let near = means
             .iter()
-            .filter(|m| m.mean[axis].abs() < ZERO * m.white_of_mean());
+            .filter(|m| m.mean[axis].abs() < ZERO.get() * m.white_of_mean());
         // A dead zone reads zero as well, and is named by itself.
         let moves = means.iter().all(|m| m.covariance[(axis, axis)] > 0.0);
         moves
-            && near.count() as f64 >= SHARE * means.len() as f64
+            && near.count() as f64 >= SHARE.get() * means.len() as f64
             && is_zero_together(means.iter().map(|m| m.mean[axis]))
     };
     (0..3).all(is_zero)
@@ -66,7 +68,7 @@ fn is_zero_together(means: impl ExactSizeIterator<Item = f64> + Clone) -> bool {
     let mean = means.clone().sum::<f64>() / n;
     let variance = means.map(|m| (m - mean).powi(2)).sum::<f64>() / (n - 1.0).max(1.0);
     let error = (variance / n).sqrt();
-    error < TELLS && mean.abs() < TOGETHER * error
+    error < TELLS.get() && mean.abs() < TOGETHER.get() * error
 }
 
 #[cfg(test)]

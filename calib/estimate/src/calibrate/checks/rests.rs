@@ -7,11 +7,13 @@ use sensor::Sensor;
 
 use crate::methods::AccelerometerFit;
 
-/// Spread of a rest above which the device was not still, as a fraction of gravity.
-const STILL: f64 = 0.05;
+findings::tuning! {
+    /// Spread of a rest above which the device was not still, as a fraction of gravity.
+    STILL: f64 = 0.05;
 
-/// A turn longer than this may hide a rest, s.
-const LONG_TURN: f64 = 15.0;
+    /// A turn longer than this may hide a rest, s.
+    LONG_TURN: f64 = 15.0;
+}
 
 /// Rests that disagree with all the others, by name.
 pub(in crate::calibrate) fn disagreeing_rests<'a>(
@@ -58,7 +60,7 @@ pub(in crate::calibrate) fn long_turns(
         .turns
         .iter()
         .filter(|turn| turn.fault.is_none())
-        .filter(|turn| turn.span.length() > LONG_TURN.max(3.0 * usual))
+        .filter(|turn| turn.span.length() > LONG_TURN.get().max(3.0 * usual))
         .map(|turn| {
             Finding::of(Kind::LongTurn)
                 .in_recording(&recording.name)
@@ -78,7 +80,7 @@ pub(in crate::calibrate) fn restless(
 ) -> Vec<Finding> {
     let unsteady = |rest: &recording::intervals::StaticInterval| {
         let spread = rest.accelerometer?.std().norm() * scale;
-        (spread > STILL * gravity).then_some(spread)
+        (spread > STILL.get() * gravity).then_some(spread)
     };
     segmentation
         .statics

@@ -16,11 +16,13 @@ const STEPS: usize = 64;
 /// smoothly or do not change are alike by chance. Noise has the same directions of so many steps in one of 10²⁰ pairs.
 const REVERSALS: usize = STEPS;
 
-/// So many times in one order they are the same data, and not a few rows that a logger wrote twice.
-const RUNS: usize = 8;
+findings::tuning! {
+    /// So many times in one order they are the same data, and not a few rows that a logger wrote twice.
+    RUNS: usize = 8;
 
-/// One recording may have every second to so many-th row of another.
-const THINNED: usize = 10;
+    /// One recording may have every second to so many-th row of another.
+    THINNED: usize = 10;
+}
 
 /// Factor of the hash, odd.
 const FACTOR: u64 = 0x9E37_79B9_7F4A_7C15;
@@ -96,7 +98,9 @@ fn thinned_readings(streams: &[Option<&Stream>]) -> Option<[Place; 2]> {
         // A recording that is like itself so is what a machine shakes.
         let others = known.iter().filter(|(_, place)| place.0 != k);
         let others: Known = others.map(|(hash, place)| (*hash, *place)).collect();
-        for (every, first) in (2..=THINNED).flat_map(|every| (0..every).map(move |k| (every, k))) {
+        for (every, first) in
+            (2..=THINNED.get()).flat_map(|every| (0..every).map(move |k| (every, k)))
+        {
             let rows = stream.values.iter().skip(first).step_by(every);
             if let Some((from, to)) = again(&others, k, &steps(rows)) {
                 return Some([(k, first + every * to), from]);
@@ -133,7 +137,7 @@ fn again(known: &Known, k: usize, steps: &[(u8, u8)]) -> Option<(Place, usize)> 
         let (count, [from, to]) = again.entry((other, shift)).or_insert((0, [before, row]));
         *count += 1;
         // The same again and again is so at any distance.
-        if *count >= RUNS && 2 * *count > all {
+        if *count >= RUNS.get() && 2 * *count > all {
             return Some(((other, *from), *to));
         }
     }

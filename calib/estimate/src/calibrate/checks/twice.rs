@@ -4,18 +4,20 @@ use findings::{Finding, Kind};
 use recording::intervals::{Segmentation, StaticInterval};
 use recording::{Error, Recording};
 
-/// Static intervals in a row that have to be the same.
-const IN_A_ROW: usize = 4;
+findings::tuning! {
+    /// Static intervals in a row that have to be the same.
+    IN_A_ROW: usize = 4;
 
-/// Directions of gravity that differ by less than this share of the variance of their noise have the same noise: of two
-/// recordings with the very same placements one pair of twenty would, and four in a row by chance in one of 10⁵.
-const SAME_NOISE: f64 = 0.1;
+    /// Directions of gravity that differ by less than this share of the variance of their noise have the same noise: of two
+    /// recordings with the very same placements one pair of twenty would, and four in a row by chance in one of 10⁵.
+    SAME_NOISE: f64 = 0.1;
 
-/// The same within one recording, whose clock, unit and rounding are one: placements that a jig repeats differ by their noise.
-const SAME_NOISE_WITHIN: f64 = 0.01;
+    /// The same within one recording, whose clock, unit and rounding are one: placements that a jig repeats differ by their noise.
+    SAME_NOISE_WITHIN: f64 = 0.01;
 
-/// Largest relative difference in length of equal static intervals, by rounding and by where the detector sees their ends.
-const SAME_LENGTH: f64 = 0.1;
+    /// Largest relative difference in length of equal static intervals, by rounding and by where the detector sees their ends.
+    SAME_LENGTH: f64 = 0.1;
+}
 
 /// The recordings without copies, and what to say of these.
 pub fn without_copies<'a>(
@@ -75,19 +77,22 @@ pub fn none_is_there_twice<'a>(
 
 /// From where on so many static intervals in a row are the same.
 fn same_from(first: &[StaticInterval], second: &[StaticInterval]) -> Option<(usize, usize)> {
-    let mut runs = first.windows(IN_A_ROW).enumerate();
-    runs.find_map(|(i, run)| Some((i, place_of(run, second, SAME_NOISE)?)))
+    let mut runs = first.windows(IN_A_ROW.get()).enumerate();
+    runs.find_map(|(i, run)| Some((i, place_of(run, second, SAME_NOISE.get())?)))
 }
 
 /// From where on a recording has static intervals that were there before.
 fn again_from(all: &[StaticInterval]) -> Option<(usize, usize)> {
     // One placement again and again is no session that was appended.
-    let is_one = |run: &[StaticInterval]| are_same(&run[1..], run, SAME_NOISE);
-    let runs = all.windows(IN_A_ROW).enumerate();
+    let is_one = |run: &[StaticInterval]| are_same(&run[1..], run, SAME_NOISE.get());
+    let runs = all.windows(IN_A_ROW.get()).enumerate();
     let mut runs = runs.filter(|(_, run)| run.iter().all(is_noisy) && !is_one(run));
     runs.find_map(|(i, run)| {
-        let later = i + IN_A_ROW;
-        Some((i, later + place_of(run, &all[later..], SAME_NOISE_WITHIN)?))
+        let later = i + IN_A_ROW.get();
+        Some((
+            i,
+            later + place_of(run, &all[later..], SAME_NOISE_WITHIN.get())?,
+        ))
     })
 }
 
@@ -115,7 +120,7 @@ fn is_same(a: &StaticInterval, b: &StaticInterval, noise: f64) -> bool {
     let direction = one.mean.normalize() - other.mean.normalize();
     let variance =
         [one, other].map(|m| m.covariance.trace() / m.mean.norm_squared() / m.count as f64);
-    (long - short).abs() < SAME_LENGTH * long.max(short)
+    (long - short).abs() < SAME_LENGTH.get() * long.max(short)
         && direction.norm_squared() <= noise * (variance[0] + variance[1])
 }
 

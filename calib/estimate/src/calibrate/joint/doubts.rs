@@ -4,25 +4,27 @@ use crate::methods::joint::{Flagged, JointFit, Missing, Reason, Scope, Seen};
 use findings::{Finding, Findings, Kind};
 use recording::averages::median;
 
-/// A placement off by so much, m/s², though nothing shook it, was not touched: the sensor lies otherwise in its case, or
-/// something lifts it.
-const APART: f64 = 0.1;
+findings::tuning! {
+    /// A placement off by so much, m/s², though nothing shook it, was not touched: the sensor lies otherwise in its case, or
+    /// something lifts it.
+    APART: f64 = 0.1;
 
-/// A rest whose absence moves a parameter by so many of its standard errors is named.
-const INFLUENTIAL: f64 = 4.0;
+    /// A rest whose absence moves a parameter by so many of its standard errors is named.
+    INFLUENTIAL: f64 = 4.0;
 
-/// An effect is said to be missing where chance makes the rows speak so for one in fewer recordings than this.
-const SPEAKS: f64 = 2e-3;
+    /// An effect is said to be missing where chance makes the rows speak so for one in fewer recordings than this.
+    SPEAKS: f64 = 2e-3;
 
-/// ... and by so many times what half of the turns miss: where all are spoilt none tells how a placement lies.
-const ABOVE_TURNS: f64 = 5.0;
+    /// ... and by so many times what half of the turns miss: where all are spoilt none tells how a placement lies.
+    ABOVE_TURNS: f64 = 5.0;
+}
 
 /// The placements whose force no touch explains: nothing shook, and they are off by more than [`APART`] and [`ABOVE_TURNS`].
 pub fn placements_apart(fit: &JointFit) -> Option<Finding> {
     let missed = fit.gravity * median(fit.chords.iter().copied()).unwrap_or(0.0);
     let apart = |a: &&Flagged| {
         let is_pushed = a.fault.opens_force && a.reason == Reason::Disturbed;
-        is_pushed && !a.shook && a.size > APART.max(ABOVE_TURNS * missed)
+        is_pushed && !a.shook && a.size > APART.get().max(ABOVE_TURNS.get() * missed)
     };
     let all: Vec<String> = fit
         .flagged
@@ -43,7 +45,7 @@ pub fn placements_apart(fit: &JointFit) -> Option<Finding> {
 
 /// An effect that the rows speak for though no channel as a whole misfits: its part in the errors is not in them.
 pub fn of_missing(missing: &Missing) -> Option<Finding> {
-    (missing.p_value < SPEAKS).then(|| {
+    (missing.p_value < SPEAKS.get()).then(|| {
         let found = Finding::of(Kind::EffectMissing);
         let found = match missing.explains_most() {
             true => found
@@ -127,7 +129,7 @@ fn with_what_is_seen(found: Finding, seen: Seen) -> Finding {
 
 /// Names the rests without which a parameter would be another.
 pub fn influences(fit: &JointFit, warnings: &mut Findings) {
-    for influence in fit.influential(INFLUENTIAL) {
+    for influence in fit.influential(INFLUENTIAL.get()) {
         let rest = &fit.data.rests[influence.rest];
         warnings.push(
             Finding::of(Kind::InfluentialInterval)

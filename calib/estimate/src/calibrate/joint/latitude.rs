@@ -6,8 +6,10 @@ use gyroscope::EARTH_RATE;
 use crate::methods::earth::{vertical_rate, vertical_rate_at};
 use crate::methods::joint::JointFit;
 
-/// A latitude whose vertical part of the earth's rotation is off by so many standard errors is doubted.
-const REFUTED: f64 = 4.0;
+findings::tuning! {
+    /// A latitude whose vertical part of the earth's rotation is off by so many standard errors is doubted.
+    REFUTED: f64 = 4.0;
+}
 
 /// A vertical part of the earth's rotation that the latitude does not give.
 #[derive(Clone, Copy, Debug)]
@@ -29,7 +31,7 @@ impl LatitudeDoubt {
     /// The same by how far the data move the vertical part, and its standard error, rad/s.
     pub fn by((pull, std): (f64, f64), latitude: f64) -> Option<Self> {
         let given = vertical_rate_at(latitude);
-        (pull.abs() > REFUTED * std).then_some(Self {
+        (pull.abs() > REFUTED.get() * std).then_some(Self {
             latitude,
             given,
             seen: given + pull,
@@ -39,7 +41,7 @@ impl LatitudeDoubt {
 
     /// Returns true if some latitude on the earth is consistent with the recordings.
     pub fn is_of_the_earth(&self) -> bool {
-        self.seen.abs() < EARTH_RATE + REFUTED * self.std
+        self.seen.abs() < EARTH_RATE + REFUTED.get() * self.std
     }
 
     /// The latitude that the recordings show, degrees north.

@@ -21,7 +21,9 @@ pub(super) fn say_misfits(
 ) {
     let has_thermometer = recordings.iter().any(|r| r.temperature.is_some());
     let turned_at_rest = warnings.has(Kind::RestsTurn);
-    let misfits = remainders.iter().filter_map(|r| r.finding(WITH_WALKS));
+    let misfits = remainders
+        .iter()
+        .filter_map(|r| r.finding(WITH_WALKS.get()));
     let mut left: Vec<Finding> = misfits.collect();
     // That motion is no effect of a sensor and no bias that moves.
     if !turned_at_rest {

@@ -6,12 +6,14 @@ use sensor::Quantity;
 
 use crate::methods::joint::JointFit;
 
-/// Temperatures that differ by more than this change scale factors and biases beyond what a walk of the bias stands for, K: by `2e-4`
-/// per K, a usual coefficient, a scale factor by `2e-3`.
-const LARGE: f64 = 10.0;
+findings::tuning! {
+    /// Temperatures that differ by more than this change scale factors and biases beyond what a walk of the bias stands for, K: by `2e-4`
+    /// per K, a usual coefficient, a scale factor by `2e-3`.
+    LARGE: f64 = 10.0;
 
-/// A change beside which the fit misses something or a bias has moved, K: a usual gyroscope's bias moves by `1e-4` to `1e-3` rad/s with it.
-const LARGE_BESIDE: f64 = 3.0;
+    /// A change beside which the fit misses something or a bias has moved, K: a usual gyroscope's bias moves by `1e-4` to `1e-3` rad/s with it.
+    LARGE_BESIDE: f64 = 3.0;
+}
 
 /// Temperatures at which the device was at rest, from the lowest to the highest, where they differ by more than [`LARGE`], or than
 /// [`LARGE_BESIDE`] where there is a `doubt` of the fit, and the model looks at no temperature.
@@ -28,7 +30,11 @@ pub fn changed(fit: &JointFit, recordings: &[&Recording], doubt: bool) -> Option
         (f64::INFINITY, f64::NEG_INFINITY),
         |(low, high), celsius| (low.min(celsius), high.max(celsius)),
     );
-    let large = if doubt { LARGE_BESIDE } else { LARGE };
+    let large = if doubt {
+        LARGE_BESIDE.get()
+    } else {
+        LARGE.get()
+    };
     (high - low > large).then(|| {
         Finding::of(Kind::TemperatureChanged)
             .number("low", low, "°C")

@@ -8,11 +8,13 @@ use crate::calibration::{BiasTime, RecordingBias, Triad};
 use crate::methods::Fitted;
 use crate::methods::joint::{BiasMotion, JointFit, Source};
 
-/// Chance moves a bias by so much in fewer recordings than this.
-const MOVED: f64 = 1e-3;
+findings::tuning! {
+    /// Chance moves a bias by so much in fewer recordings than this.
+    MOVED: f64 = 1e-3;
 
-/// A bias that moved or wanders leaves more than this of a corrected orientation, ° ([`Finding::severity`]): 9 mm/s² or 18 °/h.
-const SHOWS: f64 = 0.05;
+    /// A bias that moved or wanders leaves more than this of a corrected orientation, ° ([`Finding::severity`]): 9 mm/s² or 18 °/h.
+    SHOWS: f64 = 0.05;
+}
 
 /// The accelerometer.
 pub fn force_triad(fit: &JointFit, fitted: &Fitted, moved: Option<&BiasMotion>) -> Triad {
@@ -61,18 +63,18 @@ pub fn biases_that_moved(
         };
         let change = moved.change.norm();
         let even = found(Kind::BiasMoved, "change", change, 0.5 * change);
-        if moved.p_value < MOVED && even.severity() > SHOWS {
+        if moved.p_value < MOVED.get() && even.severity() > SHOWS.get() {
             return Some(even);
         }
         // A Brownian path of density q lies q √(T/6) from its mean over T, root mean square.
         let size = walk * (moved.span.length() / 6.0).sqrt();
         let wandering = found(Kind::BiasWandered, "size", size, size);
-        let kind = match wandering.severity() > SHOWS {
+        let kind = match wandering.severity() > SHOWS.get() {
             true => Kind::BiasWandered,
             false => Kind::BiasUnsteady,
         };
         // A walk is allowed for where none is seen, and is then as large as the noise can hide.
-        if size == 0.0 || fit.chance_without_walks(sensor) >= MOVED {
+        if size == 0.0 || fit.chance_without_walks(sensor) >= MOVED.get() {
             return None;
         }
         // Of that path the line from its start to its end has half the mean square, (q² T)/12; here the line is known.

@@ -15,8 +15,10 @@ use crate::methods::joint::Channel;
 use crate::methods::magnetic::{Placement, Rest};
 use crate::truth::{Models, Truth};
 
-/// A mean is not better known than to this share of it, such as where coarse steps hide the noise.
-const LEAST_NOISE: f64 = 1e-5;
+findings::tuning! {
+    /// A mean is not better known than to this share of it, such as where coarse steps hide the noise.
+    LEAST_NOISE: f64 = 1e-5;
+}
 
 /// Placements and turns of the recordings with a magnetometer, its readings times `unit`.
 pub fn collect<'a>(
@@ -83,7 +85,7 @@ impl Source<'_> {
                 continue;
             };
             let count = moments.map_or(1, |m| m.count) as f64;
-            let least = LEAST_NOISE * placement.mean.norm();
+            let least = LEAST_NOISE.get() * placement.mean.norm();
             placement.noise = ((variance / count).sqrt() * coloured * self.unit).max(least);
             placement.rate = rates[k];
             let place = collected.placements.len();

@@ -5,8 +5,10 @@ use sensor::{BASE_PARAMETERS, PLACES, Sensor, base_names};
 
 use crate::calibration::Calibration;
 
-/// An eigenvalue of the correlations below this is rounding.
-const NOTHING: f64 = 1e-12;
+findings::tuning! {
+    /// An eigenvalue of the correlations below this is rounding.
+    NOTHING: f64 = 1e-12;
+}
 
 /// Errors of all parameters of a calibration as independent numbers of variance 1: `δp = L z`.
 #[derive(Clone, Debug)]
@@ -31,7 +33,9 @@ impl Inertial {
             }
         });
         let eigen = SymmetricEigen::new(correlation);
-        let kept: Vec<usize> = (0..n).filter(|&k| eigen.eigenvalues[k] > NOTHING).collect();
+        let kept: Vec<usize> = (0..n)
+            .filter(|&k| eigen.eigenvalues[k] > NOTHING.get())
+            .collect();
         let root = DMatrix::from_fn(n, kept.len(), |i, j| {
             std(i) * eigen.eigenvectors[(i, kept[j])] * eigen.eigenvalues[kept[j]].sqrt()
         });

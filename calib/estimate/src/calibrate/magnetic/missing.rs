@@ -7,12 +7,14 @@ use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 use crate::methods::magnetic::MagneticFit;
 use crate::methods::small_sample::widening;
 
-/// By chance in fewer calibrations than this, over all effects. A false name costs more than a missing one.
-const UNLIKELY: f64 = 1e-5;
+findings::tuning! {
+    /// By chance in fewer calibrations than this, over all effects. A false name costs more than a missing one.
+    UNLIKELY: f64 = 1e-5;
 
-/// An effect explains what is left where it leaves less than this share of the field's unevenness. Iron whose distance
-/// changes with the attitude looks like an effect too, and only a part of it goes with any.
-const EXPLAINED: f64 = 0.5;
+    /// An effect explains what is left where it leaves less than this share of the field's unevenness. Iron whose distance
+    /// changes with the attitude looks like an effect too, and only a part of it goes with any.
+    EXPLAINED: f64 = 0.5;
+}
 
 /// An effect that the readings go with and the model lacks, or several.
 pub struct Missing {
@@ -49,10 +51,10 @@ pub fn effect(
     let each = candidates.into_iter();
     let found_alone = each.filter_map(|effect| judged(model, &[effect], found.unevenness, &fit));
     let best = found_alone.min_by(|a, b| a.p_value.total_cmp(&b.p_value));
-    let best = best.filter(|best| best.p_value < UNLIKELY);
+    let best = best.filter(|best| best.p_value < UNLIKELY.get());
     let left = best.as_ref().map_or(found.unevenness, |own| own.unevenness);
     let all = (of_field.len() > 1).then(|| judged(model, &of_field, left, &fit));
-    let all = all.flatten().filter(|all| all.p_value < UNLIKELY);
+    let all = all.flatten().filter(|all| all.p_value < UNLIKELY.get());
     all.or(best)
 }
 
@@ -65,7 +67,7 @@ fn judged(
 ) -> Option<Missing> {
     let with = |model: Model, effect: &EffectRef| model.with(effect.clone());
     let larger = fit(&effects.iter().fold(model.clone(), with))?;
-    if larger.unevenness >= EXPLAINED * uneven {
+    if larger.unevenness >= EXPLAINED.get() * uneven {
         return None;
     }
     let count = effects.iter().map(|effect| effect.params().len()).sum();

@@ -250,8 +250,10 @@ fn common_unit(recordings: &[&Recording], request: &Request) -> Result<Option<Fi
     Ok(unit)
 }
 
-/// Readings of recordings without a unit whose lengths differ by more are in different units: bias included, no device's are.
-const OTHER_UNIT: f64 = 5.0;
+findings::tuning! {
+    /// Readings of recordings without a unit whose lengths differ by more are in different units: bias included, no device's are.
+    OTHER_UNIT: f64 = 5.0;
+}
 
 /// Refuses magnetometers that nobody gives a unit, and whose readings are of different sizes.
 fn of_one_size(recordings: &[&Recording]) -> Result<(), Error> {
@@ -266,8 +268,9 @@ fn of_one_size(recordings: &[&Recording]) -> Result<(), Error> {
     let Some((first, of_first)) = sizes.first() else {
         return Ok(());
     };
-    let is_other =
-        |(_, own): &&(String, f64)| !(OTHER_UNIT.recip()..OTHER_UNIT).contains(&(own / of_first));
+    let is_other = |(_, own): &&(String, f64)| {
+        !(OTHER_UNIT.get().recip()..OTHER_UNIT.get()).contains(&(own / of_first))
+    };
     let Some((name, own)) = sizes.iter().find(is_other) else {
         return Ok(());
     };

@@ -29,26 +29,28 @@ impl Stepping {
     }
 }
 
-/// Steps at most: what steps more often is no step.
-const MOST: usize = 4;
+findings::tuning! {
+    /// Steps at most: what steps more often is no step.
+    MOST: usize = 4;
 
-/// Noises of a mean by which the field has to differ from place to place before a step is looked for.
-const UNEVEN: f64 = 4.0;
+    /// Noises of a mean by which the field has to differ from place to place before a step is looked for.
+    UNEVEN: f64 = 4.0;
 
-/// Steps of the bias alone are looked for where neighbours are alike as in fewer than this share of all orders: a bias turns with the device.
-const IN_ORDER: f64 = 0.1;
+    /// Steps of the bias alone are looked for where neighbours are alike as in fewer than this share of all orders: a bias turns with the device.
+    IN_ORDER: f64 = 0.1;
 
-/// Placements to either side of a step among which it is looked for again beside another.
-const NEAR: usize = 3;
+    /// Placements to either side of a step among which it is looked for again beside another.
+    NEAR: usize = 3;
 
-/// Steps are the cause where they leave less than this share of the unevenness.
-const LEFT: f64 = 0.3;
+    /// Steps are the cause where they leave less than this share of the unevenness.
+    LEFT: f64 = 0.3;
 
-/// Steps of the bias alone leave an even field: no more than so many noises of a mean.
-const EVEN: f64 = 1.0;
+    /// Steps of the bias alone leave an even field: no more than so many noises of a mean.
+    EVEN: f64 = 1.0;
 
-/// Biases differ that are equal in fewer cases than this.
-const UNLIKELY: f64 = 1e-4;
+    /// Biases differ that are equal in fewer cases than this.
+    UNLIKELY: f64 = 1e-4;
+}
 
 /// The fit where the magnetometer has a bias and a field of its own from some placements on; the result holds from the last of them. With what is
 /// to be said of it. `None` where that does not explain most of the unevenness.
@@ -64,7 +66,7 @@ pub fn stepped<'a>(
     let noise = fit.residual_rms / fit.reduced_chi2.max(f64::MIN_POSITIVE).sqrt();
     let both = fewest_steps(request, fit, noise, Stepping::Both);
     let (steps, best) = match both {
-        Some((steps, best)) if best.unevenness <= UNEVEN * noise => (steps, best),
+        Some((steps, best)) if best.unevenness <= UNEVEN.get() * noise => (steps, best),
         both => steps_of_the_bias(request, fit, noise).or(both)?,
     };
     let (at, before) = steps.split_last()?;
@@ -86,7 +88,7 @@ pub fn stepped<'a>(
     let change = Vector3::from(bias.value) - Vector3::from(last_bias.value);
     let squares =
         (0..3).map(|k| change[k].powi(2) / (last_bias.std[k].powi(2) + bias.std[k].powi(2)));
-    let is_bias = by_chance(squares.sum(), 3.0) < UNLIKELY;
+    let is_bias = by_chance(squares.sum(), 3.0) < UNLIKELY.get();
     let found = match &*best.fields {
         [.., last, field] if !is_bias => {
             let size = difference(last, field);
@@ -105,14 +107,14 @@ fn fewest_steps<'a>(
     stepping: Stepping,
 ) -> Option<(Vec<usize>, MagneticFit)> {
     let (mut steps, mut found, mut left) = (Vec::new(), None, fit.unevenness);
-    let mut needed = LEFT * left;
-    while left > UNEVEN * noise && steps.len() < MOST {
+    let mut needed = LEFT.get() * left;
+    while left > UNEVEN.get() * noise && steps.len() < MOST.get() {
         let Some(best) = one_more(request, &mut steps, stepping) else {
             break;
         };
         left = best.unevenness;
         if left < needed {
-            needed = LEFT * left;
+            needed = LEFT.get() * left;
             let mut sorted = steps.clone();
             sorted.sort_unstable();
             found = Some((sorted, best));
@@ -147,7 +149,7 @@ fn best_beside(
     let side = stepping.side();
     let places = side..request.placements.len().saturating_sub(side - 1);
     let is_apart = |at: &usize| others.iter().all(|other| other.abs_diff(*at) >= side);
-    let is_near = |at: &usize| near.is_none_or(|near| near.abs_diff(*at) <= NEAR);
+    let is_near = |at: &usize| near.is_none_or(|near| near.abs_diff(*at) <= NEAR.get());
     let fits = places.filter(is_apart).filter(is_near).filter_map(|at| {
         let all = [others, &[at]].concat();
         let fit = fit_to_all(&divided(request, &all, stepping)).ok()?;
@@ -163,7 +165,7 @@ fn steps_of_the_bias<'a>(
     fit: &MagneticFit,
     noise: f64,
 ) -> Option<(Vec<usize>, MagneticFit)> {
-    if !neighbours_are_alike(fit, IN_ORDER) {
+    if !neighbours_are_alike(fit, IN_ORDER.get()) {
         return None;
     }
     let (steps, best) = fewest_steps(request, fit, noise, Stepping::Bias)?;
@@ -175,8 +177,8 @@ fn steps_of_the_bias<'a>(
     let explained = (dof * before - left * after) / (dof - left);
     let law = FisherSnedecor::new(dof - left, left).ok()?;
     let places = (request.placements.len() as f64).powi(i32::try_from(steps.len()).ok()?);
-    let is_no_chance = law.sf(explained / after) * places < UNLIKELY;
-    (best.unevenness <= EVEN * noise && is_no_chance).then_some((steps, best))
+    let is_no_chance = law.sf(explained / after) * places < UNLIKELY.get();
+    (best.unevenness <= EVEN.get() * noise && is_no_chance).then_some((steps, best))
 }
 
 /// The smallest difference of two fields, whose headings nothing ties.

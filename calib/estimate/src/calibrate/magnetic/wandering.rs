@@ -8,11 +8,13 @@ use super::units::Units;
 use crate::calibration::Calibration;
 use crate::methods::magnetic::MagneticFit;
 
-/// Orders that are tried by chance.
-const ORDERS: usize = 20_000;
+findings::tuning! {
+    /// Orders that are tried by chance.
+    ORDERS: usize = 20_000;
 
-/// The order of the static intervals is no chance where fewer than this share of all orders has neighbours so alike.
-const UNLIKELY: f64 = 1e-3;
+    /// The order of the static intervals is no chance where fewer than this share of all orders has neighbours so alike.
+    UNLIKELY: f64 = 1e-3;
+}
 
 /// Takes an uneven field for a bias that moves where what the fit leaves is alike in neighbouring static intervals: however the device was
 /// turned in between, a bias turns with it, and a field that differs from place to place does not.
@@ -24,7 +26,7 @@ pub fn told_from_the_field(
     let uneven =
         |found: &&Finding| matches!(found.kind, Kind::FieldUneven | Kind::FieldLittleUneven);
     let uneven = calibration.warnings.iter().find(uneven)?;
-    if !neighbours_are_alike(fit, UNLIKELY) {
+    if !neighbours_are_alike(fit, UNLIKELY.get()) {
         return None;
     }
     let kind = match uneven.kind {
@@ -58,10 +60,10 @@ fn are_alike(all: &[Vec<Vector3<f64>>], unlikely: f64) -> bool {
         let pairs = all.iter().flat_map(|own| own.windows(2));
         pairs.map(|pair| pair[0].dot(&pair[1])).sum()
     };
-    let (found, most) = (alike(all), (unlikely * ORDERS as f64) as usize);
+    let (found, most) = (alike(all), (unlikely * ORDERS.get() as f64) as usize);
     let mut others = all.to_vec();
     let mut order = Order(1);
-    let as_alike = (0..ORDERS).filter(|_| {
+    let as_alike = (0..ORDERS.get()).filter(|_| {
         others.iter_mut().for_each(|own| order.shuffle(own));
         alike(&others) >= found
     });
@@ -98,7 +100,7 @@ mod tests {
             .map(|k| Vector3::repeat(f64::from(k) - 9.5))
             .collect();
         let mixed: Vec<_> = (0..20).map(|k| ramp[k * 7 % 20]).collect();
-        assert!(are_alike(&[ramp], UNLIKELY));
-        assert!(!are_alike(&[mixed], UNLIKELY));
+        assert!(are_alike(&[ramp], UNLIKELY.get()));
+        assert!(!are_alike(&[mixed], UNLIKELY.get()));
     }
 }

@@ -12,14 +12,16 @@ use crate::calibration::{Calibration, MagneticField, RecordingBias, RecordingFie
 use crate::methods::Fitted;
 use crate::methods::magnetic::{Field, MagneticFit, OwnBias};
 
-/// Turns and headings that disagree by chance in fewer cases than this do not correct the gyroscope.
-const CONTRADICTION: f64 = 1e-3;
+findings::tuning! {
+    /// Turns and headings that disagree by chance in fewer cases than this do not correct the gyroscope.
+    CONTRADICTION: f64 = 1e-3;
 
-/// One that differs by more than so many times the noise of an interval's mean is worth a remark.
-const EVIDENT: f64 = 3.0;
+    /// One that differs by more than so many times the noise of an interval's mean is worth a remark.
+    EVIDENT: f64 = 3.0;
 
-/// A field that differs by more than this share of itself from place to place is worth a warning.
-const UNEVEN: f64 = 0.02;
+    /// A field that differs by more than this share of itself from place to place is worth a warning.
+    UNEVEN: f64 = 0.02;
+}
 
 /// Magnetometer fit and the context to write it into a calibration.
 pub struct Written<'a> {
@@ -42,7 +44,7 @@ pub struct Written<'a> {
 pub fn write(calibration: &mut Calibration, written: &Written<'_>) {
     let fit = written.fit;
     calibration.warnings.extend(warnings(written));
-    let update = written.updates_others && fit.turns_p_value > CONTRADICTION;
+    let update = written.updates_others && fit.turns_p_value > CONTRADICTION.get();
     let root = written.inertial.root();
     let mut between = DMatrix::zeros(fit.model.values.len(), root.nrows());
     if update {
@@ -172,9 +174,9 @@ fn warnings(written: &Written<'_>) -> Vec<Finding> {
         .fold(f64::INFINITY, f64::min);
     let share = unevenness(fit) / strength;
     let noise = fit.residual_rms / fit.reduced_chi2.sqrt();
-    let kind = match share > UNEVEN {
+    let kind = match share > UNEVEN.get() {
         true => Some(Kind::FieldUneven),
-        false if fit.unevenness > EVIDENT * noise => Some(Kind::FieldLittleUneven),
+        false if fit.unevenness > EVIDENT.get() * noise => Some(Kind::FieldLittleUneven),
         false => None,
     };
     all.extend(kind.map(|kind| {
@@ -190,7 +192,7 @@ fn warnings(written: &Written<'_>) -> Vec<Finding> {
             .detail("p", format!("{:.0e}", missing.p_value))
             .only_remedies([Remedy::set_to(OptionName::Effects, names.join(","))])
     }));
-    if written.updates_others && fit.turns_p_value <= CONTRADICTION {
+    if written.updates_others && fit.turns_p_value <= CONTRADICTION.get() {
         all.push(of(Kind::HeadingDisagrees).detail("p", format!("{:.0e}", fit.turns_p_value)));
     }
     all

@@ -14,27 +14,30 @@ use crate::methods::{RawUnit, accelerometer_unit};
 /// Most parameters of both.
 const ALL: usize = BASE + OWN;
 
-/// Fewest static intervals on either side, and the most that are looked at.
-const SIDE: usize = 3;
-const MOST: usize = 200;
-/// Most places that are tried.
-const PLACES: usize = 48;
+findings::tuning! {
+    /// Fewest static intervals on either side.
+    SIDE: usize = 3;
+    /// Most static intervals that are looked at.
+    MOST: usize = 200;
+    /// Most places that are tried.
+    PLACES: usize = 48;
 
-/// A sum of squares below so many times that of the measured noise asks for no explanation.
-const NOISE: f64 = 9.0;
+    /// A sum of squares below so many times that of the measured noise asks for no explanation.
+    NOISE: f64 = 9.0;
 
-/// Signs and columns leave so much of the base's sum of squares.
-const CLEAR: f64 = 1e-2;
+    /// Signs and columns leave so much of the base's sum of squares.
+    CLEAR: f64 = 1e-2;
 
-/// Places whose criteria differ by less than this are not told apart.
-const INDIFFERENT: f64 = 10.0;
+    /// Places whose criteria differ by less than this are not told apart.
+    INDIFFERENT: f64 = 10.0;
 
-/// Turned axes explain the rows so much better, by the criterion, than biases that step or drift: about a bias, the norm alone hardly
-/// tells a rotation from them. Six is strong evidence (Kass and Raftery, Bayes Factors, 1995, section 3.2).
-const MUCH: f64 = 6.0;
+    /// Turned axes explain the rows so much better, by the criterion, than biases that step or drift: about a bias, the norm alone hardly
+    /// tells a rotation from them. Six is strong evidence (Kass and Raftery, Bayes Factors, 1995, section 3.2).
+    MUCH: f64 = 6.0;
 
-/// Steps of a fit.
-const STEPS: usize = 30;
+    /// Steps of a fit.
+    STEPS: usize = 30;
+}
 
 /// The accelerometer by its static intervals.
 #[derive(Clone, Debug)]
@@ -49,7 +52,7 @@ pub(super) struct Force {
 pub(super) fn force(rests: &[StaticInterval], gravity: f64) -> Option<Force> {
     let means = rests.iter().enumerate();
     let means = means.filter_map(|(place, rest)| Some((place, rest.span, rest.accelerometer?)));
-    let stride = means.clone().count().div_ceil(MOST).max(1);
+    let stride = means.clone().count().div_ceil(MOST.get()).max(1);
     let used: Vec<(usize, Span, Moments)> = means.step_by(stride).collect();
     let raw: Vec<Vector3<f64>> = used.iter().map(|(.., force)| force.mean).collect();
     if raw.len() < BASE + 3 {
@@ -65,7 +68,7 @@ pub(super) fn force(rests: &[StaticInterval], gravity: f64) -> Option<Force> {
     let base = Fit::of(&raw, gravity, nothing)?;
     let white = median(used.iter().map(|(.., force)| force.white_of_mean()))?;
     let floor = raw.len() as f64 * (unit.scale * white).powi(2).max(f64::MIN_POSITIVE);
-    let found = if base.left > NOISE * floor {
+    let found = if base.left > NOISE.get() * floor {
         best(&raw, gravity, &base, floor)
     } else {
         None
@@ -119,12 +122,12 @@ fn unit_of(raw: &[Vector3<f64>], gravity: f64) -> Option<RawUnit> {
 /// The explanation that leaves least, if it is one.
 fn best(raw: &[Vector3<f64>], gravity: f64, base: &Fit, floor: f64) -> Option<Fit> {
     let n = raw.len();
-    let places = SIDE..=n.checked_sub(SIDE)?;
-    let stride = (n / PLACES).max(1);
+    let places = SIDE.get()..=n.checked_sub(SIDE.get())?;
+    let stride = (n / PLACES.get()).max(1);
     let mut hypotheses = Vec::new();
     for at in places.step_by(stride) {
         for mixed in [false, true] {
-            if at + usize::from(mixed) + SIDE <= n {
+            if at + usize::from(mixed) + SIDE.get() <= n {
                 hypotheses.extend(CHANGES.map(|what| Hypothesis { what, at, mixed }));
             }
         }
@@ -155,15 +158,15 @@ fn best(raw: &[Vector3<f64>], gravity: f64, base: &Fit, floor: f64) -> Option<Fi
         parameters: best.hypothesis.what.parameters(),
     };
     // Without a parameter of its own it is no more likely by chance, but there are many of them.
-    let clear = own.parameters > 0 || own.left < CLEAR * base;
+    let clear = own.parameters > 0 || own.left < CLEAR.get() * base;
     (clear && own.holds(base, n - BASE - lost, tried)).then_some(best)
 }
 
 /// Turned axes, or the biases that step or drift where these explain the rows about as well or better.
 fn or_rival(turned: Fit, raw: &[Vector3<f64>], gravity: f64, floor: f64) -> Fit {
     let n = raw.len();
-    let places = (SIDE..n).flat_map(|at| [false, true].map(|mixed| (at, mixed)));
-    let steps = places.filter(|&(at, mixed)| at + usize::from(mixed) + SIDE <= n);
+    let places = (SIDE.get()..n).flat_map(|at| [false, true].map(|mixed| (at, mixed)));
+    let steps = places.filter(|&(at, mixed)| at + usize::from(mixed) + SIDE.get() <= n);
     let drift = Hypothesis {
         what: What::Drift,
         at: 0,
@@ -179,7 +182,7 @@ fn or_rival(turned: Fit, raw: &[Vector3<f64>], gravity: f64, floor: f64) -> Fit 
     let criterion = |fit: &Fit| fit.explanation().criterion(n, floor);
     let fits = rivals.filter_map(|rival| Fit::of(raw, gravity, rival));
     let best = fits.min_by(|a, b| criterion(a).total_cmp(&criterion(b)));
-    let limit = criterion(&turned) + MUCH;
+    let limit = criterion(&turned) + MUCH.get();
     best.filter(|rival| criterion(rival) < limit)
         .unwrap_or(turned)
 }
@@ -192,7 +195,7 @@ fn passed(place: usize, count: usize) -> f64 {
 /// The first and the last row from which on the same change is about as good: where it lies is not known better.
 fn as_good(best: &Fit, raw: &[Vector3<f64>], gravity: f64, floor: f64) -> (usize, usize) {
     let Hypothesis { what, at, mixed } = best.hypothesis;
-    let limit = best.explanation().criterion(raw.len(), floor) + INDIFFERENT;
+    let limit = best.explanation().criterion(raw.len(), floor) + INDIFFERENT.get();
     let good = |at: &usize| {
         let moved = Hypothesis {
             what,
@@ -202,8 +205,8 @@ fn as_good(best: &Fit, raw: &[Vector3<f64>], gravity: f64, floor: f64) -> (usize
         Fit::of(raw, gravity, moved)
             .is_some_and(|fit| fit.explanation().criterion(raw.len(), floor) < limit)
     };
-    let before = (SIDE..at).rev().take_while(good).last();
-    let after = (at + 1..=raw.len() - SIDE).take_while(good).last();
+    let before = (SIDE.get()..at).rev().take_while(good).last();
+    let after = (at + 1..=raw.len() - SIDE.get()).take_while(good).last();
     let own = at + usize::from(mixed);
     (before.unwrap_or(at), after.unwrap_or(own).max(own))
 }
@@ -228,7 +231,7 @@ impl Fit {
         };
         fit.left = fit.rows(raw, gravity).map(|(r, _)| r * r).sum();
         let mut damping = 1e-3;
-        for _ in 0..STEPS {
+        for _ in 0..STEPS.get() {
             let mut normal = [[0.0; ALL]; ALL];
             let mut right = [0.0; ALL];
             for (r, slope) in fit.rows(raw, gravity) {

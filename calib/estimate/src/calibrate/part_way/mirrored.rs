@@ -7,17 +7,21 @@ use sensor::Sensor;
 use super::change::{Change, Kind, Place};
 use super::turn_sums::Turning;
 
-/// Fewest turns on either side.
-const SIDE: usize = 4;
-/// A raw gyroscope meets gravity within this, rad ...
-const MEETS: f64 = 0.15;
-/// ... and one of other axes misses it by more than this.
-const MISSES: f64 = 0.35;
+findings::tuning! {
+    /// Fewest turns on either side.
+    SIDE: usize = 4;
+    /// A raw gyroscope meets gravity within this, rad ...
+    MEETS: f64 = 0.15;
+    /// ... and one of other axes misses it by more than this.
+    MISSES: f64 = 0.35;
+}
 
 /// Ratios of the ranges and units that occur.
 const RATIOS: [f64; 4] = [2.0, 4.0, 8.0, 180.0 / std::f64::consts::PI];
-/// A change leaves this share of the turns on either side, or nearly.
-const PART: f64 = 0.25;
+findings::tuning! {
+    /// A change leaves this share of the turns on either side, or nearly.
+    PART: f64 = 0.25;
+}
 
 /// Another reading of one sensor's axes: reflected, or in another unit.
 #[derive(Clone, Copy, Debug)]
@@ -63,7 +67,7 @@ fn reflections(sensor: Sensor) -> Vec<Reflection> {
 
 /// The reflection or the unit from some turn on, or up to it, with which all turns meet gravity.
 pub(super) fn change(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Option<Change> {
-    if turns.len() < 2 * SIDE {
+    if turns.len() < 2 * SIDE.get() {
         return None;
     }
     let miss = |rotation: &Matrix3<f64>, turn: &Turning<'_>, m: &Matrix3<f64>| {
@@ -92,7 +96,7 @@ pub(super) fn change(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Option<Chan
                 }
             };
             let usual = |side: &[f64]| median(side.iter().copied()).unwrap_or(0.0);
-            for at in SIDE..=turns.len() - SIDE {
+            for at in SIDE.get()..=turns.len() - SIDE.get() {
                 let ways = [
                     (&plain, &other, reflection.kind),
                     (&other, &plain, reflection.backwards()),
@@ -101,7 +105,7 @@ pub(super) fn change(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Option<Chan
                     let met = most(&first[..at]).max(most(&last[at..]));
                     let sum: f64 = first[..at].iter().chain(&last[at..]).sum();
                     let changes = usual(&plain[..at]).max(usual(&plain[at..]));
-                    let counts = met < MEETS && changes > MISSES;
+                    let counts = met < MEETS.get() && changes > MISSES.get();
                     if counts && best.is_none_or(|(least, ..)| sum < least) {
                         best = Some((sum, at, kind));
                     }
@@ -134,7 +138,7 @@ pub(super) fn unit(turns: &[Turning<'_>], fitted: f64) -> f64 {
     let missed = |unit: f64| {
         let t = Matrix3::from_diagonal_element(unit);
         let misses: Vec<f64> = turns.iter().map(|turn| turn.missed(&t)).collect();
-        quantile(&misses, PART).unwrap_or(0.0)
+        quantile(&misses, PART.get()).unwrap_or(0.0)
     };
     let known = [fitted, 1.0, degree]
         .into_iter()

@@ -31,12 +31,15 @@ use recording::intervals::Segmentation;
 use turn::Rates;
 use turn_sums::Turning;
 
-/// A gyroscope that misses gravity by more than this after its fit is looked at from the readings on, rad.
-const LOST: f64 = 0.035;
+findings::tuning! {
+    /// A gyroscope that misses gravity by more than this after its fit is looked at from the readings on, rad.
+    LOST: f64 = 0.035;
 
-/// Most turns, and most samples of theirs: of more, every second, third, … turn is looked at.
-const MOST_TURNS: usize = 300;
-const MOST_SAMPLES: usize = 3_000_000;
+    /// Most turns: of more, every second, third, … one is looked at.
+    MOST_TURNS: usize = 300;
+    /// Most samples of the turns, likewise.
+    MOST_SAMPLES: usize = 3_000_000;
+}
 
 /// Finds changes part of the way through a recording: a bias, a scale factor, a sign, two columns, a clock; and single
 /// turns and static intervals that miss gravity. `gyroscope` is the matrix that it was calibrated with and the angle by
@@ -82,7 +85,7 @@ fn changes(
     let mut is_read_otherwise = is_reflected(&found);
     let turns = turnings(recording, segmentation, &force.directions);
     if let Some((t, missed)) = gyroscope {
-        let start = if missed > LOST {
+        let start = if missed > LOST.get() {
             let unit = mirrored::unit(&turns, t.determinant().abs().cbrt());
             Matrix3::from_diagonal_element(unit)
         } else {
@@ -97,7 +100,7 @@ fn changes(
             mirrored::change(&turns, &start)
         };
         let by_turns = || mirrored::change(&turns, &start).or_else(as_read);
-        let lost = missed > LOST && !is_read_otherwise;
+        let lost = missed > LOST.get() && !is_read_otherwise;
         let reflected = lost.then(by_turns).flatten();
         is_read_otherwise |= reflected.is_some();
         match reflected {
@@ -141,8 +144,8 @@ fn turnings<'a>(
     let statics = &segmentation.statics;
     let sound = || segmentation.turns.iter().filter(|t| t.fault.is_none());
     let samples: usize = sound().map(|turn| turn.samples.len()).sum();
-    let by_turns = sound().count().div_ceil(MOST_TURNS);
-    let stride = samples.div_ceil(MOST_SAMPLES).max(by_turns).max(1);
+    let by_turns = sound().count().div_ceil(MOST_TURNS.get());
+    let stride = samples.div_ceil(MOST_SAMPLES.get()).max(by_turns).max(1);
     sound()
         .step_by(stride)
         .filter_map(|turn| {

@@ -5,8 +5,10 @@ use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 /// Parameters of the base: an upper triangular matrix and a bias.
 pub(super) const BASE: usize = 9;
 
-/// A direction is known to this, rad, by the noise alone: a turn is off by five of it at least.
-const UNSURE: f64 = 1e-3;
+findings::tuning! {
+    /// A direction is known to this, rad, by the noise alone: a turn is off by five of it at least.
+    UNSURE: f64 = 1e-3;
+}
 
 /// The inverse of the normal equations of a base for a noise of one; `None` where the forces do not determine it.
 #[derive(Clone, Debug)]
@@ -37,7 +39,7 @@ impl Sure {
         slopes.fixed_columns_mut::<3>(6).copy_from(&-t);
         let slopes = across * slopes / force.norm();
         let variance = (slopes * covariance * slopes.transpose()).trace();
-        noise * variance.sqrt() < UNSURE
+        noise * variance.sqrt() < UNSURE.get()
     }
 }
 

@@ -10,8 +10,10 @@ use super::weigh::solved;
 /// Elements of the matrix.
 pub(super) const BASE: usize = 9;
 
-/// Misses below this are alike, squared, rad².
-pub(super) const FLOOR: f64 = 1e-12;
+findings::tuning! {
+    /// Misses below this are alike, squared, rad².
+    pub(super) FLOOR: f64 = 1e-12;
+}
 
 /// A turn between two static intervals.
 #[derive(Clone, Debug)]

@@ -6,16 +6,18 @@ use super::turn::Carried;
 use super::turn_sums::{BASE, FLOOR, Sums, Turning, What, left};
 use super::weigh::Explanation;
 
-/// Fewest turns on either side.
-const SIDE: usize = 5;
-/// Passes of the fit.
-const PASSES: usize = 6;
-/// So many turns may be left out instead.
-const OUTLYING: usize = 3;
-/// The rotation explains the turns so much better than leaving some out does, by the criterion ...
-const MUCH: f64 = 20.0;
-/// ... and about no axis it is less certain than this share of its angle, one standard deviation.
-const KNOWN: f64 = 0.2;
+findings::tuning! {
+    /// Fewest turns on either side.
+    SIDE: usize = 5;
+    /// Passes of the fit.
+    PASSES: usize = 6;
+    /// So many turns may be left out instead.
+    OUTLYING: usize = 3;
+    /// The rotation explains the turns so much better than leaving some out does, by the criterion ...
+    MUCH: f64 = 20.0;
+    /// ... and about no axis it is less certain than this share of its angle, one standard deviation.
+    KNOWN: f64 = 0.2;
+}
 
 /// A fit of a matrix and of a rotation of the readings from some turn on.
 #[derive(Clone, Debug)]
@@ -32,12 +34,12 @@ impl Rotation {
     /// The fit with a rotation from turn `at` on, which itself is left out where it is mixed; `None` of too few turns.
     pub fn of(turns: &[Turning<'_>], start: &Matrix3<f64>, at: usize, mixed: bool) -> Option<Self> {
         let behind = turns.len().checked_sub(at + usize::from(mixed))?;
-        if at.min(behind) < SIDE {
+        if at.min(behind) < SIDE.get() {
             return None;
         }
         let mut t = *start;
         let mut rotation = Rotation3::identity();
-        for _ in 0..PASSES {
+        for _ in 0..PASSES.get() {
             let sums = sums(turns, &t, &rotation, at, mixed);
             let step = sums.solution()?;
             t += Matrix3::from_fn(|i, j| step[3 * i + j]);
@@ -67,15 +69,15 @@ impl Rotation {
     /// out; they are `carried` without a rotation.
     pub fn is_certain(&self, carried: &[Carried]) -> bool {
         let rows = 2 * carried.len();
-        let floor = FLOOR * carried.len() as f64;
+        let floor = FLOOR.get() * carried.len() as f64;
         let own = Explanation {
             left: self.left,
             parameters: 3 + 2 * usize::from(self.mixed),
         };
-        let limit = own.criterion(rows, floor) + MUCH;
+        let limit = own.criterion(rows, floor) + MUCH.get();
         let rivals = without_outlying(carried);
         let is_best = rivals.iter().all(|e| e.criterion(rows, floor) > limit);
-        is_best && self.std < KNOWN * self.angle()
+        is_best && self.std < KNOWN.get() * self.angle()
     }
 }
 
@@ -120,7 +122,7 @@ fn sums(
 fn without_outlying(carried: &[Carried]) -> Vec<Explanation> {
     let mut kept: Vec<&Carried> = carried.iter().collect();
     let mut all = Vec::new();
-    for out in 0..=OUTLYING {
+    for out in 0..=OUTLYING.get() {
         let mut sums = Sums::new(BASE);
         kept.iter().for_each(|one| sums.add(one, &[], 1.0));
         let Some(solution) = sums.solution() else {

@@ -10,24 +10,29 @@ use super::turn_sums::{BASE, FLOOR, Sums, Turning, What, all_carried, left};
 use super::turned;
 use super::weigh::Explanation;
 
-/// Fewest turns, and on either side of a change.
-const FEWEST: usize = 8;
-const SIDE: usize = 3;
-/// Passes of the linear fit about the last one, and of its weights.
-const PASSES: usize = 4;
-const WEIGHINGS: usize = 8;
-/// A turn is alone if it misses by so many times what most do, and by so much, rad ...
-const ALONE: f64 = 15.0;
-const LEAST: f64 = 5e-3;
-/// ... and if at most one in so many does.
-const ONE_IN: usize = 5;
+findings::tuning! {
+    /// Fewest turns.
+    FEWEST: usize = 8;
+    /// Fewest on either side of a change.
+    SIDE: usize = 3;
+    /// Passes of the linear fit about the last one.
+    PASSES: usize = 4;
+    /// Passes of its weights.
+    WEIGHINGS: usize = 8;
+    /// A turn is alone if it misses by so many times what most do ...
+    ALONE: f64 = 15.0;
+    /// ... and by so much, rad, ...
+    LEAST: f64 = 5e-3;
+    /// ... and if at most one in so many does.
+    ONE_IN: usize = 5;
+}
 
 /// Finds changes of the gyroscope over the turns; `start` is a first value of the matrix from the readings to rad/s.
 pub(super) fn changes(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Vec<Change> {
-    if turns.len() < FEWEST {
+    if turns.len() < FEWEST.get() {
         return Vec::new();
     }
-    let Some((t, carried)) = robust_fit(turns, *start, PASSES) else {
+    let Some((t, carried)) = robust_fit(turns, *start, PASSES.get()) else {
         return Vec::new();
     };
     let n = turns.len();
@@ -35,7 +40,7 @@ pub(super) fn changes(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Vec<Change
     let Some(base) = whole.solution().map(|solution| whole.left(&solution)) else {
         return Vec::new();
     };
-    let floor = FLOOR * n as f64;
+    let floor = FLOOR.get() * n as f64;
     let changed = change(turns, &carried, &t, base);
     let alone = alone(turns, &carried, &t, base);
     let criterion = |e: &Explanation| e.criterion(2 * n, floor);
@@ -56,9 +61,9 @@ fn alone(
 ) -> Option<(Vec<Change>, Explanation)> {
     let n = turns.len();
     let angles: Vec<f64> = carried.iter().map(Carried::angle).collect();
-    let limit = (ALONE * median(angles.iter().copied())?).max(LEAST);
+    let limit = (ALONE.get() * median(angles.iter().copied())?).max(LEAST.get());
     let outliers: Vec<usize> = (0..n).filter(|&k| angles[k] > limit).collect();
-    if outliers.is_empty() || outliers.len() > (n / ONE_IN).max(1) {
+    if outliers.is_empty() || outliers.len() > (n / ONE_IN.get()).max(1) {
         return None;
     }
     let mut sums = Sums::new(BASE);
@@ -124,7 +129,7 @@ pub(super) fn robust_fit(
 /// (Cauchy's, Holland & Welsch 1977).
 fn robust_step(carried: &[Carried]) -> Option<Matrix3<f64>> {
     let mut step = DVector::zeros(BASE);
-    for _ in 0..WEIGHINGS {
+    for _ in 0..WEIGHINGS.get() {
         let missed: Vec<f64> = carried.iter().map(|c| left(c, &step).norm()).collect();
         let scale = 3.0 * median(missed.iter().copied())?.max(1e-9);
         let mut sums = Sums::new(BASE);
@@ -144,9 +149,9 @@ fn change(
     base: f64,
 ) -> Option<(Change, Explanation)> {
     let n = turns.len();
-    let places: Vec<(usize, bool)> = (SIDE..=n.checked_sub(SIDE)?)
+    let places: Vec<(usize, bool)> = (SIDE.get()..=n.checked_sub(SIDE.get())?)
         .flat_map(|at| [false, true].map(|mixed| (at, mixed)))
-        .filter(|&(at, mixed)| at + usize::from(mixed) + SIDE <= n)
+        .filter(|&(at, mixed)| at + usize::from(mixed) + SIDE.get() <= n)
         .collect();
     let count = places.len() * What::ALL.len();
     // Against the base without a mixed turn: that one turn misses is no change of the others.
@@ -179,7 +184,7 @@ fn change(
         Some((at, mixed, Change { kind, place }, explanation))
     });
     let mut holding: Vec<_> = holding.collect();
-    let criterion = |e: &Explanation| e.criterion(2 * n, FLOOR * n as f64);
+    let criterion = |e: &Explanation| e.criterion(2 * n, FLOOR.get() * n as f64);
     holding.sort_by(|a, b| criterion(&a.3).total_cmp(&criterion(&b.3)));
     let (at, mixed, first, explanation) = *holding.first()?;
     if !matches!(first.kind, Kind::Turned(..)) {

@@ -3,11 +3,13 @@
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
-/// Chance makes so good an explanation this rarely, over all that were tried.
-const CHANCE: f64 = 1e-4;
+findings::tuning! {
+    /// Chance makes so good an explanation this rarely, over all that were tried.
+    CHANCE: f64 = 1e-4;
 
-/// Largest share of the sum of squares that an explanation may leave.
-const LEFT: f64 = 1.0 / 9.0;
+    /// Largest share of the sum of squares that an explanation may leave.
+    LEFT: f64 = 1.0 / 9.0;
+}
 
 /// An explanation: what it leaves of a sum of squares, with how many parameters.
 #[derive(Clone, Copy, Debug)]
@@ -31,7 +33,7 @@ impl Explanation {
         let Some(spare) = freedom.checked_sub(self.parameters).filter(|&s| s >= 2) else {
             return false;
         };
-        if self.left > LEFT * base {
+        if self.left > LEFT.get() * base {
             return false;
         }
         let q = self.parameters.max(1) as f64;
@@ -39,7 +41,7 @@ impl Explanation {
         let Ok(chance) = FisherSnedecor::new(q, spare as f64) else {
             return false;
         };
-        chance.sf(f) * (tried as f64) < CHANCE
+        chance.sf(f) * (tried as f64) < CHANCE.get()
     }
 }
 

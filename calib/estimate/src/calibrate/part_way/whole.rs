@@ -9,12 +9,14 @@ use super::turn_sums::Turning;
 use super::turns::robust_fit;
 use crate::calibrate::checks::signed_axes;
 
-/// Fewest turns.
-const FEWEST: usize = 6;
-/// Passes of the linear fit about the last one.
-const PASSES: usize = 5;
-/// Axes as they are named meet gravity so well, rad: no others are tried.
-const MEETS: f64 = 0.35;
+findings::tuning! {
+    /// Fewest turns.
+    FEWEST: usize = 6;
+    /// Passes of the linear fit about the last one.
+    PASSES: usize = 5;
+    /// Axes as they are named meet gravity so well, rad: no others are tried.
+    MEETS: f64 = 0.35;
+}
 /// Scales that are tried: that of the readings, degrees per second for radians and the reverse, and twice and half of it.
 const SCALES: [f64; 5] = [
     1.0,
@@ -42,11 +44,11 @@ pub(in crate::calibrate) fn gyroscope_by_turns(
     start: &Matrix3<f64>,
 ) -> Option<ByTurns> {
     let turns = super::turnings(recording, segmentation, directions);
-    if turns.len() < FEWEST {
+    if turns.len() < FEWEST.get() {
         return None;
     }
     let start = first(&turns, start)?;
-    let (t, carried) = robust_fit(&turns, start, PASSES)?;
+    let (t, carried) = robust_fit(&turns, start, PASSES.get())?;
     let angles: Vec<f64> = carried.iter().map(super::turn::Carried::angle).collect();
     let missed = root_mean_square(&angles);
     t.iter().all(|v| v.is_finite()).then(|| ByTurns {
@@ -67,7 +69,7 @@ fn first(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Option<Matrix3<f64>> {
         each.min_by(|a, b| a.0.total_cmp(&b.0))
     };
     let (least, named) = best(SCALES.map(|scale| start * scale).to_vec())?;
-    if least < MEETS {
+    if least < MEETS.get() {
         return Some(named);
     }
     let any = signed_axes().into_iter().map(|axes| axes * start);

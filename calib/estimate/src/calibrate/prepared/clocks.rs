@@ -11,14 +11,16 @@ use sensor::Sensor;
 
 use crate::methods::joint::{Channel, ClockState, JointFit};
 
-/// Turns that miss by so much, as `χ²` per degree of freedom, with any clock: samples are not when any stamp says.
-const WITH_ANY: f64 = 60.0;
+findings::tuning! {
+    /// Turns that miss by so much, as `χ²` per degree of freedom, with any clock: samples are not when any stamp says.
+    WITH_ANY: f64 = 60.0;
 
-/// Clocks farther apart than this are not asked for a drift, s.
-const FAR_APART: f64 = 9.0;
+    /// Clocks farther apart than this are not asked for a drift, s.
+    FAR_APART: f64 = 9.0;
 
-/// A clock that runs faster by more than this forbids the use of the gyroscope: half a degree in a turn by 90°.
-const RUNS_AWAY: f64 = 5e-3;
+    /// A clock that runs faster by more than this forbids the use of the gyroscope: half a degree in a turn by 90°.
+    RUNS_AWAY: f64 = 5e-3;
+}
 
 /// Warnings about clocks that no choice makes right.
 pub(in crate::calibrate) fn doubts(fit: &JointFit) -> Vec<Finding> {
@@ -40,7 +42,10 @@ pub(in crate::calibrate) fn doubts(fit: &JointFit) -> Vec<Finding> {
             );
         }
         let scatters = clock.scatter > 0.0 && clock.state != ClockState::Uncountable;
-        if let Some(misfit) = clock.misfit.filter(|m| scatters && m.min(left) > WITH_ANY) {
+        if let Some(misfit) = clock
+            .misfit
+            .filter(|m| scatters && m.min(left) > WITH_ANY.get())
+        {
             doubts.push(
                 Finding::of(Kind::ClockUnknown)
                     .in_recording(&source.name)
@@ -104,10 +109,10 @@ pub(in crate::calibrate) fn apart(recordings: &[&Recording]) -> Vec<Finding> {
         };
         let offset = clock_offset(force, rate);
         // The two halves are compared within ten seconds: farther apart they meet another turn.
-        let may_drift = offset.is_none_or(|(offset, _)| offset.abs() <= FAR_APART);
+        let may_drift = offset.is_none_or(|(offset, _)| offset.abs() <= FAR_APART.get());
         let drift = may_drift.then(|| clock_drift(force, rate)).flatten();
         // No offset holds for the whole recording where a clock runs so much faster.
-        if drift.is_none_or(|drift| drift.value.abs() <= RUNS_AWAY) {
+        if drift.is_none_or(|drift| drift.value.abs() <= RUNS_AWAY.get()) {
             offsets.extend(offset.map(|found| late(&recording.name, found)));
         }
         drifts.extend(drift.map(|drift| running(&recording.name, drift)));
@@ -151,7 +156,7 @@ fn late(recording: &str, (offset, other): (f64, Option<f64>)) -> Finding {
 /// One clock that runs faster than the other.
 fn running(recording: &str, drift: ClockDrift) -> Finding {
     let is_faster = drift.value > 0.0;
-    let runs_away = drift.value.abs() > RUNS_AWAY;
+    let runs_away = drift.value.abs() > RUNS_AWAY.get();
     let found = Finding::of(Kind::ClockDrift)
         .in_recording(recording)
         .of_sensor(Sensor::Gyroscope)

@@ -23,8 +23,10 @@ use crate::methods::{
 use crate::residuals::StaticMean;
 use crate::truth::{Models, Sensing, Truth};
 
-/// Fits at most after which the signs of changes of force are settled.
-const HISTORIES: usize = 4;
+findings::tuning! {
+    /// Fits at most after which the signs of changes of force are settled.
+    HISTORIES: usize = 4;
+}
 
 /// Accelerometer first, then the gyroscope.
 pub(super) fn stepwise(
@@ -133,7 +135,7 @@ fn accelerometer(
         && request.model.effects().iter().any(looks_back)
     {
         let shared = request.model.parameter_count();
-        for _ in 0..HISTORIES {
+        for _ in 0..HISTORIES.get() {
             let by = |k: usize| Sensing::new(request.model.clone(), fit.fitted.local(shared, k));
             let again = known_means(cut, by);
             let same = again

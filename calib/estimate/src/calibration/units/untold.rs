@@ -10,11 +10,13 @@ use sensor::Sensor;
 
 use crate::calibration::{Calibration, SensorInput};
 
-/// The usual largest range of a gyroscope is 2000 °/s: beyond this, rad/s, a unit that nothing told is another.
-const FASTEST: f64 = 40.0;
+findings::tuning! {
+    /// The usual largest range of a gyroscope is 2000 °/s: beyond this, rad/s, a unit that nothing told is another.
+    FASTEST: f64 = 40.0;
 
-/// Readings at rest that differ by less than this share of a bias are that bias.
-const SAME_BIAS: f64 = 0.3;
+    /// Readings at rest that differ by less than this share of a bias are that bias.
+    SAME_BIAS: f64 = 0.3;
+}
 
 /// Reads a recording for a calibration. `read` takes the unit of the gyroscope that is to be assumed.
 ///
@@ -67,7 +69,7 @@ pub fn in_unit_of<'a>(
     if by != UnitBy::File.name() && is_of_same_logger(calibration, &recording) {
         let taken = taken_as(unit, recording.into_owned());
         let untold = || found(Kind::UnitUntold, &taken, unit);
-        if fastest(calibration, &taken) > FASTEST {
+        if fastest(calibration, &taken) > FASTEST.get() {
             return Err(Error::input(untold().detail("faster", unit.name())));
         }
         if rests_in_degrees(calibration, &taken) {
@@ -103,7 +105,7 @@ fn rests_in_degrees(calibration: &Calibration, recording: &Recording) -> bool {
         return false;
     };
     let (bias, middle) = (own.base().bias, Vector3::new(x, y, z));
-    (middle.map(f64::to_radians) - bias).norm() < SAME_BIAS * bias.norm()
+    (middle.map(f64::to_radians) - bias).norm() < SAME_BIAS.get() * bias.norm()
 }
 
 /// The unit of the gyroscope in the files that a calibration was made from, and what told it there; `None` where they differ.

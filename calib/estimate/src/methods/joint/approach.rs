@@ -5,31 +5,33 @@ use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::noise::weights::{White, Whitening};
 use crate::methods::joint::rows::{Linear, Rows};
 
-/// Steps at most, those that fail included: a point on the way need not be a minimum, and the last fit is the solver's.
-const STEPS: usize = 24;
+findings::tuning! {
+    /// Steps at most, those that fail included: a point on the way need not be a minimum, and the last fit is the solver's.
+    STEPS: usize = 24;
 
-/// A step whose effect on the rows is below this share of their length is the last: a hundredth of a
-/// standard deviation of all parameters together.
-const NEAR: f64 = 1e-6;
+    /// A step whose effect on the rows is below this share of their length is the last: a hundredth of a
+    /// standard deviation of all parameters together.
+    NEAR: f64 = 1e-6;
 
-/// The same, as a sum of squares, of steps that have to be held back: a tenth of a standard deviation.
-const IN_A_VALLEY: f64 = 0.01;
+    /// The same, as a sum of squares, of steps that have to be held back: a tenth of a standard deviation.
+    IN_A_VALLEY: f64 = 0.01;
 
-/// Most steps with the same Jacobian.
-const CHORDS: usize = 8;
+    /// Most steps with the same Jacobian.
+    CHORDS: usize = 8;
 
-/// Relative rise of the cost that rounding explains.
-const ROUNDING: f64 = 1e-9;
+    /// Relative rise of the cost that rounding explains.
+    ROUNDING: f64 = 1e-9;
 
-/// Smallest squared pivot of normal equations with unit columns that keep digits enough for a step.
-const SAFE: f64 = 1e-10;
+    /// Smallest squared pivot of normal equations with unit columns that keep digits enough for a step.
+    SAFE: f64 = 1e-10;
 
-/// Damping added to the diagonal of normal equations that are closer to singular: combinations that hardly change the
-/// rows stay where they are.
-const HELD_UP: f64 = 1e-9;
+    /// Damping added to the diagonal of normal equations that are closer to singular: combinations that hardly change the
+    /// rows stay where they are.
+    HELD_UP: f64 = 1e-9;
 
-/// The first damping of a step that raised the cost.
-const LEAST_DAMPING: f64 = 1e-6;
+    /// The first damping of a step that raised the cost.
+    LEAST_DAMPING: f64 = 1e-6;
+}
 
 /// Rows under a whitening.
 pub struct Weighted<'a> {
@@ -76,12 +78,12 @@ pub fn approach(weighted: &Weighted<'_>, x: &[f64], free: &[usize]) -> Option<Ap
     let mut at = Near::new(weighted, &x, free)?;
     let (mut damping, mut held_back) = (0.0, false);
     let mut taken = 1;
-    while taken < STEPS {
+    while taken < STEPS.get() {
         let (step, left) = at.equations.step(&at.residuals);
         let enough = if damping > 0.0 {
-            IN_A_VALLEY
+            IN_A_VALLEY.get()
         } else {
-            NEAR * (1.0 + at.cost)
+            NEAR.get() * (1.0 + at.cost)
         };
         if left <= enough {
             break;
@@ -95,11 +97,11 @@ pub fn approach(weighted: &Weighted<'_>, x: &[f64], free: &[usize]) -> Option<Ap
         add(&mut tried, free, &step);
         let next = Near::new(weighted, &tried, free);
         taken += 1;
-        match next.filter(|next| next.cost <= at.cost * (1.0 + ROUNDING)) {
+        match next.filter(|next| next.cost <= at.cost * (1.0 + ROUNDING.get())) {
             Some(next) => {
                 (x, at) = (tried, next);
                 if !held_back {
-                    damping = if damping > LEAST_DAMPING {
+                    damping = if damping > LEAST_DAMPING.get() {
                         0.1 * damping
                     } else {
                         0.0
@@ -108,7 +110,7 @@ pub fn approach(weighted: &Weighted<'_>, x: &[f64], free: &[usize]) -> Option<Ap
                 held_back = false;
             }
             None => {
-                damping = (10.0 * damping).max(LEAST_DAMPING);
+                damping = (10.0 * damping).max(LEAST_DAMPING.get());
                 held_back = true;
             }
         }
@@ -162,7 +164,7 @@ impl Approached {
     pub fn settled(&self, weighted: &Weighted<'_>, free: &[usize]) -> (Vec<f64>, f64) {
         let mut x = self.x.clone();
         let mut before = f64::INFINITY;
-        for _ in 0..CHORDS {
+        for _ in 0..CHORDS.get() {
             let r = weighted
                 .whitening
                 .whiten_column(&weighted.rows.residuals(&x));
@@ -202,7 +204,7 @@ impl Normal {
         Some(Self {
             factor: match factor {
                 Some(factor) => factor,
-                None => matrix.factor(HELD_UP)?,
+                None => matrix.factor(HELD_UP.get())?,
             },
             jacobian,
             norms,
@@ -240,5 +242,5 @@ fn is_safe(factor: &ArrowFactor) -> bool {
     let least = factor
         .pivots()
         .fold(f64::INFINITY, |least, pivot| least.min(pivot * pivot));
-    least >= SAFE
+    least >= SAFE.get()
 }

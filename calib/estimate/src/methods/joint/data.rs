@@ -19,8 +19,10 @@ pub use crate::methods::joint::data::mean::Mean;
 use crate::methods::joint::disturbance::shake::Shake;
 use crate::truth::RawUnit;
 
-/// More disturbances than this share of the rests, and the noise is at fault, not the rests.
-pub(crate) const MOST_DISTURBED: f64 = 0.2;
+findings::tuning! {
+    /// More disturbances than this share of the rests, and the noise is at fault, not the rests.
+    pub(crate) MOST_DISTURBED: f64 = 0.2;
+}
 
 /// A part of a rest, short against the drift of a bias.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -258,7 +260,7 @@ impl Data {
             .collect();
         rests.sort_unstable();
         rests.dedup();
-        let most = (MOST_DISTURBED * self.rests.len() as f64).ceil() as usize;
+        let most = (MOST_DISTURBED.get() * self.rests.len() as f64).ceil() as usize;
         (rests.len() > most).then_some(rests.len())
     }
 }

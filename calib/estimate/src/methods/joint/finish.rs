@@ -16,12 +16,14 @@ use crate::methods::joint::noise::centred::centred;
 use crate::methods::joint::noise::weights::{Whitening, weighing};
 use crate::methods::joint::result::marginal::reduced;
 
-/// A minimum nearer than this, in standard errors, is reached.
-const NEAR: f64 = 0.01;
+findings::tuning! {
+    /// A minimum nearer than this, in standard errors, is reached.
+    NEAR: f64 = 0.01;
 
-/// One of many models that are compared has settled where its last step moved the rows by less than a thousandth of a standard
-/// deviation of all together, in square.
-const SETTLED: f64 = 1e-6;
+    /// One of many models that are compared has settled where its last step moved the rows by less than a thousandth of a standard
+    /// deviation of all together, in square.
+    SETTLED: f64 = 1e-6;
+}
 
 impl Run<'_> {
     /// The same weights for biases that are means over the rests.
@@ -55,7 +57,7 @@ impl Run<'_> {
             self.start.steps.took(near.taken);
             let (x, left) = near.settled(&weighted, &free);
             parameters.values_mut().copy_from_slice(&x);
-            let is_enough = self.request.compared && left < SETTLED;
+            let is_enough = self.request.compared && left < SETTLED.get();
             settled = is_enough.then(|| Ended::settled(x, near.taken));
         }
         let ended = match settled {
@@ -179,5 +181,5 @@ fn is_near(residuals: &[f64], jacobian: &Columns) -> bool {
     let left = basis.without_column(residuals);
     let square = |r: &[f64]| r.iter().map(|v| v * v).sum::<f64>();
     let explained = residuals.iter().zip(&left).map(|(r, l)| r - l);
-    square(&explained.collect::<Vec<_>>()) < NEAR.powi(2) * basis.rank() as f64
+    square(&explained.collect::<Vec<_>>()) < NEAR.get().powi(2) * basis.rank() as f64
 }

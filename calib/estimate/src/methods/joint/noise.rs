@@ -28,30 +28,33 @@ use self::long_run::{RESTLESS, long_run, restless_long_run, scatter_within};
 use self::scatter::{FLOOR, scatter};
 use super::data::mean::Mean;
 
-/// Longest batches whose means show noise that does not average out, s, and how many a stretch should have.
-const BATCH: f64 = 1.0;
-const BATCHES: f64 = 6.0;
+findings::tuning! {
+    /// Longest batches whose means show noise that does not average out, s.
+    BATCH: f64 = 1.0;
+    /// So many of them a stretch should have.
+    BATCHES: f64 = 6.0;
 
-/// Length of the windows whose variances show how many samples are independent, s.
-const WINDOW: f64 = 0.2;
+    /// Length of the windows whose variances show how many samples are independent, s.
+    WINDOW: f64 = 0.2;
 
-/// Stretches with more than this many times the variance of the quietest quarter are not quiet, nor are short ones that chance
-/// lets spread so far: so many standard errors of a variance.
-const QUIET: f64 = 1.5;
-const QUIET_ERRORS: f64 = 4.0;
+    /// Stretches with more than this many times the variance of the quietest quarter are not quiet, ...
+    QUIET: f64 = 1.5;
+    /// ... if they exceed it by so many standard errors of a variance: chance lets short ones spread so far.
+    QUIET_ERRORS: f64 = 4.0;
 
-/// The share of the stretches that is quiet in any usable recording: on a table that vibrates now and then, half may shake.
-const QUIETEST: f64 = 0.25;
+    /// The share of the stretches that is quiet in any usable recording: on a table that vibrates now and then, half may shake.
+    QUIETEST: f64 = 0.25;
 
-/// Readings that stay the same within every rest are frozen between steps of more than so many times the floor: smaller
-/// ones are rounding of noise-free readings.
-const FROZEN: f64 = 1e3;
+    /// Readings that stay the same within every rest are frozen between steps of more than so many times the floor: smaller
+    /// ones are rounding of noise-free readings.
+    FROZEN: f64 = 1e3;
 
-/// Largest distance of a reading from the grid of its converter, in steps.
-const OFF_GRID: f64 = 0.05;
+    /// Largest distance of a reading from the grid of its converter, in steps.
+    OFF_GRID: f64 = 0.05;
 
-/// A least significant bit beyond this many standard deviations no longer averages out.
-const DITHERED: f64 = 2.0;
+    /// A least significant bit beyond this many standard deviations no longer averages out.
+    DITHERED: f64 = 2.0;
+}
 
 /// Standard deviations per axis, near SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,7 +86,7 @@ impl SensorNoise {
     pub fn measure(stream: &Stream, rests: &[Range<usize>]) -> Option<Self> {
         let interval = stream.median_step()?;
         let batch = batch(rests, interval)?;
-        let window = samples(WINDOW, interval).max(4);
+        let window = samples(WINDOW.get(), interval).max(4);
         let least = stream.least_steps();
         let axes = [0, 1, 2].map(|axis| {
             let parts = parts(stream, rests, axis);
@@ -166,7 +169,7 @@ impl SensorNoise {
         Vector3::from_fn(|i, _| {
             let quiet = self.white[i].powi(2);
             let beyond = mean.variance[i] - quiet;
-            if beyond > (RESTLESS - 1.0) * quiet {
+            if beyond > (RESTLESS.get() - 1.0) * quiet {
                 beyond * self.restless_long_run[i].powi(2)
             } else {
                 0.0
@@ -203,11 +206,12 @@ impl Axis {
         // What restless parts shake by says nothing of the noise of the others.
         let quiet = quiet(parts);
         let mut white = white(&quiet)?;
-        let frozen = white <= FLOOR && least.is_finite() && least > FROZEN * FLOOR;
+        let frozen =
+            white <= FLOOR.get() && least.is_finite() && least > FROZEN.get() * FLOOR.get();
         let step = if frozen { least } else { smallest_step(parts) };
-        let coarse = step > DITHERED * white;
+        let coarse = step > DITHERED.get() * white;
         if coarse {
-            white = rounding::spread(parts, step).max(FLOOR);
+            white = rounding::spread(parts, step).max(FLOOR.get());
         }
         let mut long_run = long_run(&quiet, batch, white);
         if coarse {
@@ -237,7 +241,7 @@ fn samples(length: f64, interval: f64) -> usize {
 /// Samples in a batch: [`BATCHES`] in the usual stretch, of [`BATCH`] at most.
 fn batch(rests: &[Range<usize>], interval: f64) -> Option<usize> {
     let lengths: Vec<f64> = rests.iter().map(|r| r.len() as f64 * interval).collect();
-    let length = (median(lengths)? / BATCHES).min(BATCH);
+    let length = (median(lengths)? / BATCHES.get()).min(BATCH.get());
     Some(samples(length, interval).max(1))
 }
 
@@ -256,8 +260,10 @@ fn quiet(parts: &[Vec<f64>]) -> Vec<&[f64]> {
     let scatters: Vec<(f64, f64)> = parts.iter().map(|p| scatter(p)).collect();
     let variances: Vec<f64> = scatters.iter().map(|(s, dof)| s / dof).collect();
     let degrees = median(scatters.iter().map(|(_, dof)| *dof)).unwrap_or(1.0);
-    let factor = QUIET.max(1.0 + QUIET_ERRORS * (2.0 / degrees).sqrt());
-    let most = factor * quantile(&variances, QUIETEST).unwrap_or(0.0);
+    let factor = QUIET
+        .get()
+        .max(1.0 + QUIET_ERRORS.get() * (2.0 / degrees).sqrt());
+    let most = factor * quantile(&variances, QUIETEST.get()).unwrap_or(0.0);
     let own = parts.iter().zip(&variances);
     own.filter(|(_, variance)| **variance <= most)
         .map(|(part, _)| part.as_slice())
@@ -267,7 +273,7 @@ fn quiet(parts: &[Vec<f64>]) -> Vec<&[f64]> {
 /// Standard deviation of a sample in these stretches.
 fn white(quiet: &[&[f64]]) -> Option<f64> {
     let (sum, dof) = scatter_within(quiet);
-    (dof > 0.0).then(|| f64::max((sum / dof).sqrt(), FLOOR))
+    (dof > 0.0).then(|| f64::max((sum / dof).sqrt(), FLOOR.get()))
 }
 
 /// Share of the samples that are independent, by how the variances of windows of `window` samples spread: with
@@ -304,7 +310,7 @@ fn smallest_step(parts: &[Vec<f64>]) -> f64 {
     let Some(first) = all.first() else { return 0.0 };
     let on_grid = |v: &f64| {
         let steps = (v - first) / step;
-        (steps - steps.round()).abs() < OFF_GRID
+        (steps - steps.round()).abs() < OFF_GRID.get()
     };
     let repeats = 2 * all.len() <= count;
     if all.len() > 1 && repeats && all.iter().all(on_grid) {

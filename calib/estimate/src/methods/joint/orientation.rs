@@ -15,27 +15,32 @@ use crate::methods::joint::noise::walk_filter::WalkFilter;
 use crate::methods::joint::orientation::interval::Oriented;
 use crate::methods::small_sample::by_chance;
 
-/// Chance that a sensor of which nothing is missing shows any pattern.
-const CHANCE: f64 = 2e-3;
+findings::tuning! {
+    /// Chance that a sensor of which nothing is missing shows any pattern.
+    CHANCE: f64 = 2e-3;
 
-/// Fewer spare numbers than this beside a pattern and its parameters show nothing.
-const LEAST_SPARE: usize = 3;
+    /// Fewer spare numbers than this beside a pattern and its parameters show nothing.
+    LEAST_SPARE: usize = 3;
 
-/// P-value below which the residual of the norm is a misfit, and not chance.
-const UNLIKELY: f64 = 1e-3;
+    /// P-value below which the residual of the norm is a misfit, and not chance.
+    UNLIKELY: f64 = 1e-3;
 
-/// Degrees of freedom that the measured noise counts for, and how likely what remains has to be by it alone.
-const KNOWN: f64 = 30.0;
-const UNREMARKABLE: f64 = 0.1;
+    /// Degrees of freedom that the measured noise counts for.
+    KNOWN: f64 = 30.0;
+    /// So likely what remains has to be by it alone.
+    UNREMARKABLE: f64 = 0.1;
+}
 
 /// Walks tried, as multiples of the variance that the noise has: from none to one that dominates.
 const WALKS: [f64; 9] = [0.0, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 1000.0];
 
-/// Standard deviations below this share of the largest are held up to it: intervals of very different lengths.
-const LEAST_SHARE: f64 = 1e-3;
+findings::tuning! {
+    /// Standard deviations below this share of the largest are held up to it: intervals of very different lengths.
+    LEAST_SHARE: f64 = 1e-3;
 
-/// Columns of unit length of which others leave less than this depend on them.
-const RANK_TOLERANCE: f64 = 1e-7;
+    /// Columns of unit length of which others leave less than this depend on them.
+    RANK_TOLERANCE: f64 = 1e-7;
+}
 
 /// A shape that the misfit of the static intervals may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -100,7 +105,7 @@ impl StaticNumbers {
     /// to interval, or a walk of the bias, whose density is the likeliest with the pattern present. Nothing of that kind
     /// depends on the orientation.
     pub fn shown(&self, patterns: &[Pattern]) -> Option<Shown> {
-        if self.rows.len() < LEAST_SPARE {
+        if self.rows.len() < LEAST_SPARE.get() {
             return None;
         }
         let walks = self.walks(&WALKS);
@@ -113,19 +118,19 @@ impl StaticNumbers {
             })
         });
         let best = all.min_by(|a, b| a.p_value.total_cmp(&b.p_value))?;
-        (best.p_value < CHANCE / patterns.len() as f64).then_some(best)
+        (best.p_value < CHANCE.get() / patterns.len() as f64).then_some(best)
     }
 
     /// Returns the root mean square of the residuals per degree of freedom; zero where chance explains it.
     pub fn misfit(&self) -> f64 {
-        if self.rows.len() < LEAST_SPARE {
+        if self.rows.len() < LEAST_SPARE.get() {
             return 0.0;
         }
         let Some(base) = self.walks(&[0.0]).first().map(|walk| walk.base) else {
             return 0.0;
         };
         let spare = self.rows.len().saturating_sub(base.rank) as f64;
-        if spare < 1.0 || by_chance(base.square, spare) > UNLIKELY {
+        if spare < 1.0 || by_chance(base.square, spare) > UNLIKELY.get() {
             return 0.0;
         }
         let variance = self.sigma.norm_squared() / self.rows.len() as f64;
@@ -183,13 +188,13 @@ impl StaticNumbers {
             .max_by(|a, b| a.0.total_cmp(&b.0));
         let (_, full, base) = best?;
         let (spare, taken) = (n.checked_sub(full.rank)?, full.rank - base.rank);
-        if spare < LEAST_SPARE || taken == 0 {
+        if spare < LEAST_SPARE.get() || taken == 0 {
             return None;
         }
         // Where what remains is like the noise, the noise was measured with many degrees of freedom; else what remains says
         // how large it is.
-        let known = if by_chance(full.square, spare as f64) > UNREMARKABLE {
-            KNOWN
+        let known = if by_chance(full.square, spare as f64) > UNREMARKABLE.get() {
+            KNOWN.get()
         } else {
             0.0
         };
@@ -217,7 +222,9 @@ impl StaticNumbers {
     pub fn settled(mut self) -> Self {
         let largest = self.sigma.amax();
         for sigma in self.sigma.iter_mut() {
-            *sigma = sigma.max(LEAST_SHARE * largest).max(f64::MIN_POSITIVE);
+            *sigma = sigma
+                .max(LEAST_SHARE.get() * largest)
+                .max(f64::MIN_POSITIVE);
         }
         self
     }
@@ -254,7 +261,7 @@ impl Walking {
         jacobian: &DMatrix<f64>,
     ) -> Self {
         let columns = Columns::cut(&whitened(&filter, jacobian), groups);
-        let basis = Basis::with_tolerance(&columns, RANK_TOLERANCE);
+        let basis = Basis::with_tolerance(&columns, RANK_TOLERANCE.get());
         let left = basis.without_column(whitened(&filter, residuals).col_as_slice(0));
         let base = ColumnsFit {
             square: left.iter().map(|r| r * r).sum(),
@@ -281,7 +288,7 @@ impl Walking {
         let columns = Columns::cut(&columns, self.basis.groups());
         let left = self.basis.without(&self.basis.without(&columns)).to_dense();
         let mut pivots = Vec::new();
-        let own = orthonormal_with_pivots(&left, RANK_TOLERANCE, &mut pivots);
+        let own = orthonormal_with_pivots(&left, RANK_TOLERANCE.get(), &mut pivots);
         let r = Mat::from_fn(self.left.len(), 1, |i, _| self.left[i]);
         let square = self.base.square - (own.transpose() * r).squared_norm_l2();
         let lengths = norms.into_iter().filter(|norm| *norm > 0.0);

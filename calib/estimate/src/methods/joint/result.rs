@@ -86,7 +86,7 @@ impl JointFit {
                     ComponentKind::ForceOfOrientation,
                 ];
                 let spare = rests.saturating_sub(BASE_PARAMETERS - 3);
-                let known = spare >= LEAST_SPARE || self.white_noise_explains_force();
+                let known = spare >= LEAST_SPARE.get() || self.white_noise_explains_force();
                 if found(&kinds) || !known {
                     widening(spare.max(1))
                 } else {
@@ -117,7 +117,7 @@ impl JointFit {
         let left = RowResiduals::of(&self.white_jacobian, &self.white_residuals);
         let rows = 0..self.first_rows[0];
         let square: f64 = rows.clone().map(|i| left.square(i)).sum();
-        by_chance(square, rows.map(|i| left.spare(i)).sum()) > UNREMARKABLE
+        by_chance(square, rows.map(|i| left.spare(i)).sum()) > UNREMARKABLE.get()
     }
 
     /// Returns true if the shared parameter `k` is one of the gyroscope's.

@@ -12,12 +12,14 @@ use super::start::{Start, charts, start};
 use crate::methods::joint::clock::fit::settle_clock;
 use crate::methods::joint::rows::knowledge::by_models;
 
-/// Rounds of weighting at most; one suffices where nothing was disturbed.
-const ROUNDS: usize = 6;
+findings::tuning! {
+    /// Rounds of weighting at most; one suffices where nothing was disturbed.
+    ROUNDS: usize = 6;
 
-/// Bends of the rows between two points below this, in standard deviations, change no judgement: all
-/// that is judged is what the Jacobian's columns leave, and that is the same at both.
-const STRAIGHT: f64 = 0.2;
+    /// Bends of the rows between two points below this, in standard deviations, change no judgement: all
+    /// that is judged is what the Jacobian's columns leave, and that is the same at both.
+    STRAIGHT: f64 = 0.2;
+}
 
 /// Fits everything at once.
 ///
@@ -199,7 +201,7 @@ impl Run<'_> {
         });
         let before = self.request.before;
         let mut levels = before.map_or_else(Vec::new, |before| before.levels.clone());
-        for _ in 0..ROUNDS {
+        for _ in 0..ROUNDS.get() {
             weights = self.judge(&point, earth.as_ref(), &levels);
             levels.clone_from(&weights.levels);
             let next = self.approach(&weights, Some(&point))?;
@@ -208,7 +210,7 @@ impl Run<'_> {
             self.hold_axes(&point);
             // Readings that no model fits are not judged over and over.
             let spent = self.start.steps.are_spent(self.data.cost_of_a_step());
-            if bend < STRAIGHT || spent {
+            if bend < STRAIGHT.get() || spent {
                 break;
             }
         }

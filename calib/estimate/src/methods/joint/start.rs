@@ -17,9 +17,11 @@ use crate::methods::{
 };
 use crate::residuals::TurnData;
 
-/// Norms of specific force that scatter by more than this share of gravity about a fit that does not end are those of a device
-/// in motion: no other fit of them ends, and all take long.
-const NOT_STILL: f64 = 0.05;
+findings::tuning! {
+    /// Norms of specific force that scatter by more than this share of gravity about a fit that does not end are those of a device
+    /// in motion: no other fit of them ends, and all take long.
+    NOT_STILL: f64 = 0.05;
+}
 
 /// Units and first values.
 #[derive(Clone, Debug)]
@@ -72,7 +74,7 @@ pub fn start(request: &JointRequest<'_>) -> Result<Start, Error> {
     })?;
     let (first, gravity) = (&fit.first, request.gravity);
     let left = (2.0 * first.cost / first.residuals.len().max(1) as f64).sqrt();
-    if !first.termination.converged() && left > NOT_STILL * gravity {
+    if !first.termination.converged() && left > NOT_STILL.get() * gravity {
         if let Some(reason) = few_directions(&raw) {
             return Err(Error::not_enough(reason));
         }

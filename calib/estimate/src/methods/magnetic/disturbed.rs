@@ -6,8 +6,10 @@ use super::factors::Reading;
 use super::problem::{Minimum, Problem};
 use crate::methods::small_sample::by_chance;
 
-/// Taken for disturbed where so large a difference happens by chance in fewer than this many recordings.
-const UNLIKELY: f64 = 1e-3;
+findings::tuning! {
+    /// Taken for disturbed where so large a difference happens by chance in fewer than this many recordings.
+    UNLIKELY: f64 = 1e-3;
+}
 
 /// The placement that differs most from the others' field, if by more than chance; with its difference (norm, unit of the
 /// readings).
@@ -25,7 +27,7 @@ pub fn most_disturbed(
         .filter(|(k, _)| problem.placements[*k].is_used)
         .max_by(|a, b| a.1.total_cmp(&b.1))?;
     let p = by_chance(square, 3.0) * used as f64;
-    (p < UNLIKELY).then(|| (place, left[place].norm()))
+    (p < UNLIKELY.get()).then(|| (place, left[place].norm()))
 }
 
 /// Reading less model of each placement, in the unit of the readings.

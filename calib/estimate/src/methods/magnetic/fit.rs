@@ -12,11 +12,13 @@ use super::result::Judged;
 use super::start::linear_start;
 use super::unevenness::unevenness;
 
-/// Fewer static intervals say too little: thirteen unknowns, a heading each, and something spare.
-const LEAST_PLACEMENTS: usize = 6;
+findings::tuning! {
+    /// Fewer static intervals say too little: thirteen unknowns, a heading each, and something spare.
+    LEAST_PLACEMENTS: usize = 6;
 
-/// At most one placement in so many is left out as disturbed.
-const DISTURBED_SHARE: usize = 5;
+    /// At most one placement in so many is left out as disturbed.
+    DISTURBED_SHARE: usize = 5;
+}
 
 /// Request for a fit of a magnetometer.
 #[derive(Clone, Debug)]
@@ -51,7 +53,7 @@ impl MagneticRequest<'_> {
 /// # Errors
 /// [`Error::NotEnough`] where the attitudes do not determine the parameters, [`Error::NotConverged`].
 pub fn fit_magnetometer(mut request: MagneticRequest<'_>) -> Result<MagneticFit, Error> {
-    let most = request.placements.len() / DISTURBED_SHARE;
+    let most = request.placements.len() / DISTURBED_SHARE.get();
     let mut disturbed = Vec::new();
     loop {
         let (fit, worst) = fit_all(&request)?;
@@ -76,12 +78,12 @@ pub fn fit_to_all(request: &MagneticRequest<'_>) -> Result<MagneticFit, Error> {
 /// The fit to all placements, and the one that is disturbed most, if one is.
 fn fit_all(request: &MagneticRequest<'_>) -> Result<(MagneticFit, Option<(usize, f64)>), Error> {
     let used = request.placements.iter().filter(|p| p.is_used).count();
-    if used < LEAST_PLACEMENTS {
+    if used < LEAST_PLACEMENTS.get() {
         return Err(Error::not_enough(
             Finding::of(Kind::AttitudesTooFew)
                 .of_sensor(Sensor::Magnetometer)
                 .count("count", used)
-                .count("least", LEAST_PLACEMENTS),
+                .count("least", LEAST_PLACEMENTS.get()),
         ));
     }
     let (placements, changes) = (&request.placements, &request.changes);

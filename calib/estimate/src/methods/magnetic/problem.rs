@@ -10,14 +10,16 @@ use super::linear::Linear;
 use super::placement::{HeadingChange, Placement};
 use super::start::Start;
 
-/// Relative offset at which a fit ends: its cost lies the square of that above the minimum.
-const TOLERANCE: f64 = 1e-6;
+findings::tuning! {
+    /// Relative offset at which a fit ends: its cost lies the square of that above the minimum.
+    TOLERANCE: f64 = 1e-6;
 
-/// The common scale is tied so loosely while the minimum is looked for: a tight tie is a narrow valley with a bend.
-const LOOSE: f64 = 0.1;
+    /// The common scale is tied so loosely while the minimum is looked for: a tight tie is a narrow valley with a bend.
+    LOOSE: f64 = 0.1;
 
-/// A walk of nothing still needs a width, in shares of the noise of a rest's mean.
-const LEAST_WALK: f64 = 1e-3;
+    /// A walk of nothing still needs a width, in shares of the noise of a rest's mean.
+    LEAST_WALK: f64 = 1e-3;
+}
 
 /// Measurements and model of a fit.
 #[derive(Debug)]
@@ -171,7 +173,7 @@ impl<'a> Problem<'a> {
         let time = 0.5 * (after.span.from + after.span.to - before.span.from - before.span.to);
         let noise = before.rate.map_or(1.0, |rest| rest.noise);
         let walk = self.walk * time.max(0.0).sqrt();
-        let weight = walk.hypot(LEAST_WALK * noise).recip();
+        let weight = walk.hypot(LEAST_WALK.get() * noise).recip();
         Linear::axes(weight, &[-1.0, 1.0], [0.0; 3])
     }
 
@@ -244,7 +246,7 @@ impl<'a> Problem<'a> {
         from: Option<&[f64]>,
         options: &GraphOptions,
     ) -> Result<Minimum, Error> {
-        let Made { mut graph, blocks } = self.graph(start, uneven, LOOSE)?;
+        let Made { mut graph, blocks } = self.graph(start, uneven, LOOSE.get())?;
         if let Some(values) = from {
             graph.start_at(values);
         }
@@ -279,7 +281,7 @@ fn searching() -> GraphOptions {
     GraphOptions {
         rank: false,
         last_digits: false,
-        gradient_tolerance: TOLERANCE,
+        gradient_tolerance: TOLERANCE.get(),
         ..GraphOptions::default()
     }
 }

@@ -16,9 +16,11 @@ use super::problem::{Minimum, Problem, refused};
 use super::start::Start;
 use crate::methods::small_sample::{by_chance, widening};
 
-/// The common scale counts as known to this share: far better than any recording tells, and loose enough for the
-/// factorisation.
-const TIE: f64 = 1e-7;
+findings::tuning! {
+    /// The common scale counts as known to this share: far better than any recording tells, and loose enough for the
+    /// factorisation.
+    TIE: f64 = 1e-7;
+}
 
 /// A minimum with the covariance of all but headings and rates.
 pub struct Judged<'a> {
@@ -42,7 +44,7 @@ impl<'a> Judged<'a> {
         uneven: f64,
         minimum: &'a Minimum,
     ) -> Result<Self, Error> {
-        let graph = problem.graph(start, uneven, TIE)?.graph;
+        let graph = problem.graph(start, uneven, TIE.get())?.graph;
         let products = Products::new(&graph, &minimum.report.values).map_err(refused)?;
         if let Some(open) = products.null_space().first() {
             return Err(Error::not_enough(

@@ -5,14 +5,16 @@ use recording::Error;
 use super::problem::{Minimum, Problem};
 use super::start::Start;
 
-/// Steps of the search: each narrows the interval by the golden section, to a thousandth of it in all.
-const STEPS: usize = 15;
+findings::tuning! {
+    /// Steps of the search: each narrows the interval by the golden section, to a thousandth of it in all.
+    STEPS: usize = 15;
 
-/// The search begins at this share of the noise of a mean, and below it the field counts as even.
-const LEAST: f64 = 0.1;
+    /// The search begins at this share of the noise of a mean, and below it the field counts as even.
+    LEAST: f64 = 0.1;
 
-/// And ends at this share of the field: the first fit is at it, where the start is good enough.
-const MOST: f64 = 0.2;
+    /// And ends at this share of the field: the first fit is at it, where the start is good enough.
+    MOST: f64 = 0.2;
+}
 
 /// The golden section.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
@@ -27,17 +29,17 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 pub fn unevenness(problem: &Problem<'_>, start: &Start) -> Result<(f64, Minimum), Error> {
     let used = || problem.placements.iter().filter(|p| p.is_used);
     let noise = used().map(|p| p.noise).sum::<f64>() / used().count() as f64;
-    let widest = (MOST * problem.strength).max(10.0 * noise);
+    let widest = (MOST.get() * problem.strength).max(10.0 * noise);
     let uneven = problem.minimum(start, widest, None)?;
     let at = |logarithm: f64, from: &Minimum| {
         let uneven = logarithm.exp();
         let minimum = problem.minimum(start, uneven, Some(&from.report.values))?;
         Ok::<_, Error>((criterion(problem, &minimum), uneven, minimum))
     };
-    let (mut low, mut high) = ((LEAST * noise).ln(), widest.ln());
+    let (mut low, mut high) = ((LEAST.get() * noise).ln(), widest.ln());
     let mut second = at(low + GOLDEN * (high - low), &uneven)?;
     let mut first = at(high - GOLDEN * (high - low), &second.2)?;
-    for _ in 0..STEPS {
+    for _ in 0..STEPS.get() {
         if first.0 < second.0 {
             high = second.1.ln();
             second = first;

@@ -14,8 +14,10 @@ pub const EARTH_RATE: f64 = 7.29e-5;
 /// Placements in which an axis is horizontal.
 const ACROSS: usize = 4;
 
-/// Largest believable scale factor error: ten times that of a poor sensor.
-const BELIEVABLE_SCALE_ERROR: f64 = 0.1;
+findings::tuning! {
+    /// Largest believable scale factor error: ten times that of a poor sensor.
+    BELIEVABLE_SCALE_ERROR: f64 = 0.1;
+}
 
 /// Visibility of the earth's rate in the readings at rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,7 +87,7 @@ impl GyroscopePart {
         let believable = self
             .scale_error
             .iter()
-            .all(|s| s.abs() < BELIEVABLE_SCALE_ERROR);
+            .all(|s| s.abs() < BELIEVABLE_SCALE_ERROR.get());
         match (stands_out, believable) {
             (false, _) => EarthRotation::Hidden,
             (true, false) => EarthRotation::Absent,

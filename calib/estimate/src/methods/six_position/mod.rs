@@ -22,15 +22,17 @@ use crate::calibrate::{Said, implausible, implausible_base};
 use crate::calibration::{Calibration, Triad};
 use crate::gravity::{Gravity, GravitySource};
 
-/// Placements tilted by more than this cost more than a consumer sensor's own errors, rad (0.1°).
-const TILT_LIMIT: f64 = 0.1 * std::f64::consts::PI / 180.0;
+findings::tuning! {
+    /// Placements tilted by more than this cost more than a consumer sensor's own errors, rad (0.1°).
+    TILT_LIMIT: f64 = 0.1 * std::f64::consts::PI / 180.0;
 
-/// Placements tilted by more than this (rms) are no six positions: the biases would carry more than
-/// 80 mm/s² of gravity, rad (2°).
-const TILT_GATE: f64 = 2.0 * std::f64::consts::PI / 180.0;
+    /// Placements tilted by more than this (rms) are no six positions: the biases would carry more than
+    /// 80 mm/s² of gravity, rad (2°).
+    TILT_GATE: f64 = 2.0 * std::f64::consts::PI / 180.0;
 
-/// Residuals less parameters of one axis: six placements, three elements of `M` and a bias.
-const SPARE: f64 = 2.0;
+    /// Residuals less parameters of one axis: six placements, three elements of `M` and a bias.
+    SPARE: f64 = 2.0;
+}
 
 /// The result of the method.
 #[derive(Clone, Debug, PartialEq)]
@@ -168,7 +170,7 @@ impl SixPosition {
 
     fn tilt_warning(&self) -> Option<Finding> {
         let tilt = self.tilt();
-        (tilt > TILT_LIMIT).then(|| {
+        (tilt > TILT_LIMIT.get()).then(|| {
             // Six tilted means in a bias, of which two have the axis vertical.
             let of_bias = self.gravity * tilt / 18f64.sqrt();
             Finding::of(Kind::PlacementsTilted)
@@ -182,11 +184,11 @@ impl SixPosition {
         let tilt = self.tilt();
         let gate = Finding::of(Kind::PlacementsTilted)
             .number("tilt", tilt, "rad")
-            .number("most", TILT_GATE, "rad")
+            .number("most", TILT_GATE.get(), "rad")
             .affects("corrected_reading", self.gravity * tilt, "m/s^2")
             .at_level(Level::Bad);
         // Also where the tilt is no number.
-        if tilt <= TILT_GATE {
+        if tilt <= TILT_GATE.get() {
             Findings::new()
         } else {
             vec![gate].into()
@@ -224,7 +226,7 @@ impl SixPosition {
             exact
         };
         // Three axes share the scatter: 18 residuals, twelve parameters.
-        let sigma = self.residual_rms * (18.0 / (3.0 * SPARE)).sqrt();
+        let sigma = self.residual_rms * (18.0 / (3.0 * SPARE.get())).sqrt();
         let (t_std, bias_std) = (sigma / (2f64.sqrt() * self.gravity), sigma / 6f64.sqrt());
         let variances: Vec<f64> = [t_std * t_std; 9]
             .into_iter()

@@ -7,9 +7,11 @@ use nalgebra::{Matrix3x6, Vector3};
 use recording::intervals::{Detector, StaticInterval, segment};
 use recording::{Error, Recording};
 
-/// A rest belongs to a face if its axis is within this of the vertical (cos 20°): hand placements
-/// are far nearer, edges and corners (45° and 55°) far beyond.
-const WITHIN: f64 = 0.94;
+findings::tuning! {
+    /// A rest belongs to a face if its axis is within this of the vertical (cos 20°): hand placements
+    /// are far nearer, edges and corners (45° and 55°) far beyond.
+    WITHIN: f64 = 0.94;
+}
 
 /// Body axis that is vertical, and its sense.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -57,7 +59,7 @@ impl Face {
         let length = mean.norm();
         Self::ALL
             .into_iter()
-            .find(|face| face.direction().dot(mean) > WITHIN * length)
+            .find(|face| face.direction().dot(mean) > WITHIN.get() * length)
     }
 }
 

@@ -9,8 +9,10 @@ use super::trial::NormFit;
 use super::{Attempt, MANY_MORE};
 use crate::residuals::StaticMean;
 
-/// An accelerometer misses so many times what one of its own does in a part that is of another.
-const MISSED: f64 = 10.0;
+findings::tuning! {
+    /// An accelerometer misses so many times what one of its own does in a part that is of another.
+    MISSED: f64 = 10.0;
+}
 
 impl Attempt<'_> {
     /// The static intervals that another multiplier finds before or after all that were chosen, where they fit an accelerometer of their own
@@ -19,7 +21,7 @@ impl Attempt<'_> {
         let base = self.bases[self.chosen?].as_ref()?;
         let most = self.trials.iter().max_by_key(|trial| trial.placements)?;
         let few = self.trial()?.placements as f64;
-        if (most.placements as f64) < MANY_MORE * few {
+        if (most.placements as f64) < MANY_MORE.get() * few {
             return None;
         }
         let chosen = self.survey.rests(self.multiplier);
@@ -37,7 +39,7 @@ impl Attempt<'_> {
         let fit = NormFit::of(&means, self.survey.noise_of_means(&part), gravity)?;
         let missed = forces.iter().map(|f| base.correct(f).norm() - gravity);
         let missed = root_mean_square(&missed.collect::<Vec<_>>());
-        (fit.sound && missed > MISSED * fit.residual).then(|| OfAnother {
+        (fit.sound && missed > MISSED.get() * fit.residual).then(|| OfAnother {
             span: Span {
                 from: part[0].from,
                 to: part[part.len() - 1].to,

@@ -33,23 +33,27 @@ pub const MULTIPLIERS: [f64; 12] = [3.0, 1e1, 3e1, 1e2, 3e2, 1e3, 3e3, 1e4, 3e4,
 /// Those tried beside where the best of them lie at their end: a quiet sensor in a hand that trembles.
 const IN_THE_HAND: [f64; 4] = [3e6, 1e7, 3e7, 1e8];
 
-/// Multipliers that are the end of those tried.
-const LAST: usize = 2;
+findings::tuning! {
+    /// Multipliers that are the end of those tried.
+    LAST: usize = 2;
 
-/// Spare placements below which a residual may be small by chance.
-const ENOUGH_SPARE: usize = 2;
+    /// Spare placements below which a residual may be small by chance.
+    ENOUGH_SPARE: usize = 2;
+}
 
 /// Windows, shortest motions and shortest static intervals of hasty recordings, s.
 const SHORTER: [(f64, f64, f64); 2] = [(0.5, 0.3, 1.0), (0.3, 0.3, 0.6)];
 
-/// Shorter intervals are taken where they are so many times as many and the error of a corrected reading
-/// so many times smaller ...
-const MANY_MORE: f64 = 1.5;
-/// ... or where the error is so many times smaller with as many.
-const FAR_BETTER: f64 = 4.0;
+findings::tuning! {
+    /// Shorter intervals are taken where they are so many times as many and the error of a corrected reading
+    /// so many times smaller ...
+    MANY_MORE: f64 = 1.5;
+    /// ... or where the error is so many times smaller with as many.
+    FAR_BETTER: f64 = 4.0;
 
-/// Neighbours whose forces differ by less than this share are one placement, which something interrupted (0.5°).
-const SAME_PLACEMENT: f64 = 9e-3;
+    /// Neighbours whose forces differ by less than this share are one placement, which something interrupted (0.5°).
+    SAME_PLACEMENT: f64 = 9e-3;
+}
 
 /// A segmentation and how its multiplier was chosen.
 #[derive(Clone, Debug)]
@@ -164,7 +168,7 @@ impl<'a> Attempt<'a> {
         let survey = Survey::of(recording, detector)?;
         let (mut trials, mut bases) = trials_at(&survey, &MULTIPLIERS, gravity);
         let (mut multiplier, mut chosen) = choice(&trials, detector.multiplier);
-        if chosen.is_none_or(|k| k + LAST >= trials.len()) {
+        if chosen.is_none_or(|k| k + LAST.get() >= trials.len()) {
             let (more, of_more) = trials_at(&survey, &IN_THE_HAND, gravity);
             trials.extend(more);
             bases.extend(of_more);
@@ -200,7 +204,7 @@ impl<'a> Attempt<'a> {
     /// have read.
     fn shows_many_more(&self, longer: &Self) -> bool {
         let few = longer.trial().map_or(0, |t| t.placements);
-        let more = |t: &Trial| t.plausible && t.placements as f64 >= MANY_MORE * few as f64;
+        let more = |t: &Trial| t.plausible && t.placements as f64 >= MANY_MORE.get() * few as f64;
         self.trial().is_some_and(more)
     }
 
@@ -210,7 +214,8 @@ impl<'a> Attempt<'a> {
             return true;
         };
         let (_, _, shortest) = SHORTER[0];
-        self.survey.count_lasting(self.multiplier, shortest) as f64 >= MANY_MORE * found as f64
+        self.survey.count_lasting(self.multiplier, shortest) as f64
+            >= MANY_MORE.get() * found as f64
     }
 
     /// Returns true if this attempt, of shorter intervals, is better than the `longer` one: a calibration where that
@@ -221,8 +226,9 @@ impl<'a> Attempt<'a> {
             (None, Some(_)) => false,
             (Some(_), None) => true,
             (Some((many, error)), Some((few, other))) => {
-                let more = many as f64 >= MANY_MORE * few as f64 && MANY_MORE * error <= other;
-                more || (many >= few && FAR_BETTER * error <= other)
+                let more =
+                    many as f64 >= MANY_MORE.get() * few as f64 && MANY_MORE.get() * error <= other;
+                more || (many >= few && FAR_BETTER.get() * error <= other)
             }
         }
     }
@@ -232,7 +238,7 @@ impl<'a> Attempt<'a> {
 /// detector's own where that is a calibration, else any that is one, else the one with the most placements, else the
 /// detector's own.
 fn choice(trials: &[Trial], own: f64) -> (f64, Option<usize>) {
-    if let Some(k) = plateau(trials, ENOUGH_SPARE) {
+    if let Some(k) = plateau(trials, ENOUGH_SPARE.get()) {
         return (trials[k].multiplier, Some(k));
     }
     let is_own = |&k: &usize| trials[k].multiplier == own && trials[k].expected_error.is_some();
@@ -298,7 +304,8 @@ fn trial(survey: &Survey<'_>, found: &[Span], gravity: f64) -> (Trial, Option<Ba
 
 /// Number of placements among intervals with these mean forces: neighbours with the same force are one.
 fn placements(forces: &[Vector3<f64>]) -> usize {
-    let is_same = |a: &Vector3<f64>, b: &Vector3<f64>| (a - b).norm() < SAME_PLACEMENT * a.norm();
+    let is_same =
+        |a: &Vector3<f64>, b: &Vector3<f64>| (a - b).norm() < SAME_PLACEMENT.get() * a.norm();
     forces.chunk_by(is_same).count()
 }
 

@@ -2,15 +2,17 @@
 
 use super::trial::Trial;
 
-/// Fits within this factor of the best are as good: what many multipliers agree on counts for more.
-const AS_GOOD: f64 = 1.3;
+findings::tuning! {
+    /// Fits within this factor of the best are as good: what many multipliers agree on counts for more.
+    AS_GOOD: f64 = 1.3;
+}
 
 /// The middle of the longest run of good trials with one number of intervals, among those with so many
 /// spare placements.
 pub(super) fn plateau(trials: &[Trial], spare: usize) -> Option<usize> {
     let error = |t: &Trial| t.expected_error.filter(|_| t.spare >= Some(spare));
     let best = trials.iter().filter_map(error).min_by(f64::total_cmp)?;
-    let good = |t: &Trial| error(t).is_some_and(|r| r <= AS_GOOD * best);
+    let good = |t: &Trial| error(t).is_some_and(|r| r <= AS_GOOD.get() * best);
     let mut longest = 0..0;
     let mut from = 0;
     for k in 0..trials.len() {

@@ -5,8 +5,10 @@ use recording::intervals::Detector;
 
 use super::{Choice, MANY_MORE, SHORTER};
 
-/// Static intervals of all recordings from which on none has to be shorter.
-const ENOUGH: usize = 12;
+findings::tuning! {
+    /// Static intervals of all recordings from which on none has to be shorter.
+    ENOUGH: usize = 12;
+}
 
 /// Cuts `count` recordings of one device, the k-th by `cut`. Where none of them makes a calibration and all have few static
 /// intervals, shorter ones are looked for in all, as they are in one: a device that was switched off in between.
@@ -35,7 +37,7 @@ pub fn cut_several(
         return Ok(best);
     }
     for (window, min_dynamic, min_static) in SHORTER {
-        if found(&best) >= ENOUGH || min_static >= detector.min_static {
+        if found(&best) >= ENOUGH.get() || min_static >= detector.min_static {
             break;
         }
         let shorter = Detector {
@@ -47,7 +49,7 @@ pub fn cut_several(
         };
         // A stream too slow for the shorter window has nothing more to tell.
         let Ok(mut other) = all(&shorter) else { break };
-        if found(&other) as f64 >= MANY_MORE * found(&best) as f64 {
+        if found(&other) as f64 >= MANY_MORE.get() * found(&best) as f64 {
             other
                 .iter_mut()
                 .for_each(|choice| choice.shortened = Some(min_static));

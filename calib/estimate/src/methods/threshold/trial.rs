@@ -10,25 +10,29 @@ use crate::methods::first_guess::accelerometer_unit;
 use crate::residuals::{GravityNorm, StaticMean};
 use crate::truth::RawUnit;
 
-/// Multipliers are compared by how well a corrected reading is known after the fit, with the upper end
-/// of what the residual may be: a small residual from two spare placements does not beat one from
-/// twelve, nor a fit of half the placements one of them all. One-sided confidence.
-const CONFIDENCE: f64 = 0.9;
+findings::tuning! {
+    /// Multipliers are compared by how well a corrected reading is known after the fit, with the upper end
+    /// of what the residual may be: a small residual from two spare placements does not beat one from
+    /// twelve, nor a fit of half the placements one of them all. One-sided confidence.
+    CONFIDENCE: f64 = 0.9;
 
-/// Steps that a fit may take: placements that determine the parameters need ten.
-const MOST_STEPS: usize = 60;
+    /// Steps that a fit may take: placements that determine the parameters need ten.
+    MOST_STEPS: usize = 60;
+}
 
 /// Scale factors of a sensor lie between these, in the unit that its readings show.
 const SCALES: std::ops::RangeInclusive<f64> = 0.5..=2.0;
-/// Misalignments are smaller than this, rad.
-const MISALIGNMENT: f64 = 0.35;
-/// A bias is smaller than this, as a fraction of gravity.
-const BIAS: f64 = 1.0;
-/// A corrected reading is known to this fraction of gravity.
-const KNOWN_TO: f64 = 0.05;
+findings::tuning! {
+    /// Misalignments are smaller than this, rad.
+    MISALIGNMENT: f64 = 0.35;
+    /// A bias is smaller than this, as a fraction of gravity.
+    BIAS: f64 = 1.0;
+    /// A corrected reading is known to this fraction of gravity.
+    KNOWN_TO: f64 = 0.05;
 
-/// Norms that scatter by more than this fraction of gravity are those of a device in motion.
-const STILL: f64 = 0.02;
+    /// Norms that scatter by more than this fraction of gravity are those of a device in motion.
+    STILL: f64 = 0.02;
+}
 
 /// Result of one multiplier.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -92,7 +96,7 @@ impl NormFit {
         let free = mask.free_indices().len();
         let spare = means.len().checked_sub(free)?;
         let options = Options {
-            max_iterations: MOST_STEPS,
+            max_iterations: MOST_STEPS.get(),
             ..Options::default()
         };
         let report = (spare > 0).then(|| solve(&problem, &start, &mask, &options));
@@ -104,17 +108,20 @@ impl NormFit {
             spare,
             leverage: leverage(&report, &model, gravity),
             base: in_raw_unit(&near, &unit),
-            plausible: of_a_sensor(&near, gravity) && residual < STILL * gravity,
+            plausible: of_a_sensor(&near, gravity) && residual < STILL.get() * gravity,
             sound: report.termination.converged() && report.uncertainty.rank == free,
         };
-        fit.sound &= fit.plausible && fit.error().is_some_and(|error| error < KNOWN_TO * gravity);
+        fit.sound &= fit.plausible
+            && fit
+                .error()
+                .is_some_and(|error| error < KNOWN_TO.get() * gravity);
         Some(fit)
     }
 
     /// The leverage times the residual's upper confidence limit `r √(ν / χ²_ν(1 − confidence))`.
     fn error(&self) -> Option<f64> {
         let law = ChiSquared::new(self.spare as f64).ok()?;
-        let upper = (self.spare as f64 / law.inverse_cdf(1.0 - CONFIDENCE)).sqrt();
+        let upper = (self.spare as f64 / law.inverse_cdf(1.0 - CONFIDENCE.get())).sqrt();
         Some(self.leverage * self.residual * upper)
     }
 
@@ -133,9 +140,9 @@ fn of_a_sensor(base: &Base<f64>, gravity: f64) -> bool {
         if i == j {
             SCALES.contains(&value)
         } else {
-            value.abs() < MISALIGNMENT
+            value.abs() < MISALIGNMENT.get()
         }
-    }) && base.bias.amax() < BIAS * gravity
+    }) && base.bias.amax() < BIAS.get() * gravity
 }
 
 /// `T (scale (A − zero) − b) = T scale (A − (zero + b / scale))`.

@@ -8,9 +8,11 @@ use sensor::Sensor;
 use super::axes::SignedAxes;
 use super::columns::Columns;
 
-/// Inclinations and latitudes beyond this have a sign that cannot be mistaken, degrees: the magnetic equator is nowhere
-/// farther from the other.
-const PLAIN: f64 = 25.0;
+findings::tuning! {
+    /// Inclinations and latitudes beyond this have a sign that cannot be mistaken, degrees: the magnetic equator is nowhere
+    /// farther from the other.
+    PLAIN: f64 = 25.0;
+}
 
 /// Says where the axes of a magnetometer are turned or mirrored: its field and gravity fit as well with all signs changed, so that
 /// a wrong sign turns the field backwards. `inclination` is the corrected field's, degrees below the horizontal.
@@ -29,7 +31,8 @@ pub(in crate::calibrate) fn turned_field(
             .detail("angle", format!("{:.0}°", inclination.abs()))
             .detail("side", side)
     };
-    let known = latitude.filter(|latitude| latitude.abs() > PLAIN && inclination.abs() > PLAIN);
+    let known =
+        latitude.filter(|latitude| latitude.abs() > PLAIN.get() && inclination.abs() > PLAIN.get());
     let read = || columns.turned(&axes.opposite());
     if let Some(latitude) = known {
         return (inclination * latitude < 0.0).then(|| {

@@ -11,17 +11,20 @@ use super::scales::{Scales, rounded, undone};
 use super::ticked::ticked;
 use crate::gravity::STANDARD_GRAVITY;
 
-/// All axes off by so much, alike to this part of it, are the unit or gravity rather than the sensor ...
-const ALL_OFF: f64 = 0.025;
-const ALIKE: f64 = 0.4;
-/// ... and by so much in any case ...
-const ALL_FAR_OFF: f64 = 0.035;
-/// ... and no sensor is off by as much.
-const BEYOND: f64 = 0.05;
-/// Counts per unit that differ from axis to axis by more than this are worth a word.
-const COUNTS_APART: f64 = 0.1;
-/// No accelerometer is biased by so much of gravity: half of it occurs.
-const BIASED: f64 = 0.7;
+findings::tuning! {
+    /// All axes off by so much are the unit or gravity rather than the sensor ...
+    ALL_OFF: f64 = 0.025;
+    /// ... where they are alike to this part of it, ...
+    ALIKE: f64 = 0.4;
+    /// ... and by so much in any case ...
+    ALL_FAR_OFF: f64 = 0.035;
+    /// ... and no sensor is off by as much.
+    BEYOND: f64 = 0.05;
+    /// Counts per unit that differ from axis to axis by more than this are worth a word.
+    COUNTS_APART: f64 = 0.1;
+    /// No accelerometer is biased by so much of gravity: half of it occurs.
+    BIASED: f64 = 0.7;
+}
 /// Such a bias is gravity itself.
 const GRAVITY: std::ops::Range<f64> = 0.9..1.1;
 
@@ -45,7 +48,7 @@ pub(super) fn said(fit: &ForceFit<'_>, columns: &Columns) -> Said {
     let is_si = columns.is_si(fit.unit.is_si());
     let has_odd = say_odd_axis(Sensor::Accelerometer, &scales, columns, is_si, &mut said);
     if !is_si {
-        if !has_odd && scales.spread() > COUNTS_APART {
+        if !has_odd && scales.spread() > COUNTS_APART.get() {
             let [x, y, z] = scales.each();
             said.warn(
                 Finding::of(Kind::CountsDiffer)
@@ -65,7 +68,7 @@ pub(super) fn said(fit: &ForceFit<'_>, columns: &Columns) -> Said {
     for axis in 0..3 {
         let bias = fit.base.bias[axis] / scales.each()[axis];
         let share = bias.abs() / STANDARD_GRAVITY;
-        if share < BIASED || !scales.tell(BIASED) {
+        if share < BIASED.get() || !scales.tell(BIASED.get()) {
             continue;
         }
         let (why, by) = match GRAVITY.contains(&share) {
@@ -89,8 +92,8 @@ pub(super) fn said(fit: &ForceFit<'_>, columns: &Columns) -> Said {
 fn of_all(fit: &ForceFit<'_>, columns: &Columns, scales: &Scales, said: &mut Said) {
     let common = scales.common();
     let off = (common - 1.0).abs();
-    let alike = off > ALL_OFF && scales.spread() < ALIKE * off;
-    let far = off > ALL_FAR_OFF && scales.spread() < off;
+    let alike = off > ALL_OFF.get() && scales.spread() < ALIKE.get() * off;
+    let far = off > ALL_FAR_OFF.get() && scales.spread() < off;
     if !(alike || far) || !scales.tell(off) {
         return;
     }
@@ -102,7 +105,7 @@ fn of_all(fit: &ForceFit<'_>, columns: &Columns, scales: &Scales, said: &mut Sai
         .detail("more", if common > 1.0 { "more" } else { "less" })
         .number("gravity", fit.gravity, "m/s^2")
         .affects("corrected_reading", off * fit.gravity, "m/s^2");
-    match off > BEYOND {
+    match off > BEYOND.get() {
         true => said.gate(
             found
                 .detail("beyond", "it")

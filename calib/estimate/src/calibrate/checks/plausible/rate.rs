@@ -13,16 +13,20 @@ use super::scales::{Scales, rounded};
 use super::ticked::{TICKS, clock_of_ticks};
 use crate::calibrate::checks::determined::LOST;
 
-/// An element of the gyroscope's matrix this far from that of aligned axes is no misalignment.
-const TURNED: f64 = 0.26;
+findings::tuning! {
+    /// An element of the gyroscope's matrix this far from that of aligned axes is no misalignment.
+    TURNED: f64 = 0.26;
 
-/// A scale this far from one on all axes of readings in SI units is a unit or a time base.
-const COMMON_SCALE: f64 = 0.03;
+    /// A scale this far from one on all axes of readings in SI units is a unit or a time base.
+    COMMON_SCALE: f64 = 0.03;
+}
 /// The same to a factor of two, the commonest of wrong rates, and the sensor's own errors on top.
 const COMMON_SCALES: std::ops::RangeInclusive<f64> = 0.45..=2.2;
 
-/// A gyroscope's own scale beside them, all axes together; one axis has twice that.
-const TICKS_OFF: f64 = 0.008;
+findings::tuning! {
+    /// A gyroscope's own scale beside them, all axes together; one axis has twice that.
+    TICKS_OFF: f64 = 0.008;
+}
 
 /// A finding of the gyroscope.
 fn of(kind: Kind) -> Finding {
@@ -41,11 +45,11 @@ impl RateFit<'_> {
 /// The turns' word on a gyroscope.
 pub(super) fn said(fit: &RateFit<'_>, columns: &Columns, force: &Columns) -> Said {
     let mut said = Said::default();
-    if fit.missed > LOST {
+    if fit.missed > LOST.get() {
         said.gate(of(Kind::GravityMissed).number("missed", fit.missed, "rad"));
     }
     of_axes(fit, columns, force, &mut said);
-    if fit.missed <= LOST
+    if fit.missed <= LOST.get()
         && let Some(scales) = Scales::of(&fit.base.t, &fit.std)
     {
         of_scales(fit, columns, &scales, &mut said);
@@ -75,9 +79,9 @@ fn of_axes(fit: &RateFit<'_>, columns: &Columns, force: &Columns, said: &mut Sai
         });
         return;
     }
-    let Some(axes) = nearest.filter(|axes| !axes.is_unchanged() && fit.missed <= LOST) else {
+    let Some(axes) = nearest.filter(|axes| !axes.is_unchanged() && fit.missed <= LOST.get()) else {
         let off = near_si - nalgebra::Matrix3::from_diagonal(&near_si.diagonal());
-        if fit.missed <= LOST && off.amax() > TURNED {
+        if fit.missed <= LOST.get() && off.amax() > TURNED.get() {
             said.warn(of(Kind::AxesTurned).detail("angle", "right angle"));
         }
         return;
@@ -105,7 +109,7 @@ fn of_scales(fit: &RateFit<'_>, columns: &Columns, scales: &Scales, said: &mut S
         said.warn(found);
         return;
     }
-    let all = scales.all_off(COMMON_SCALE);
+    let all = scales.all_off(COMMON_SCALE.get());
     let all = all.filter(|ratio| scales.tell(ratio.ln().abs()));
     if let Some(ratio) = all.filter(|ratio| si && COMMON_SCALES.contains(ratio)) {
         let read = columns.scaled(&[0, 1, 2].map(|axis| (axis, rounded(ratio))));
@@ -128,14 +132,14 @@ fn ticks(fit: &RateFit<'_>, scales: &Scales) -> Option<Finding> {
     let guessed = |recording: &&&Recording| recording.warnings.iter().any(is_guess);
     let recording = fit.recordings.iter().find(guessed)?;
     let ratio = scales.common().recip();
-    let near = |scale: f64, within: f64| (scale * TICKS / 1000.0 - 1.0).abs() < within;
-    let are_near = near(ratio, TICKS_OFF)
+    let near = |scale: f64, within: f64| (scale * TICKS.get() / 1000.0 - 1.0).abs() < within;
+    let are_near = near(ratio, TICKS_OFF.get())
         && scales
             .each()
             .iter()
-            .all(|s| near(s.recip(), 2.0 * TICKS_OFF));
+            .all(|s| near(s.recip(), 2.0 * TICKS_OFF.get()));
     let found = clock_of_ticks(recording, Sensor::Gyroscope)?.of_sensor(Sensor::Gyroscope);
-    (are_near && scales.tell((TICKS / 1000.0).ln()))
+    (are_near && scales.tell((TICKS.get() / 1000.0).ln()))
         .then(|| found.detail("ratio", format!("{ratio:.3}")))
 }
 

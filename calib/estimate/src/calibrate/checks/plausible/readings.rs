@@ -13,10 +13,12 @@ use crate::calibrate::part_way::gyroscope_by_turns;
 use crate::calibration::Calibration;
 use crate::methods::{RawUnit, accelerometer_unit};
 
-/// Unknowns of an ellipsoid along the axes.
-const UNKNOWNS: usize = 6;
-/// Placements determine it where the smallest singular value is this share of the largest.
-const DETERMINED: f64 = 0.1;
+findings::tuning! {
+    /// Unknowns of an ellipsoid along the axes.
+    UNKNOWNS: usize = 6;
+    /// Placements determine it where the smallest singular value is this share of the largest.
+    DETERMINED: f64 = 0.1;
+}
 /// Least error of a placement's square by misalignments, as a share: readings as they are, and corrected ones.
 const MISFIT: [f64; 2] = [0.02, 0.004];
 
@@ -91,7 +93,7 @@ pub fn implausible(
         .map(|f| f.map(|f| base.correct(&f).normalize()));
     let up: Vec<Option<Vector3<f64>>> = up.collect();
     let rate = by_turns(recording, segmentation, &up, rate_base);
-    let rate = rate.filter(|(_, missed, _)| *missed <= LOST);
+    let rate = rate.filter(|(_, missed, _)| *missed <= LOST.get());
     if let Some((t, missed, std)) = rate {
         let rate_fit = RateFit {
             base: Base {
@@ -163,7 +165,7 @@ fn ellipsoid(
     misfit: f64,
 ) -> Option<(Base<f64>, [Option<f64>; 3])> {
     let n = means.len();
-    if n < UNKNOWNS {
+    if n < UNKNOWNS.get() {
         return None;
     }
     let span = |axis: usize| {
@@ -179,18 +181,18 @@ fn ellipsoid(
         return None;
     }
     let near = |k: usize, axis: usize| (means[k][axis] - spans[axis].0) / spans[axis].1;
-    let matrix = DMatrix::from_fn(n, UNKNOWNS, |k, c| match c {
+    let matrix = DMatrix::from_fn(n, UNKNOWNS.get(), |k, c| match c {
         0..3 => near(k, c).powi(2),
         _ => near(k, c - 3),
     });
     let ones = DVector::from_element(n, 1.0);
     let svd = matrix.clone().svd(true, true);
-    if svd.singular_values.min() < DETERMINED * svd.singular_values.max() {
+    if svd.singular_values.min() < DETERMINED.get() * svd.singular_values.max() {
         return None;
     }
     let x = svd.solve(&ones, 0.0).ok()?;
     let left = (&matrix * &x - &ones).norm_squared();
-    let spare = n.saturating_sub(UNKNOWNS).max(1) as f64;
+    let spare = n.saturating_sub(UNKNOWNS.get()).max(1) as f64;
     let sigma = (left / spare).sqrt().max(misfit);
     let inverse = (matrix.transpose() * &matrix).try_inverse()?;
     let centre = |axis: usize| -0.5 * x[3 + axis] / x[axis];

@@ -5,12 +5,14 @@ use sensor::inverse;
 
 use crate::gravity::STANDARD_GRAVITY;
 
-/// An axis that reads so much more or less than the other two is no axis of one sensor: five per cent either way are its own.
-const APART: f64 = 1.075;
-/// The other two agree to this part of that.
-const AGREE: f64 = 0.5;
-/// It is known so many times better.
-const KNOWN: f64 = 5.0;
+findings::tuning! {
+    /// An axis that reads so much more or less than the other two is no axis of one sensor: five per cent either way are its own.
+    APART: f64 = 1.075;
+    /// The other two agree to this part of that.
+    AGREE: f64 = 0.5;
+    /// It is known so many times better.
+    KNOWN: f64 = 5.0;
+}
 
 /// Raw units per SI unit of each axis of the readings.
 #[derive(Clone, Copy, Debug)]
@@ -54,7 +56,7 @@ impl Scales {
 
     /// True where a share of them is known.
     pub fn tell(&self, share: f64) -> bool {
-        share > KNOWN * self.errors.amax()
+        share > KNOWN.get() * self.errors.amax()
     }
 
     /// The axis that stands apart from the other two, and how many times as much it reads.
@@ -64,7 +66,8 @@ impl Scales {
             let factor = self.sizes[axis] / (one * other).sqrt();
             let (size, agree) = (factor.ln().abs(), (one / other).ln().abs());
             let is_known = self.tell(size);
-            (size > APART.ln() && agree < AGREE * size && is_known).then_some((axis, factor))
+            (size > APART.get().ln() && agree < AGREE.get() * size && is_known)
+                .then_some((axis, factor))
         };
         let all = (0..3).filter_map(apart);
         all.max_by(|a, b| a.1.ln().abs().total_cmp(&b.1.ln().abs()))
@@ -108,12 +111,14 @@ const CAUSES: [Cause; 4] = [
         undone: 1.0 / STANDARD_GRAVITY,
     },
 ];
-/// A sensor's own scale error beside such a factor.
-const OWN: f64 = 0.08;
+findings::tuning! {
+    /// A sensor's own scale error beside such a factor.
+    OWN: f64 = 0.08;
+}
 
 /// The cause of a factor, a range or a unit, if it has one.
 pub(super) fn cause(factor: f64) -> Option<Cause> {
-    let near = |known: &Cause| (factor / known.factor - 1.0).abs() < OWN;
+    let near = |known: &Cause| (factor / known.factor - 1.0).abs() < OWN.get();
     CAUSES.into_iter().find(near)
 }
 

@@ -6,8 +6,10 @@ use sensor::Sensor;
 
 use super::columns::Columns;
 
-/// Ticks in a second of clocks that come from the crystal of a watch, by 32.
-pub(super) const TICKS: f64 = 1024.0;
+findings::tuning! {
+    /// Ticks in a second of clocks that come from the crystal of a watch, by 32.
+    pub(super) TICKS: f64 = 1024.0;
+}
 
 /// Returns the finding about stamps whose rate is a usual one in ticks and not in milliseconds.
 pub(super) fn ticked(recordings: &[&Recording]) -> Option<Finding> {
@@ -31,7 +33,7 @@ pub(super) fn ticked(recordings: &[&Recording]) -> Option<Finding> {
 
 /// The finding about the clock of a sensor that may count so, with the columns that read it as that.
 pub(super) fn clock_of_ticks(recording: &Recording, sensor: Sensor) -> Option<Finding> {
-    let by_ticks = recording.description.of(sensor)?.by_clock(TICKS);
+    let by_ticks = recording.description.of(sensor)?.by_clock(TICKS.get());
     let found = Finding::of(Kind::ClockOfTicks).in_recording(&recording.name);
     Some(found.only_remedies([Remedy::set_to(OptionName::Columns, by_ticks)]))
 }

@@ -10,18 +10,20 @@ use super::axes::SignedAxes;
 use super::columns::Columns;
 use crate::methods::{AccelerometerRequest, fit_accelerometer, static_means};
 
-/// Change of a bias from one recording to the next without telling of axes: of an accelerometer, m/s², and a
-/// gyroscope, rad/s.
-const FORCE_BIAS: f64 = 0.007;
-const RATE_BIAS: f64 = 4e-4;
-/// The same of a scale factor or misalignment.
-const ELEMENT: f64 = 1.5e-3;
-/// Turned axes are named where they take so much off the sum of squares ...
-const GAIN: f64 = 20.0;
-/// ... and leave no more than this share of it, ...
-const LEFT: f64 = 0.2;
-/// ... and no more than this for each number.
-const EACH: f64 = 2.5;
+findings::tuning! {
+    /// Change of an accelerometer's bias from one recording to the next that tells nothing of axes, m/s².
+    FORCE_BIAS: f64 = 0.007;
+    /// The same of a gyroscope, rad/s.
+    RATE_BIAS: f64 = 4e-4;
+    /// The same of a scale factor or misalignment.
+    ELEMENT: f64 = 1.5e-3;
+    /// Turned axes are named where they take so much off the sum of squares ...
+    GAIN: f64 = 20.0;
+    /// ... and leave no more than this share of it, ...
+    LEFT: f64 = 0.2;
+    /// ... and no more than this for each number.
+    EACH: f64 = 2.5;
+}
 
 /// Everything that a recording by itself tells of its device, in the axes of its readings: bias and scale matrix of the accelerometer,
 /// bias of the gyroscope, each with its variance.
@@ -119,7 +121,8 @@ fn turned(a: &Own, b: &Own) -> Option<SignedAxes> {
         .skip(1)
         .map(|axes| (*axes, misfit(axes)))
         .min_by(|x, y| x.1.0.total_cmp(&y.1.0))?;
-    let holds = as_named - left > GAIN && left < LEFT * as_named && left < EACH * count;
+    let holds =
+        as_named - left > GAIN.get() && left < LEFT.get() * as_named && left < EACH.get() * count;
     holds.then_some(axes)
 }
 
@@ -130,10 +133,10 @@ fn squares(a: &Own, b: &Own, axes: &SignedAxes) -> (f64, f64) {
     let variance = (turn * a.force.1).map(|v| v * v) + b.force.1.map(|v| v * v);
     let apart = turn * a.force.0 - b.force.0;
     for axis in 0..3 {
-        sum += apart[axis].powi(2) / (variance[axis] + FORCE_BIAS * FORCE_BIAS);
+        sum += apart[axis].powi(2) / (variance[axis] + FORCE_BIAS.get() * FORCE_BIAS.get());
     }
     let apart = turn * a.elements.0 * turn.transpose() - b.elements.0;
-    let variance = a.elements.1.powi(2) + b.elements.1.powi(2) + ELEMENT * ELEMENT;
+    let variance = a.elements.1.powi(2) + b.elements.1.powi(2) + ELEMENT.get() * ELEMENT.get();
     for row in 0..3 {
         for column in row..3 {
             sum += apart[(row, column)].powi(2) / variance;
@@ -142,7 +145,7 @@ fn squares(a: &Own, b: &Own, axes: &SignedAxes) -> (f64, f64) {
     let Some((one, other)) = a.rate.zip(b.rate) else {
         return (sum, 9.0);
     };
-    let variance = one.1.powi(2) + other.1.powi(2) + RATE_BIAS * RATE_BIAS;
+    let variance = one.1.powi(2) + other.1.powi(2) + RATE_BIAS.get() * RATE_BIAS.get();
     sum += (turn * one.0 - other.0).norm_squared() / variance;
     (sum, 12.0)
 }

@@ -10,8 +10,10 @@ use faer::{Accum, Mat, MatRef, Par, Side};
 
 use super::columns::Columns;
 
-/// Share of a column's square that is added to it in normal equations whose columns may be dependent.
-const RIDGE: f64 = 1e-12;
+findings::tuning! {
+    /// Share of a column's square that is added to it in normal equations whose columns may be dependent.
+    RIDGE: f64 = 1e-12;
+}
 
 /// `AᵀA` of columns of which each belongs to one group of rows or is shared by many: a block for every group, a border,
 /// and a block of what is shared. Its factor fills nothing in between.
@@ -233,7 +235,7 @@ impl Columns {
         let norms: Vec<f64> = self.norms().into_iter().map(unit_if_zero).collect();
         let mut unit = self.clone();
         unit.divide(&norms);
-        let factor = Arrow::gram(&unit).factor(RIDGE)?;
+        let factor = Arrow::gram(&unit).factor(RIDGE.get())?;
         let x = factor.solve(&unit.transposed_times(b)).into_iter();
         Some(x.zip(&norms).map(|(x, norm)| x / norm).collect())
     }

@@ -5,12 +5,14 @@ use faer::{Mat, MatRef};
 use super::columns::{Columns, Part};
 use super::groups::RowGroups;
 
-/// Diagonal of a pivoted triangle below this share of the length of a column is rank lost.
-pub const RANK_TOLERANCE: f64 = 1e-10;
+findings::tuning! {
+    /// Diagonal of a pivoted triangle below this share of the length of a column is rank lost.
+    pub RANK_TOLERANCE: f64 = 1e-10;
 
-/// Columns of which those before them leave more than this share of their length are independent in any order, and a decomposition
-/// without pivots, which works in blocks and takes a fraction of the time, does.
-const CLEARLY_LEFT: f64 = 1e-5;
+    /// Columns of which those before them leave more than this share of their length are independent in any order, and a decomposition
+    /// without pivots, which works in blocks and takes a fraction of the time, does.
+    CLEARLY_LEFT: f64 = 1e-5;
+}
 
 /// An orthonormal basis of the space of columns: of every group of rows first what is its own, then what the
 /// groups share and their own columns leave.
@@ -40,7 +42,7 @@ struct Own {
 impl Basis {
     /// Builds the basis of the columns, each scaled to unit length first.
     pub fn of(columns: &Columns) -> Self {
-        Self::with_tolerance(columns, RANK_TOLERANCE)
+        Self::with_tolerance(columns, RANK_TOLERANCE.get())
     }
 
     /// The same where a column of which others leave less than `tolerance` of its length depends on them.
@@ -243,7 +245,7 @@ pub fn orthonormal_with_pivots(
     let triangle = plain.thin_R();
     let left = triangle.diagonal().column_vector().iter();
     let left: Vec<f64> = left.map(|pivot| pivot.abs()).collect();
-    if left.len() == scaled.ncols() && left.iter().all(|pivot| *pivot > CLEARLY_LEFT) {
+    if left.len() == scaled.ncols() && left.iter().all(|pivot| *pivot > CLEARLY_LEFT.get()) {
         pivots.extend(left);
         return plain.compute_thin_Q();
     }

@@ -13,45 +13,48 @@ use crate::methods::joint::clock::{ClockMode, ClockState, SourceClock};
 use crate::methods::joint::data::{Data, Source};
 use crate::methods::joint::minimum::{Point, Run};
 
-/// Rounds at most, for one clock.
-const ROUNDS: usize = 5;
+findings::tuning! {
+    /// Rounds at most, for one clock.
+    ROUNDS: usize = 5;
 
-/// A share that moves by less than this, and by less than a fifth of its standard error, is found.
-const SETTLED: f64 = 0.02;
-const SETTLED_ERRORS: f64 = 0.2;
+    /// A share that moves by less than this is found, ...
+    SETTLED: f64 = 0.02;
+    /// ... if it moves by less than this share of its standard error.
+    SETTLED_ERRORS: f64 = 0.2;
 
-/// A sampling share that changes by less than this part of itself is found.
-const STEADY: f64 = 0.06;
+    /// A sampling share that changes by less than this part of itself is found.
+    STEADY: f64 = 0.06;
 
-/// The same of the scatter of the turns, in whose place others are put later.
-const STEADY_FLOOR: f64 = 0.5;
+    /// The same of the scatter of the turns, in whose place others are put later.
+    STEADY_FLOOR: f64 = 0.5;
 
-/// Other shares are not taken where the log-likelihood of the data falls by more than this.
-const LESS_LIKELY: f64 = 0.5;
+    /// Other shares are not taken where the log-likelihood of the data falls by more than this.
+    LESS_LIKELY: f64 = 0.5;
 
-/// `χ²` that 0 or 1 may cost over the fitted share.
-const ALLOWED: f64 = 4.0;
+    /// `χ²` that 0 or 1 may cost over the fitted share.
+    ALLOWED: f64 = 4.0;
 
-/// Turns that miss by more than this `χ²` per degree of freedom do not know the share well enough to say that it is 0
-/// or 1.
-const MISFIT: f64 = 2.0;
+    /// Turns that miss by more than this `χ²` per degree of freedom do not know the share well enough to say that it is 0
+    /// or 1.
+    MISFIT: f64 = 2.0;
 
-/// Shares between 0 and 1 that a mean is taken over.
-const GRID: i32 = 64;
+    /// Shares between 0 and 1 that a mean is taken over.
+    GRID: i32 = 64;
 
-/// A share with a larger standard error says nothing.
-const UNKNOWN: f64 = 0.35;
+    /// A share with a larger standard error says nothing.
+    UNKNOWN: f64 = 0.35;
 
-/// Log-likelihood that samples at instants have to gain over means, in units of what the turns miss by usually (`χ²` per degree of
-/// freedom): what something else makes of the turns may look like a little of either.
-const EVIDENT: f64 = 2.0;
+    /// Log-likelihood that samples at instants have to gain over means, in units of what the turns miss by usually (`χ²` per degree of
+    /// freedom): what something else makes of the turns may look like a little of either.
+    EVIDENT: f64 = 2.0;
 
-/// First value of the sampling share: the usual part of the jumps that is missing between instantaneous samples.
-const USUAL: f64 = 0.25;
+    /// First value of the sampling share: the usual part of the jumps that is missing between instantaneous samples.
+    USUAL: f64 = 0.25;
 
-/// Sampling share from which on the new fit is rejected: a single turn with another fault makes a share as large as
-/// this.
-const WHOLE: f64 = 0.9;
+    /// Sampling share from which on the new fit is rejected: a single turn with another fault makes a share as large as
+    /// this.
+    WHOLE: f64 = 0.9;
+}
 
 /// Fits the clocks of the recordings, writes them into the data, and returns the point that was reached; `None` where
 /// there is nothing to fit.
@@ -106,7 +109,7 @@ fn begin_with_a_share(data: &mut Data) {
         if data.jumps(k) {
             data.sources[k].clock.floor = 0.0;
             data.sources[k].clock.sampling = Share {
-                value: USUAL,
+                value: USUAL.get(),
                 ..Share::default()
             };
         }
@@ -163,7 +166,7 @@ impl ClockFit<'_, '_> {
             }
         }
         for &k in either {
-            let needed = left.likelihood + EVIDENT * left.misfit(&self.run.data, k).max(1.0);
+            let needed = left.likelihood + EVIDENT.get() * left.misfit(&self.run.data, k).max(1.0);
             let (before, point) = (self.run.data.decided_clocks(), self.point.clone());
             self.run.data.sources[k].clock.instants = true;
             left = self.rounds()?;
@@ -181,14 +184,14 @@ impl ClockFit<'_, '_> {
     /// Fits until the shares stand still, or the data are less likely under others.
     fn rounds(&mut self) -> Result<TurnResiduals, Error> {
         let mut left = self.fit()?;
-        for _ in 0..ROUNDS {
+        for _ in 0..ROUNDS.get() {
             let (before, point) = (self.run.data.decided_clocks(), self.point.clone());
             let moved = self.sampling(&left) | self.shares(&left);
             if !moved {
                 break;
             }
             let next = self.fit()?;
-            if next.likelihood < left.likelihood - LESS_LIKELY {
+            if next.likelihood < left.likelihood - LESS_LIKELY.get() {
                 let clocks = before.into_iter().zip(&self.run.data.sources);
                 let clocks = clocks.map(|(before, since)| SourceClock {
                     fitted: since.clock.fitted,
@@ -214,7 +217,7 @@ impl ClockFit<'_, '_> {
         begin_with_a_share(&mut self.run.data);
         let from_share = self.rounds()?;
         let mut shares = self.run.data.sources.iter().map(|s| s.clock.sampling.value);
-        if from_share.likelihood > left.likelihood && shares.all(|share| share < WHOLE) {
+        if from_share.likelihood > left.likelihood && shares.all(|share| share < WHOLE.get()) {
             return Ok(from_share);
         }
         self.run.data.go_by(&before);
@@ -272,8 +275,8 @@ impl ClockFit<'_, '_> {
             data.sources[k].clock.sampling = share;
             data.sources[k].clock.floor = floor;
             let differs = |a: f64, b: f64, by: f64| (a - b).abs() > by * a.max(b);
-            moved |= differs(share.value, before.share, STEADY)
-                || differs(floor, before.floor, STEADY_FLOOR);
+            moved |= differs(share.value, before.share, STEADY.get())
+                || differs(floor, before.floor, STEADY_FLOOR.get());
         }
         moved
     }
@@ -291,7 +294,7 @@ impl ClockFit<'_, '_> {
             data.sources[k].clock.fitted = Some((share, errors[place]));
             let inside = share.clamp(0.0, 1.0);
             let change = (inside - clock.share).abs();
-            if change > SETTLED && change > SETTLED_ERRORS * errors[place] {
+            if change > SETTLED.get() && change > SETTLED_ERRORS.get() * errors[place] {
                 data.set_clock(k, clock.base, inside);
                 moved = true;
             }
@@ -313,15 +316,15 @@ impl ClockFit<'_, '_> {
                 continue;
             };
             let misfit = left.misfit(data, k);
-            let allows = |value: f64| ((share - value) / error).powi(2) <= ALLOWED;
+            let allows = |value: f64| ((share - value) / error).powi(2) <= ALLOWED.get();
             let nearer = if share < 0.5 { 0.0 } else { 1.0 };
-            let (state, chosen) = if error.is_nan() || error > UNKNOWN {
+            let (state, chosen) = if error.is_nan() || error > UNKNOWN.get() {
                 // Steps that add up are those of samples taken when the host has time.
                 let adds = data.bases(k) > 1;
                 (ClockState::Undecided, if adds { 1.0 } else { 0.0 })
-            } else if misfit <= MISFIT && allows(nearer) {
+            } else if misfit <= MISFIT.get() && allows(nearer) {
                 (ClockState::Snapped, nearer)
-            } else if misfit <= MISFIT && allows(1.0 - nearer) {
+            } else if misfit <= MISFIT.get() && allows(1.0 - nearer) {
                 (ClockState::Snapped, 1.0 - nearer)
             } else {
                 (ClockState::Fitted, share.clamp(0.0, 1.0))
@@ -343,9 +346,9 @@ impl ClockFit<'_, '_> {
 /// readings.
 fn missed_by_snapping((share, error): (f64, f64), chosen: f64) -> f64 {
     let likelihood = |value: f64| (-0.5 * ((value - share) / error).powi(2)).exp();
-    let between = (0..GRID).map(|k| (f64::from(k) + 0.5) / f64::from(GRID));
+    let between = (0..GRID.get()).map(|k| (f64::from(k) + 0.5) / f64::from(GRID.get()));
     let (sum, moment) = between.fold((0.0, 0.0), |(sum, moment), value| {
-        let weight = 0.5 * likelihood(value) / f64::from(GRID);
+        let weight = 0.5 * likelihood(value) / f64::from(GRID.get());
         (sum + weight, moment + weight * (value - chosen).abs())
     });
     let [right, wrong] = [chosen, 1.0 - chosen].map(|value| 0.25 * likelihood(value));

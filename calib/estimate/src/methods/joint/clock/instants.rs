@@ -4,10 +4,12 @@ use nalgebra::{Matrix2, Vector2};
 
 use crate::methods::joint::minimum::{Point, Run};
 
-/// Distance from which on the two are told apart, in standard deviations of the white noise of the turns' rows: below, the one explains
-/// the turns better than the other by less than half its square, 2 units of log-likelihood, and no parameter is off by more than that
-/// many standard errors.
-const APART: f64 = 2.0;
+findings::tuning! {
+    /// Distance from which on the two are told apart, in standard deviations of the white noise of the turns' rows: below, the one explains
+    /// the turns better than the other by less than half its square, 2 units of log-likelihood, and no parameter is off by more than that
+    /// many standard errors.
+    APART: f64 = 2.0;
+}
 
 impl Run<'_> {
     /// The recordings whose turns differ visibly between samples at instants and means over windows, at `point` or at the first values.
@@ -24,7 +26,7 @@ impl Run<'_> {
             let covariance = Matrix2::new(of[row], with, with, of[row + 1]);
             squares[turn.recording] += square(&rows.by_instants(&x, turn), &covariance);
         }
-        let visible = |k: &usize| squares[*k] > APART * APART;
+        let visible = |k: &usize| squares[*k] > APART.get() * APART.get();
         (0..squares.len()).filter(visible).collect()
     }
 }

@@ -21,11 +21,13 @@ use crate::methods::joint::rows::turn::MARGIN;
 /// Variance of `e` for readings of unit variance: `1 + 2 (15² + 6² + 1)/20²`.
 const NOISE: f64 = 1.0 + 2.0 * (225.0 + 36.0 + 1.0) / 400.0;
 
-/// `e` below so many times its noise, in variance, is noise.
-const VISIBLE: f64 = 9.0;
+findings::tuning! {
+    /// `e` below so many times its noise, in variance, is noise.
+    VISIBLE: f64 = 9.0;
 
-/// With `c = 1`, what is less than this share of the white noise of a turn does not matter.
-const MATTERS: f64 = 0.02;
+    /// With `c = 1`, what is less than this share of the white noise of a turn does not matter.
+    MATTERS: f64 = 0.02;
+}
 
 /// Shares tried: none of more than one, because no more can be missing than is seen.
 const SHARES: (f64, f64, usize) = (0.01, 1.0, 44);
@@ -33,20 +35,23 @@ const SHARES: (f64, f64, usize) = (0.01, 1.0, 44);
 /// Scatters tried, rad: from a thousandth of a degree to five degrees.
 const FLOORS: (f64, f64, usize) = (1.7e-5, 0.087, 16);
 
-/// A direction that the fit leaves less than this share of says nothing.
-const LEFT: f64 = 0.05;
+findings::tuning! {
+    /// A direction that the fit leaves less than this share of says nothing.
+    LEFT: f64 = 0.05;
 
-/// The share of turns that something else is wrong with, and by how much their variance is larger.
-const WRONG: f64 = 0.02;
-const BY: f64 = 100.0;
+    /// The share of turns that something else is wrong with.
+    WRONG: f64 = 0.02;
+    /// Their variance is so many times larger.
+    BY: f64 = 100.0;
 
-/// Log-likelihood that a share has to gain.
-const WORTH_IT: f64 = 2.0;
+    /// Log-likelihood that a share has to gain.
+    WORTH_IT: f64 = 2.0;
+}
 
 /// Computes the interpolation errors `e` at the inner samples of a turn, reduced by the part that white noise explains,
 /// rad/s near SI units; empty where their sum of squares is negligible against the white noise.
 pub(crate) fn shocks(readings: &[Vector3<f64>], noise: &Vector3<f64>) -> Vec<Vector3<f64>> {
-    let expected = VISIBLE * NOISE * noise.map(|s| s * s).sum();
+    let expected = VISIBLE.get() * NOISE * noise.map(|s| s * s).sum();
     let at = |k: usize| {
         let pair = |d: usize| readings[k + d] + readings[k - d];
         let e = (pair(1) * 15.0 - pair(2) * 6.0 + pair(3)) / 20.0 - readings[k];
@@ -56,7 +61,7 @@ pub(crate) fn shocks(readings: &[Vector3<f64>], noise: &Vector3<f64>) -> Vec<Vec
     let white = inner.len() as f64 * noise.map(|s| s * s).sum();
     let all: Vec<Vector3<f64>> = inner.map(at).collect();
     let square: f64 = all.iter().map(Vector3::norm_squared).sum();
-    if square > MATTERS * white {
+    if square > MATTERS.get() * white {
         all
     } else {
         Vec::new()
@@ -120,7 +125,7 @@ impl Evidence {
             .iter()
             .zip(eigen.eigenvectors.column_iter())
         {
-            if *value > LEFT {
+            if *value > LEFT.get() {
                 let part = vector * vector.transpose();
                 root += part * value.sqrt();
                 inverse += part / value.sqrt();
@@ -153,8 +158,8 @@ impl Evidence {
             return (f64::NEG_INFINITY, 0.0);
         };
         let square = self.left.dot(&(inverse * self.left));
-        let sound = (1.0 - WRONG) * (-0.5 * square).exp();
-        let wrong = WRONG / BY * (-0.5 * square / BY).exp();
+        let sound = (1.0 - WRONG.get()) * (-0.5 * square).exp();
+        let wrong = WRONG.get() / BY.get() * (-0.5 * square / BY.get()).exp();
         let sum = (sound + wrong).max(f64::MIN_POSITIVE);
         (-0.5 * determinant.ln() + sum.ln(), sound / sum)
     }
@@ -207,8 +212,8 @@ pub(crate) fn likeliest(turns: &[Evidence], now: Levels, decided: Option<bool>) 
     let (most, place) = best(&mut values.collect::<Vec<_>>().into_iter());
     let of_noise = at(0.0, 0.0);
     let is_likelier = match decided {
-        Some(decided) => decided && most > of_noise + WORTH_IT,
-        None => most > none + WORTH_IT,
+        Some(decided) => decided && most > of_noise + WORTH_IT.get(),
+        None => most > none + WORTH_IT.get(),
     };
     if !is_likelier {
         return (Share::default(), floor);

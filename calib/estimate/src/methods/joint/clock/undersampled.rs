@@ -5,19 +5,21 @@ use recording::intervals::Span;
 use super::sampling::Share;
 use crate::methods::joint::fit::JointFit;
 
-/// Log-likelihood over the noise of the readings that makes a name of a share that the turns tell from a scatter that is the
-/// same for all.
-const BEATS_NOISE: f64 = 5.0;
+findings::tuning! {
+    /// Log-likelihood over the noise of the readings that makes a name of a share that the turns tell from a scatter that is the
+    /// same for all.
+    BEATS_NOISE: f64 = 5.0;
 
-/// Log-likelihood over the noise that has to remain without the turn that gains most: a single turn that is off is an
-/// outlier.
-const OF_MORE_THAN_ONE: f64 = 2.0;
+    /// Log-likelihood over the noise that has to remain without the turn that gains most: a single turn that is off is an
+    /// outlier.
+    OF_MORE_THAN_ONE: f64 = 2.0;
 
-/// No more than the whole jump can be missing: a share that ends there makes up for something else.
-const LIMIT: f64 = 0.99;
+    /// No more than the whole jump can be missing: a share that ends there makes up for something else.
+    LIMIT: f64 = 0.99;
 
-/// A turn with this share of the variance of the worst is shown.
-const SHOWN: f64 = 0.1;
+    /// A turn with this share of the variance of the worst is shown.
+    SHOWN: f64 = 0.1;
+}
 
 /// Rotation missing between the samples of one recording.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,7 +64,7 @@ impl JointFit {
             let rms = (square / turns.len().max(1) as f64).sqrt();
             turns.sort_by(|a, b| b.2.total_cmp(&a.2));
             let worst = turns.first().map_or(0.0, |t| t.2);
-            turns.retain(|t| t.2 * t.2 > SHOWN * worst * worst);
+            turns.retain(|t| t.2 * t.2 > SHOWN.get() * worst * worst);
             Undersampled {
                 recording,
                 share,
@@ -76,9 +78,9 @@ impl JointFit {
 }
 
 fn is_evident(share: &Share) -> bool {
-    share.value < LIMIT
-        && share.over_noise > BEATS_NOISE
-        && share.over_noise_without_one > OF_MORE_THAN_ONE
+    share.value < LIMIT.get()
+        && share.over_noise > BEATS_NOISE.get()
+        && share.over_noise_without_one > OF_MORE_THAN_ONE.get()
 }
 
 #[cfg(test)]

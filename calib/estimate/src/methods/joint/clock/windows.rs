@@ -18,15 +18,17 @@
 
 use nalgebra::Vector3;
 
-/// Steps longer than so many usual ones are gaps: nothing is known of what the rate does in them.
-const GAP: f64 = 3.5;
+findings::tuning! {
+    /// Steps longer than so many usual ones are gaps: nothing is known of what the rate does in them.
+    GAP: f64 = 3.5;
 
-/// Steps on either side of a sample that differ by more than this factor tell no second difference: stamps of arrival, some
-/// microseconds after the one before. Steps that scatter by 20 % of their length differ by more once in a hundred samples.
-const ALIKE: f64 = 5.0;
+    /// Steps on either side of a sample that differ by more than this factor tell no second difference: stamps of arrival, some
+    /// microseconds after the one before. Steps that scatter by 20 % of their length differ by more once in a hundred samples.
+    ALIKE: f64 = 5.0;
 
-/// Steps that differ by less than this share are even.
-const EVEN: f64 = 1e-6;
+    /// Steps that differ by less than this share are even.
+    EVEN: f64 = 1e-6;
+}
 
 /// Estimates the mean rates over the windows of samples at times `t` (s).
 pub(crate) fn means_over_windows(t: &[f64], samples: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
@@ -39,9 +41,9 @@ pub(crate) fn means_over_windows(t: &[f64], samples: &[Vector3<f64>]) -> Vec<Vec
     let (_, &mut usual, _) = steps.select_nth_unstable_by(middle, f64::total_cmp);
     for k in 1..t.len().saturating_sub(1) {
         let (before, after) = (t[k] - t[k - 1], t[k + 1] - t[k]);
-        let even = (before - usual).abs().max((after - usual).abs()) < EVEN * usual;
+        let even = (before - usual).abs().max((after - usual).abs()) < EVEN.get() * usual;
         let (shorter, longer) = (before.min(after), before.max(after));
-        let usable = shorter > 0.0 && longer < GAP * usual && longer < ALIKE * shorter;
+        let usable = shorter > 0.0 && longer < GAP.get() * usual && longer < ALIKE.get() * shorter;
         if even || !usable {
             continue;
         }

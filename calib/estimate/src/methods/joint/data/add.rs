@@ -21,14 +21,16 @@ use crate::methods::joint::rows::knowledge::by_units;
 use crate::methods::joint::rows::turn::MARGIN;
 use crate::truth::RawUnit;
 
-/// Rests are cut into chunks of about this length, s: they anchor random walk, drift and warm-up.
-const CHUNK: f64 = 8.0;
+findings::tuning! {
+    /// Rests are cut into chunks of about this length, s: they anchor random walk, drift and warm-up.
+    CHUNK: f64 = 8.0;
 
-/// Rests shorter than this many chunks stay whole.
-const WHOLE: f64 = 1.5;
+    /// Rests shorter than this many chunks stay whole.
+    WHOLE: f64 = 1.5;
 
-/// Chunks of a recording that suffice: of longer recordings they are longer.
-const MOST_CHUNKS: f64 = 60.0;
+    /// Chunks of a recording that suffice: of longer recordings they are longer.
+    MOST_CHUNKS: f64 = 60.0;
+}
 
 impl Data {
     /// Adds a recording: its rests trimmed and cut into chunks, its turns from sample to sample
@@ -47,7 +49,7 @@ impl Data {
             .map(|rest| quiet_part(force.into_iter().chain(rate), rest.span))
             .collect();
         let total: f64 = spans.iter().map(Span::length).sum();
-        let length = CHUNK.max(total / MOST_CHUNKS);
+        let length = CHUNK.get().max(total / MOST_CHUNKS.get());
         let (truth, start) = (by_units(cut), cut.recording.start());
         let first = self.rests.len();
         for (interval, span) in spans.iter().enumerate() {
@@ -293,7 +295,7 @@ fn parts(span: Span, length: f64) -> Vec<Span> {
     if span.length() <= 0.0 {
         return Vec::new();
     }
-    let count = if !span.lasts(WHOLE * length) {
+    let count = if !span.lasts(WHOLE.get() * length) {
         1
     } else {
         ((span.length() + INSTANT) / length).round() as usize

@@ -14,15 +14,18 @@ pub const STATIC_INTERVALS: [usize; 2] = [140, 70];
 /// The same where many models are fitted one after the other.
 pub const IN_A_SEARCH: [usize; 2] = [60, 60];
 
-/// Largest total cost of the solver's steps on the way to a fit, in samples of turns.
-const MOST_WORK: usize = 4_000_000;
+findings::tuning! {
+    /// Largest total cost of the solver's steps on the way to a fit, in samples of turns.
+    MOST_WORK: usize = 4_000_000;
 
-/// Steps of the solver in one run near the minimum: readings of which nothing is left to fit, as of a dead zone, would take
-/// thousands and converge no better. A fit that converges takes ten.
-const MOST_STEPS: usize = 500;
-/// Fewest of the last fit, and of one on the way when the budget is spent.
-const LAST_STEPS: usize = 40;
-const FEWEST_STEPS: usize = 3;
+    /// Steps of the solver in one run near the minimum: readings of which nothing is left to fit, as of a dead zone, would take
+    /// thousands and converge no better. A fit that converges takes ten.
+    MOST_STEPS: usize = 500;
+    /// Fewest steps of the last fit.
+    LAST_STEPS: usize = 40;
+    /// Fewest steps of a fit on the way when the budget is spent.
+    FEWEST_STEPS: usize = 3;
+}
 
 /// The steps of one fit, in all its runs. What it is spent for are points on the way, which
 /// need not be exact; the last fit says by itself where it did not converge.
@@ -32,13 +35,13 @@ pub struct Steps(Arc<AtomicUsize>);
 impl Steps {
     /// Most steps of the next run on the way, each of this cost.
     pub fn on_the_way(&self, cost: usize) -> usize {
-        let left = (MOST_WORK / cost.max(1)).saturating_sub(self.0.load(Relaxed));
-        left.clamp(FEWEST_STEPS, MOST_STEPS)
+        let left = (MOST_WORK.get() / cost.max(1)).saturating_sub(self.0.load(Relaxed));
+        left.clamp(FEWEST_STEPS.get(), MOST_STEPS.get())
     }
 
     /// Returns true if the runs on the way have used up their budget, each step of this cost.
     pub fn are_spent(&self, cost: usize) -> bool {
-        self.0.load(Relaxed) >= MOST_WORK / cost.max(1)
+        self.0.load(Relaxed) >= MOST_WORK.get() / cost.max(1)
     }
 
     /// Returns the cost of all steps, in samples of turns.
@@ -53,7 +56,7 @@ impl Steps {
 
     /// Most steps of the last run.
     pub fn at_the_end(cost: usize) -> usize {
-        (MOST_WORK / cost.max(1)).clamp(LAST_STEPS, MOST_STEPS)
+        (MOST_WORK.get() / cost.max(1)).clamp(LAST_STEPS.get(), MOST_STEPS.get())
     }
 }
 

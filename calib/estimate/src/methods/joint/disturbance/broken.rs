@@ -8,29 +8,31 @@ use recording::intervals::Span;
 
 use crate::methods::joint::noise::SensorNoise;
 
-/// Length of a window, s.
-const WINDOW: f64 = 0.2;
+findings::tuning! {
+    /// Length of a window, s.
+    WINDOW: f64 = 0.2;
 
-/// A window with more than this many times the usual variance is not quiet.
-const QUIET: f64 = 2.5;
+    /// A window with more than this many times the usual variance is not quiet.
+    QUIET: f64 = 2.5;
 
-/// Standard deviations of a window's variance, as a cube root, that few samples may be off by chance.
-const CHANCE: f64 = 3.29;
+    /// Standard deviations of a window's variance, as a cube root, that few samples may be off by chance.
+    CHANCE: f64 = 3.29;
 
-/// Standard deviations that a window's mean rate may be off.
-const OFF: f64 = 5.0;
+    /// Standard deviations that a window's mean rate may be off.
+    OFF: f64 = 5.0;
 
-/// Windows that shake while the gyroscope rests, or that are quiet between two that are not, before
-/// something is said to have been touched: a hand that begins or ends a turn makes
-/// three at most.
-const LEAST: usize = 4;
+    /// Windows that shake while the gyroscope rests, or that are quiet between two that are not, before
+    /// something is said to have been touched: a hand that begins or ends a turn makes
+    /// three at most.
+    LEAST: usize = 4;
 
-/// The same of windows that shake with quiet on either side: no hand that turns the device.
-const LEAST_ALONE: usize = 3;
+    /// The same of windows that shake with quiet on either side: no hand that turns the device.
+    LEAST_ALONE: usize = 3;
 
-/// A rest that goes on behind a touch is in the attitude of the rest before or after it within this, rad; one in
-/// another attitude is a pause between two turns, too short for a static interval.
-const SAME: f64 = 0.05;
+    /// A rest that goes on behind a touch is in the attitude of the rest before or after it within this, rad; one in
+    /// another attitude is a pause between two turns, too short for a static interval.
+    SAME: f64 = 0.05;
+}
 
 /// Both sensors of a recording with their noise.
 #[derive(Clone, Copy, Debug)]
@@ -63,10 +65,10 @@ enum State {
 
 /// The part of a turn in which the device rested and was touched, if there is one.
 pub fn touched(pair: &Pair<'_>, turn: Span, beside: &Beside) -> Option<Span> {
-    let count = turn.stretches(WINDOW);
+    let count = turn.stretches(WINDOW.get());
     let window = |k: usize| Span {
-        from: turn.from + k as f64 * WINDOW,
-        to: turn.from + (k + 1) as f64 * WINDOW,
+        from: turn.from + k as f64 * WINDOW.get(),
+        to: turn.from + (k + 1) as f64 * WINDOW.get(),
     };
     // Missing samples break a rest as well, and nobody touched the device for that.
     let has_samples = |k: usize| moments(pair.rate.0, window(k)).is_some();
@@ -82,9 +84,9 @@ pub fn touched(pair: &Pair<'_>, turn: Span, beside: &Beside) -> Option<Span> {
         from: window(windows.start).from,
         to: window(windows.end.max(1) - 1).to,
     };
-    if shaking.len() >= LEAST {
+    if shaking.len() >= LEAST.get() {
         Some(span(shaking))
-    } else if alone.len() >= LEAST_ALONE {
+    } else if alone.len() >= LEAST_ALONE.get() {
         Some(span(alone))
     } else {
         let rest = span(inner.start + first..inner.end + first);
@@ -92,9 +94,10 @@ pub fn touched(pair: &Pair<'_>, turn: Span, beside: &Beside) -> Option<Span> {
         let between = [(turn.from, rest.from), (rest.to, turn.to)];
         let mut neighbours = beside.forces.iter().zip(between);
         let goes_on = neighbours.any(|(other, (from, to))| {
-            other.angle(&force) < SAME && rotation(pair.rate.0, from, to, &beside.bias) < SAME
+            other.angle(&force) < SAME.get()
+                && rotation(pair.rate.0, from, to, &beside.bias) < SAME.get()
         });
-        (inner.len() >= LEAST && goes_on).then_some(rest)
+        (inner.len() >= LEAST.get() && goes_on).then_some(rest)
     }
 }
 
@@ -118,7 +121,7 @@ fn state(pair: &Pair<'_>, window: Span, beside: &Beside) -> State {
     };
     let variance = usual(noise, &beside.variances[1]);
     let turns = (0..3).any(|i| {
-        let limit = OFF * noise.long_run[i] * (variance[i] / count).sqrt();
+        let limit = OFF.get() * noise.long_run[i] * (variance[i] / count).sqrt();
         (rate[i] - beside.bias[i]).abs() > limit
             || rate_square[i] > most(count, noise.freedom[i]) * variance[i]
     });
@@ -142,8 +145,8 @@ fn state(pair: &Pair<'_>, window: Span, beside: &Beside) -> State {
 /// Hilferty 1931).
 fn most(count: f64, freedom: f64) -> f64 {
     let spread = 2.0 / (9.0 * (freedom * (count - 1.0)).max(1.0));
-    let by_chance = (1.0 - spread + CHANCE * spread.sqrt()).powi(3);
-    by_chance.max(QUIET)
+    let by_chance = (1.0 - spread + CHANCE.get() * spread.sqrt()).powi(3);
+    by_chance.max(QUIET.get())
 }
 
 /// Mean, variance and number of the samples in a window without the farthest of them: a spike is no touch.
@@ -214,7 +217,7 @@ mod tests {
             // The cube root of three squares is not quite normal so far out.
             assert!((most(count, 1.0) / exact - 1.0).abs() < 0.03, "{count}");
         }
-        assert_eq!(most(50.0, 1.0), QUIET);
+        assert_eq!(most(50.0, 1.0), QUIET.get());
     }
 
     #[test]

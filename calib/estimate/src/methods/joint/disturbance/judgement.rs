@@ -16,14 +16,16 @@ use crate::methods::joint::request::Known;
 use crate::methods::joint::result::analysis::{Analysis, walks};
 use crate::methods::joint::rows::Rows;
 
-/// So many disturbances may be the whole of a misfit by noise alone.
-const FEW: usize = 2;
+findings::tuning! {
+    /// So many disturbances may be the whole of a misfit by noise alone.
+    FEW: usize = 2;
 
-/// Multiple of the misfit by which the specific force of an interval that did not shake must be off to count as a push,
-/// where the norm misses at all static intervals: four standard deviations along each of three axes. A smaller
-/// excursion is the effect that the model lacks: hysteresis of 1 mg leaves single intervals off by one to three times
-/// the misfit of the others.
-const STANDS_OUT: f64 = 7.0;
+    /// Multiple of the misfit by which the specific force of an interval that did not shake must be off to count as a push,
+    /// where the norm misses at all static intervals: four standard deviations along each of three axes. A smaller
+    /// excursion is the effect that the model lacks: hysteresis of 1 mg leaves single intervals off by one to three times
+    /// the misfit of the others.
+    STANDS_OUT: f64 = 7.0;
+}
 
 impl Run<'_> {
     /// White noise, and the walks where they are given, at a point, or else at the start.
@@ -165,7 +167,8 @@ impl Run<'_> {
         let touched = self.touched(&site);
         let given: Vec<usize> = (candidates.len()..candidates.len() + touched.len()).collect();
         candidates.extend(touched);
-        let most = given.len() + (MOST_DISTURBED * self.data.rests.len() as f64).ceil() as usize;
+        let most =
+            given.len() + (MOST_DISTURBED.get() * self.data.rests.len() as f64).ceil() as usize;
         let all = |places: &[usize]| places.iter().map(|&k| &candidates[k]).collect::<Vec<_>>();
         let columns = analysis.columns(&candidates);
         let mut found = given.clone();
@@ -173,7 +176,7 @@ impl Run<'_> {
         if is_missed {
             // One rest or two that are far off pull on all of the others where these are few.
             let trial = analysis.trial(&candidates, &columns, &[]);
-            let few = trial.flag(&given, given.len() + FEW);
+            let few = trial.flag(&given, given.len() + FEW.get());
             found = few
                 .filter(|few| !analysis.is_missed(rows, &all(few)))
                 .unwrap_or(found);
@@ -217,7 +220,7 @@ impl Run<'_> {
         let is_push = |k: &usize| candidates[*k].fault.opens_force;
         let without_shaking = |k: &usize| !given.contains(k) && is_push(k);
         if found.iter().any(without_shaking) {
-            let limit = STANDS_OUT * at.misfit_of_norm(&all(&found));
+            let limit = STANDS_OUT.get() * at.misfit_of_norm(&all(&found));
             if limit > 0.0 {
                 let trial = analysis.trial(&candidates, &columns, &[]);
                 let flagged = found.clone();

@@ -8,28 +8,31 @@ use statrs::function::erf::erfc;
 
 use crate::methods::joint::noise::scatter::FLOOR;
 
-/// Length of a window, s.
-const WINDOW: f64 = 0.25;
+findings::tuning! {
+    /// Length of a window, s.
+    WINDOW: f64 = 0.25;
 
-/// Touches are reported where chance would show one in so many recordings.
-const CHANCE: f64 = 0.001;
+    /// Touches are reported where chance would show one in so many recordings.
+    CHANCE: f64 = 0.001;
 
-/// The square of a sample counts as so many times the usual variance at most.
-const FAR: f64 = 9.0;
+    /// The square of a sample counts as so many times the usual variance at most.
+    FAR: f64 = 9.0;
 
-/// The quantile of windows by which a stretch has a usual variance of its own, and how many windows that takes.
-const LOW: f64 = 0.25;
-const ENOUGH: usize = 3;
+    /// The quantile of windows by which a stretch has a usual variance of its own.
+    LOW: f64 = 0.25;
+    /// So many windows that takes.
+    ENOUGH: usize = 3;
 
-/// A stretch with so many times the usual variance shakes throughout, and now more and now less: a hand and a machine are no
-/// white noise.
-const RESTLESS: f64 = 1.5;
+    /// A stretch with so many times the usual variance shakes throughout, and now more and now less: a hand and a machine are no
+    /// white noise.
+    RESTLESS: f64 = 1.5;
 
-/// The quantile one standard deviation below the median.
-const BELOW: f64 = 0.158_655;
+    /// The quantile one standard deviation below the median.
+    BELOW: f64 = 0.158_655;
 
-/// A step between samples longer than this many median steps is a gap.
-const GAP_STEPS: f64 = 5.0;
+    /// A step between samples longer than this many median steps is a gap.
+    GAP_STEPS: f64 = 5.0;
+}
 
 /// A window of a stretch that shakes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,7 +57,7 @@ pub fn shakes(stream: &Stream, stretches: &[Span], step: &Vector3<f64>) -> Vec<S
     let Some(interval) = stream.median_step().filter(|s| *s > 0.0) else {
         return Vec::new();
     };
-    let count = (((WINDOW + INSTANT) / interval).round() as usize).max(4);
+    let count = (((WINDOW.get() + INSTANT) / interval).round() as usize).max(4);
     let cut: Vec<Stretch<'_>> = stretches
         .iter()
         .map(|span| Stretch::of(stream, *span, count))
@@ -63,13 +66,13 @@ pub fn shakes(stream: &Stream, stretches: &[Span], step: &Vector3<f64>) -> Vec<S
     if every.is_empty() {
         return Vec::new();
     }
-    let [low, middle] = [LOW, 0.5].map(|share| quantile3(&every, share));
-    let least = step.map(|s| (0.25 * s * s).max(FLOOR * FLOOR));
+    let [low, middle] = [LOW.get(), 0.5].map(|share| quantile3(&every, share));
+    let least = step.map(|s| (0.25 * s * s).max(FLOOR.get() * FLOOR.get()));
     let least = middle.sup(&least);
     let in_stretch = |(k, stretch): (usize, &Stretch<'_>)| {
         let own = stretch.usual(&low, &middle);
         let windows = stretch.windows(k, count, &own.sup(&least));
-        (windows, (0..3).any(|i| own[i] > RESTLESS * least[i]))
+        (windows, (0..3).any(|i| own[i] > RESTLESS.get() * least[i]))
     };
     let by_stretch: Vec<(Vec<Window>, bool)> = cut.iter().enumerate().map(in_stretch).collect();
     let windows = || by_stretch.iter().flat_map(|(windows, _)| windows);
@@ -126,10 +129,10 @@ impl<'a> Stretch<'a> {
     /// Its own usual variance: its lower quartile against that of all, so that a touch of most of it does
     /// not count as usual.
     fn usual(&self, low: &Vector3<f64>, middle: &Vector3<f64>) -> Vector3<f64> {
-        if self.variances.len() < ENOUGH {
+        if self.variances.len() < ENOUGH.get() {
             return Vector3::zeros();
         }
-        let own = quantile3(&self.variances, LOW);
+        let own = quantile3(&self.variances, LOW.get());
         Vector3::from_fn(|i, _| {
             if low[i] > 0.0 {
                 middle[i] * own[i] / low[i]
@@ -147,7 +150,7 @@ impl<'a> Stretch<'a> {
             for v in part {
                 let squares = (v - self.mean).map(|d| d * d).component_div(usual);
                 whole += squares.sum();
-                sum += squares.map(|s| s.min(FAR)).sum();
+                sum += squares.map(|s| s.min(FAR.get())).sum();
             }
             Window {
                 stretch,
@@ -186,7 +189,7 @@ impl Law {
         let roots: Vec<f64> = windows.into_iter().map(|w| w.root).collect();
         let of_roots = |share| quantile(&roots, share).unwrap_or(0.0);
         let centre = of_roots(0.5);
-        let below = centre - of_roots(BELOW);
+        let below = centre - of_roots(BELOW.get());
         let n = 3.0 * count as f64;
         let least = n.cbrt() * (2.0 / (9.0 * n)).sqrt();
         // A quantile of so many windows is itself off by chance.
@@ -194,7 +197,7 @@ impl Law {
         Self {
             centre: centre.max(n.cbrt() * (1.0 - 2.0 / (9.0 * n))),
             spread: doubt * below.max(least),
-            level: CHANCE / roots.len() as f64,
+            level: CHANCE.get() / roots.len() as f64,
         }
     }
 
@@ -230,7 +233,7 @@ pub fn gaps(stream: &Stream, rests: &[Span]) -> Vec<Vec<Span>> {
     let of = |rest: &Span| {
         stream.t[stream.between(rest.from, rest.to)]
             .windows(2)
-            .filter(|w| w[1] - w[0] > GAP_STEPS * step + INSTANT)
+            .filter(|w| w[1] - w[0] > GAP_STEPS.get() * step + INSTANT)
             .map(|w| Span {
                 from: w[0],
                 to: w[1],

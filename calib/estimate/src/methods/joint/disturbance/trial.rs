@@ -9,11 +9,13 @@ use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::faults::Suspect;
 use crate::methods::joint::result::marginal::orthonormal;
 
-/// Chance of that anything is flagged in a clean recording.
-const CHANCE: f64 = 0.001;
+findings::tuning! {
+    /// Chance of that anything is flagged in a clean recording.
+    CHANCE: f64 = 0.001;
 
-/// Eigenvalues of the information below this share of what the columns had before projection are nothing.
-const UNSEEN: f64 = 1e-8;
+    /// Eigenvalues of the information below this share of what the columns had before projection are nothing.
+    UNSEEN: f64 = 1e-8;
+}
 
 /// A suspect that the data flag.
 #[derive(Clone, Copy, Debug)]
@@ -119,7 +121,7 @@ impl<'a> Trial<'a> {
 
     /// The level of each test.
     fn level(&self) -> f64 {
-        CHANCE / self.suspects.len().max(1) as f64
+        CHANCE.get() / self.suspects.len().max(1) as f64
     }
 
     /// The tests of `tried`, with the columns of `known` among the free ones.
@@ -245,7 +247,7 @@ impl<'a> Trial<'a> {
             }
         }
         let eigen = a.symmetric_eigen();
-        let least = UNSEEN * before.max(eigen.eigenvalues.max());
+        let least = UNSEEN.get() * before.max(eigen.eigenvalues.max());
         Some(Score { eigen, b, least })
     }
 }

@@ -4,36 +4,39 @@ use nalgebra::Vector3;
 use recording::intervals::Span;
 use recording::{Stream, is_before};
 
-/// Length of the means that are compared with those of the middle, s.
-const BATCH: f64 = 0.1;
-/// Longest part of either end that is searched for motion: in s, and as a share of the static interval.
-const ENDS: f64 = 1.5;
-const SHARE: f64 = 0.25;
-/// A mean this many standard deviations off is motion.
-const OFF: f64 = 4.0;
-/// A stretch that shakes by so many standard deviations more than the middle is the end of a motion.
-const SHAKES: f64 = 5.0;
-/// Margin cut off in any case, s: it holds motion that is still smaller than the noise.
-const GUARD: f64 = 0.1;
-/// Largest share of the static interval that is cut off either end: some of a short one remains in any case.
-const MOST_CUT: f64 = 1.0 / 3.0;
-/// Differences below this share of the reading are rounding.
-const ROUNDING: f64 = 1e-12;
-/// The same of the cube root of a variance.
-const ROOT_ROUNDING: f64 = 1e-8;
+findings::tuning! {
+    /// Length of the means that are compared with those of the middle, s.
+    BATCH: f64 = 0.1;
+    /// Longest part of either end that is searched for motion, s.
+    ENDS: f64 = 1.5;
+    /// The same as a share of the static interval.
+    SHARE: f64 = 0.25;
+    /// A mean this many standard deviations off is motion.
+    OFF: f64 = 4.0;
+    /// A stretch that shakes by so many standard deviations more than the middle is the end of a motion.
+    SHAKES: f64 = 5.0;
+    /// Margin cut off in any case, s: it holds motion that is still smaller than the noise.
+    GUARD: f64 = 0.1;
+    /// Largest share of the static interval that is cut off either end: some of a short one remains in any case.
+    MOST_CUT: f64 = 1.0 / 3.0;
+    /// Differences below this share of the reading are rounding.
+    ROUNDING: f64 = 1e-12;
+    /// The same of the cube root of a variance.
+    ROOT_ROUNDING: f64 = 1e-8;
+}
 
 /// Cuts off what is not like the middle, in any of the streams.
 pub fn quiet_part<'a>(streams: impl Iterator<Item = &'a Stream>, rest: Span) -> Span {
     let mut part = Span {
-        from: rest.from + GUARD,
-        to: rest.to - GUARD,
+        from: rest.from + GUARD.get(),
+        to: rest.to - GUARD.get(),
     };
     for stream in streams {
         let own = quiet_in(stream, rest);
         part.from = part.from.max(own.from);
         part.to = part.to.min(own.to);
     }
-    let most = MOST_CUT * rest.length();
+    let most = MOST_CUT.get() * rest.length();
     Span {
         from: part.from.min(rest.from + most),
         to: part.to.max(rest.to - most),
@@ -41,7 +44,7 @@ pub fn quiet_part<'a>(streams: impl Iterator<Item = &'a Stream>, rest: Span) -> 
 }
 
 fn quiet_in(stream: &Stream, rest: Span) -> Span {
-    let ends = ENDS.min(SHARE * rest.length());
+    let ends = ENDS.get().min(SHARE.get() * rest.length());
     let (first, last) = (rest.from + ends, rest.to - ends);
     let batches = batches(stream, rest);
     let middle: Vec<&Batch> = batches
@@ -53,8 +56,10 @@ fn quiet_in(stream: &Stream, rest: Span) -> Span {
     let moves = |b: &&Batch| {
         (0..3).any(|i| {
             let scale = b.mean[i].abs() + 1.0;
-            let off = (b.mean - means.centre)[i].abs() > OFF * means.spread[i] + ROUNDING * scale;
-            off || (b.root - roots.centre)[i] > SHAKES * roots.spread[i] + ROOT_ROUNDING * scale
+            let off = (b.mean - means.centre)[i].abs()
+                > OFF.get() * means.spread[i] + ROUNDING.get() * scale;
+            off || (b.root - roots.centre)[i]
+                > SHAKES.get() * roots.spread[i] + ROOT_ROUNDING.get() * scale
         })
     };
     let from = batches
@@ -66,8 +71,8 @@ fn quiet_in(stream: &Stream, rest: Span) -> Span {
         .filter(|b| is_before(last, b.span.to))
         .find(moves);
     Span {
-        from: from.map_or(rest.from, |b| b.span.to) + GUARD,
-        to: to.map_or(rest.to, |b| b.span.from) - GUARD,
+        from: from.map_or(rest.from, |b| b.span.to) + GUARD.get(),
+        to: to.map_or(rest.to, |b| b.span.from) - GUARD.get(),
     }
 }
 
@@ -100,11 +105,11 @@ struct Batch {
 
 /// The samples of neighbouring stretches.
 fn batches(stream: &Stream, rest: Span) -> Vec<Batch> {
-    (0..rest.stretches(BATCH))
+    (0..rest.stretches(BATCH.get()))
         .filter_map(|k| {
             let span = Span {
-                from: rest.from + k as f64 * BATCH,
-                to: rest.from + (k + 1) as f64 * BATCH,
+                from: rest.from + k as f64 * BATCH.get(),
+                to: rest.from + (k + 1) as f64 * BATCH.get(),
             };
             let samples = &stream.values[stream.between(span.from, span.to)];
             let count = samples.len() as f64;

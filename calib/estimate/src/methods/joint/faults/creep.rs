@@ -8,8 +8,10 @@ use super::fault::{Fault, Scope, Seen, Site, Suspect};
 use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::data::Mean;
 
-/// Chunks of a static interval in which a drifting bias shows.
-const LONG: usize = 3;
+findings::tuning! {
+    /// Chunks of a static interval in which a drifting bias shows.
+    LONG: usize = 3;
+}
 
 /// A device that creeps while it should rest: a constant rate `ω` (rad/s, body frame) through a static interval, `u̇ = u × ω`. Its
 /// gyroscope reads `ω`, its chunks see gravity move, and the turns beside it start and end half the angle away from its mean direction,
@@ -83,7 +85,7 @@ pub(super) fn creep_in_interval(site: &Site<'_>, k: usize) -> Suspect {
 /// is no creep. None where the interval has fewer than [`LONG`] chunks.
 fn drift(site: &Site<'_>, k: usize) -> Vec<Column> {
     let rest = &site.rows.data.rests[k];
-    if rest.chunks.len() < LONG {
+    if rest.chunks.len() < LONG.get() {
         return Vec::new();
     }
     let middle = 0.5 * (rest.span.from + rest.span.to);

@@ -29,7 +29,7 @@ pub static DISTURBED_INTERVAL: Fault = Fault {
 
 fn suspects(site: &Site<'_>) -> Vec<Suspect> {
     // Without placements to spare any of them, or a part of it, would make the others agree.
-    if site.rows.spare_placements() <= LEAST_SPARE {
+    if site.rows.spare_placements() <= LEAST_SPARE.get() {
         return Vec::new();
     }
     let means = site.rows.means(Sensor::Accelerometer);

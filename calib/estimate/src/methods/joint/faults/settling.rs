@@ -11,8 +11,10 @@ use crate::methods::joint::blocks::column::Column;
 /// Time constants whose sum describes a surface that gives way within seconds, s.
 const TIME_CONSTANTS: [f64; 2] = [2.5, 10.0];
 
-/// Chunks of a static interval within which an attitude that settles shows.
-const FEWEST_CHUNKS: usize = 2;
+findings::tuning! {
+    /// Chunks of a static interval within which an attitude that settles shows.
+    FEWEST_CHUNKS: usize = 2;
+}
 
 /// A device that settles after it was laid down, as on a cushion: at the begin of a long static interval its attitude is off by `δ`
 /// (rad, body frame), and that fades, `u(t) = u + u × Σ δ_τ e^(−t/τ)`. Both sensors see it, and the turn before ends there.
@@ -35,7 +37,7 @@ fn suspects(site: &Site<'_>) -> Vec<Suspect> {
     let data = site.rows.data;
     let may = |k: &usize| {
         let rest = &data.rests[*k];
-        rest.chunks.len() >= FEWEST_CHUNKS && !data.sources[rest.recording].moves_at_rest()
+        rest.chunks.len() >= FEWEST_CHUNKS.get() && !data.sources[rest.recording].moves_at_rest()
     };
     let rests = (0..data.rests.len()).filter(may);
     rests

@@ -9,30 +9,33 @@ use super::weights::Component;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::noise::bias::Within;
 
-/// Newton steps at most: usual ones are ten.
-const STEPS: usize = 40;
+findings::tuning! {
+    /// Newton steps at most: usual ones are ten.
+    STEPS: usize = 40;
 
-/// Products that all steps of one search may take together, and fewest steps.
-const MOST_WORK: f64 = 2e9;
-const FEWEST_STEPS: f64 = 40.0;
+    /// Products that all steps of one search may take together.
+    MOST_WORK: f64 = 2e9;
+    /// Its fewest steps.
+    FEWEST_STEPS: f64 = 40.0;
 
-/// A relative change of every variance below this ends the search.
-const SETTLED: f64 = 1e-3;
+    /// A relative change of every variance below this ends the search.
+    SETTLED: f64 = 1e-3;
 
-/// A log-likelihood that rises by less than this has settled too: variances are then within a seventieth of their standard errors.
-const NOTHING: f64 = 1e-4;
+    /// A log-likelihood that rises by less than this has settled too: variances are then within a seventieth of their standard errors.
+    NOTHING: f64 = 1e-4;
 
-/// A likelihood that will stay so many times [`WORTH_IT`] below another, were the way ahead so many times what a Newton step
-/// promises, is not worked out further.
-const FAR: f64 = 10.0;
-const AHEAD: f64 = 20.0;
+    /// A likelihood that will stay so many times [`WORTH_IT`] below another is not worked out further, ...
+    FAR: f64 = 10.0;
+    /// ... were the way ahead so many times what a Newton step promises.
+    AHEAD: f64 = 20.0;
 
-/// Share by which the diagonal of the information is larger in a step.
-const HELD_UP: f64 = 1e-3;
+    /// Share by which the diagonal of the information is larger in a step.
+    HELD_UP: f64 = 1e-3;
 
-/// Twice the gain in log-likelihood below which a variance is taken for zero: 5 % of recordings without
-/// it pass by chance, the variance being at the edge of what it can be (½ χ²₀ + ½ χ²₁).
-const WORTH_IT: f64 = 2.7;
+    /// Twice the gain in log-likelihood below which a variance is taken for zero: 5 % of recordings without
+    /// it pass by chance, the variance being at the edge of what it can be (½ χ²₀ + ½ χ²₁).
+    WORTH_IT: f64 = 2.7;
+}
 
 /// The likelihood of what is left of the residuals when the parameters have had their share.
 #[derive(Clone, Debug)]
@@ -91,7 +94,7 @@ impl Restricted {
                     )
                 });
             match gains.min_by(|a, b| a.1.total_cmp(&b.1)) {
-                Some((c, gain)) if gain < WORTH_IT => {
+                Some((c, gain)) if gain < WORTH_IT.get() => {
                     active[c] = false;
                     from[c] = 0.0;
                 }
@@ -101,7 +104,7 @@ impl Restricted {
     }
 
     fn most_steps(&self) -> usize {
-        (MOST_WORK / self.mixed.work().max(1.0)).max(FEWEST_STEPS) as usize
+        (MOST_WORK.get() / self.mixed.work().max(1.0)).max(FEWEST_STEPS.get()) as usize
     }
 
     /// The highest `log L` over all variances, up to a constant.
@@ -134,15 +137,16 @@ impl Restricted {
             Some(at) => at,
             None => return (theta, f64::NEG_INFINITY),
         };
-        for _ in 0..STEPS.min(left.get()) {
+        for _ in 0..STEPS.get().min(left.get()) {
             left.set(left.get() - 1);
             let slopes = self.slopes(&at, &theta, active);
             let Some(step) = slopes.step(&theta, active) else {
                 break;
             };
             let ahead: f64 = step.iter().zip(&slopes.score).map(|(a, b)| a * b).sum();
-            let is_far =
-                |whole: f64| 2.0 * (whole - at.log_likelihood) - AHEAD * ahead > FAR * WORTH_IT;
+            let is_far = |whole: f64| {
+                2.0 * (whole - at.log_likelihood) - AHEAD.get() * ahead > FAR.get() * WORTH_IT.get()
+            };
             if whole.is_some_and(is_far) {
                 break;
             }
@@ -164,11 +168,11 @@ impl Restricted {
             let pairs = tried.iter().zip(&theta);
             let moved = pairs
                 .clone()
-                .any(|(a, b)| (a - b).abs() > SETTLED * a.max(*b));
+                .any(|(a, b)| (a - b).abs() > SETTLED.get() * a.max(*b));
             let gained = measured.log_likelihood - at.log_likelihood;
             theta = tried;
             at = measured;
-            if !moved || gained < NOTHING {
+            if !moved || gained < NOTHING.get() {
                 break;
             }
         }
@@ -223,7 +227,7 @@ impl Slopes {
         }
         // Components that do nearly the same to the data leave the information all but singular.
         let matrix = nalgebra::DMatrix::from_fn(free.len(), free.len(), |i, j| {
-            let held_up = if i == j { 1.0 + HELD_UP } else { 1.0 };
+            let held_up = if i == j { 1.0 + HELD_UP.get() } else { 1.0 };
             held_up * self.information[free[i]][free[j]]
         });
         let right = nalgebra::DVector::from_fn(free.len(), |i, _| self.score[free[i]]);

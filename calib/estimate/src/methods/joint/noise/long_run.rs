@@ -4,30 +4,35 @@ use recording::averages::median;
 
 use super::scatter::{FLOOR, scatter};
 
-/// Long-run over white standard deviation above which the noise is coloured, and how many standard errors of the ratio it has to
-/// be above one: both are the same where the stretches last three minutes in all.
-const COLOURED: f64 = 1.12;
-const COLOURED_ERRORS: f64 = 2.0;
+findings::tuning! {
+    /// Long-run over white standard deviation above which the noise is coloured, ...
+    COLOURED: f64 = 1.12;
+    /// ... if the ratio is above one by so many of its standard errors: both are the same where the stretches last three minutes in all.
+    COLOURED_ERRORS: f64 = 2.0;
 
-/// The same of noise that averages out sooner than white noise, as a hand's tremor and a machine's hum do over their
-/// periods, and how many standard errors of the ratio it has to be below one.
-const SOONER: f64 = 0.8;
-const SOONER_ERRORS: f64 = 3.0;
+    /// Long-run over white standard deviation below which noise averages out sooner than white noise, as a hand's tremor and a machine's
+    /// hum do over their periods, ...
+    SOONER: f64 = 0.8;
+    /// ... if the ratio is below one by so many of its standard errors.
+    SOONER_ERRORS: f64 = 3.0;
 
-/// Long means are not believed to spread by less than this over what white noise would give.
-const LEAST_LONG_RUN: f64 = 0.05;
+    /// Long means are not believed to spread by less than this over what white noise would give.
+    LEAST_LONG_RUN: f64 = 0.05;
 
-/// The density at low frequency is at most so many times what the longest batches show.
-const FARTHER: f64 = 1.5;
+    /// The density at low frequency is at most so many times what the longest batches show.
+    FARTHER: f64 = 1.5;
+}
 
 /// Lengths of batches in shares of the longest: whatever the period of a vibration, one of them holds no full number of periods.
 const SHORTER: [f64; 2] = [0.854, 0.618];
 
-/// Batches of a stretch that spread by more than this many times the median variance are not quiet.
-const LOUD: f64 = 4.0;
+findings::tuning! {
+    /// Batches of a stretch that spread by more than this many times the median variance are not quiet.
+    LOUD: f64 = 4.0;
 
-/// A mean of samples with more than this many times the quiet variance has a noise of its own.
-pub(super) const RESTLESS: f64 = 1.5;
+    /// A mean of samples with more than this many times the quiet variance has a noise of its own.
+    pub(super) RESTLESS: f64 = 1.5;
+}
 
 /// Sum of squares about the means of the stretches, and its degrees of freedom.
 pub(super) fn scatter_within(parts: &[&[f64]]) -> (f64, f64) {
@@ -53,17 +58,18 @@ pub(super) fn long_run(parts: &[&[f64]], batch: usize, white: f64) -> f64 {
     let whole = of_batches(parts, batch);
     let ratio = whole.sqrt() / white;
     let error = error_of_ratio(parts, batch);
-    if ratio <= COLOURED.max(1.0 + COLOURED_ERRORS * error) {
-        let sooner = ratio < SOONER.min(1.0 - SOONER_ERRORS * error) && white > FLOOR;
+    if ratio <= COLOURED.get().max(1.0 + COLOURED_ERRORS.get() * error) {
+        let sooner =
+            ratio < SOONER.get().min(1.0 - SOONER_ERRORS.get() * error) && white > FLOOR.get();
         return if sooner {
             let most = of_any_batches(parts, batch).sqrt() / white;
-            most.clamp(LEAST_LONG_RUN, 1.0)
+            most.clamp(LEAST_LONG_RUN.get(), 1.0)
         } else {
             1.0
         };
     }
     let half = of_batches(parts, batch / 2);
-    let without_end = (2.0 * whole - half).clamp(whole, FARTHER * whole);
+    let without_end = (2.0 * whole - half).clamp(whole, FARTHER.get() * whole);
     without_end.sqrt() / white
 }
 
@@ -78,7 +84,7 @@ pub(super) fn restless_long_run(
     let usual = long_run.max(1.0);
     let shakes = |part: &&[f64]| {
         let (sum, freedom) = scatter(part);
-        sum / freedom > RESTLESS * white * white
+        sum / freedom > RESTLESS.get() * white * white
     };
     let all = parts.iter().map(Vec::as_slice);
     let restless: Vec<&[f64]> = all.filter(shakes).collect();
@@ -87,14 +93,14 @@ pub(super) fn restless_long_run(
     let whole = sum / f64::max(freedom, 1.0);
     let ratio = (of_batches(&restless, batch) / whole).sqrt();
     // Of all that the restless parts scatter by, quiet noise included: the test has no difference of two estimates in it.
-    let sooner = ratio < SOONER.min(1.0 - SOONER_ERRORS * error);
+    let sooner = ratio < SOONER.get().min(1.0 - SOONER_ERRORS.get() * error);
     if !sooner {
         return usual;
     }
     let beyond = of_any_batches(&restless, batch) - (white * long_run).powi(2);
     (beyond.max(0.0) / (whole - white * white))
         .sqrt()
-        .clamp(LEAST_LONG_RUN, usual)
+        .clamp(LEAST_LONG_RUN.get(), usual)
 }
 
 /// The most by batches of this length and of some that are shorter: of full periods of a vibration nothing is left in the mean.
@@ -118,7 +124,7 @@ fn of_batches(parts: &[&[f64]], batch: usize) -> f64 {
         .collect();
     let variances: Vec<f64> = spreads.iter().map(|(sum, dof)| sum / dof).collect();
     let usual = median(variances.iter().copied()).unwrap_or(0.0);
-    pool(spreads.iter().zip(&variances), LOUD * usual) * batch as f64
+    pool(spreads.iter().zip(&variances), LOUD.get() * usual) * batch as f64
 }
 
 /// The pooled variance of those of at most `most`; 0 of none.

@@ -22,19 +22,22 @@ use super::weights::{Component, Form};
 use crate::methods::joint::blocks::arrow::{Arrow, ArrowFactor, Places, lower_gram};
 use crate::methods::joint::blocks::columns::Columns;
 
-/// Columns of unit length of which others leave less than this, as a square, depend on them.
-const DEPENDENT: f64 = 1e-11;
+findings::tuning! {
+    /// Columns of unit length of which others leave less than this, as a square, depend on them.
+    DEPENDENT: f64 = 1e-11;
 
-/// A column that reaches no more than this share of the stations of a recording, or so many, is passed on as well.
-const SHARE: usize = 4;
-const FEW: usize = 8;
+    /// A column that reaches no more than one in so many stations of a recording is passed on as well, ...
+    SHARE: usize = 4;
+    /// ... and one that reaches no more than so many.
+    FEW: usize = 8;
 
-/// The variance of what is passed on and may be of any size, of columns of unit length: what it leaves free of them is nothing, and
-/// half of the digits stay.
-const ANY_SIZE: f64 = 1e8;
+    /// The variance of what is passed on and may be of any size, of columns of unit length: what it leaves free of them is nothing, and
+    /// half of the digits stay.
+    ANY_SIZE: f64 = 1e8;
 
-/// Errors of columns are at least so large, as the square of what they do to a row: their derivative at zero is that there.
-const LEAST_SQUARE: f64 = 1e-7;
+    /// Errors of columns are at least so large, as the square of what they do to a row: their derivative at zero is that there.
+    LEAST_SQUARE: f64 = 1e-7;
+}
 
 /// The problem, cut into lines.
 #[derive(Clone, Debug)]
@@ -119,7 +122,7 @@ impl Mixed {
         };
         let (local, wide) = apart(&unit, &stations);
         let mut passed = unit.select(&local);
-        passed.scale(ANY_SIZE.sqrt());
+        passed.scale(ANY_SIZE.get().sqrt());
         let passed = Chain::of_columns(&stations, &passed);
         chains.push(Some(&passed));
         let mut all = unit.select(&wide);
@@ -131,7 +134,7 @@ impl Mixed {
                     let first = all.ncols();
                     all = all.beside(own);
                     let largest = own.norms().into_iter().fold(f64::MIN_POSITIVE, f64::max);
-                    Kind::Columns(first..all.ncols(), LEAST_SQUARE / (largest * largest))
+                    Kind::Columns(first..all.ncols(), LEAST_SQUARE.get() / (largest * largest))
                 }
             });
         }
@@ -161,7 +164,7 @@ impl Mixed {
         }
         // Errors are held by their variance.
         (count..self.columns).for_each(|k| sum.normal.add_diagonal(k, 1.0));
-        let dependent = sum.normal.dependent(DEPENDENT);
+        let dependent = sum.normal.dependent(DEPENDENT.get());
         let lines = self.lines.iter_mut();
         lines.for_each(|line| line.drop_columns(&dependent));
         self.dropped = dependent;
@@ -287,9 +290,9 @@ fn apart(columns: &Columns, stations: &Stations) -> (Vec<usize>, Vec<usize>) {
     for (k, station) in stations.all().iter().enumerate() {
         station.rows.clone().for_each(|row| station_of[row] = k);
     }
-    let mut most = vec![FEW; stations.all().len()];
+    let mut most = vec![FEW.get(); stations.all().len()];
     for line in stations.lines() {
-        most[line.clone()].fill(FEW.max(line.len() / SHARE));
+        most[line.clone()].fill(FEW.get().max(line.len() / SHARE.get()));
     }
     let parts_of = columns.parts_of();
     let mut reach: Vec<Option<(usize, usize)>> = vec![None; columns.ncols()];

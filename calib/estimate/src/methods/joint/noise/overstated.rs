@@ -12,11 +12,13 @@ use crate::methods::joint::minimum::{Point, Run};
 use crate::methods::joint::result::row_residuals::RowResiduals;
 use crate::methods::small_sample::by_chance;
 
-/// Noise makes what is left of the means so small in fewer cases than this.
-const UNLIKELY: f64 = 1e-3;
+findings::tuning! {
+    /// Noise makes what is left of the means so small in fewer cases than this.
+    UNLIKELY: f64 = 1e-3;
 
-/// Fewer degrees of freedom than this say little of a variance: one in five is off by two fifths of it.
-const LEAST_FREEDOM: f64 = 20.0;
+    /// Fewer degrees of freedom than this say little of a variance: one in five is off by two fifths of it.
+    LEAST_FREEDOM: f64 = 20.0;
+}
 
 const SENSORS: [Sensor; 2] = [Sensor::Accelerometer, Sensor::Gyroscope];
 
@@ -82,7 +84,7 @@ impl Run<'_> {
 /// The share of the variance that a sum of squares with so many degrees of freedom shows; 1 where chance may have made it.
 fn share((square, freedom): (f64, f64)) -> f64 {
     let below = 1.0 - by_chance(square, freedom);
-    if freedom >= LEAST_FREEDOM && square > 0.0 && below < UNLIKELY {
+    if freedom >= LEAST_FREEDOM.get() && square > 0.0 && below < UNLIKELY.get() {
         square / freedom
     } else {
         1.0

@@ -2,23 +2,25 @@
 
 use super::scatter::scatter;
 
-/// Readings of one level spread by at most half a step, those that dither between two too: a variance of a quarter, and
-/// something for what the noise adds to a few.
-const MOST: f64 = 0.3;
+findings::tuning! {
+    /// Readings of one level spread by at most half a step, those that dither between two too: a variance of a quarter, and
+    /// something for what the noise adds to a few.
+    MOST: f64 = 0.3;
 
-/// Means that lie over so many steps have any place between two of them.
-const MANY: f64 = 4.0;
+    /// Means that lie over so many steps have any place between two of them.
+    MANY: f64 = 4.0;
 
-/// Terms of the series: noise of a tenth of a step takes the twentieth below a millionth.
-const TERMS: i32 = 20;
+    /// Terms of the series: noise of a tenth of a step takes the twentieth below a millionth.
+    TERMS: i32 = 20;
 
-/// Halvings of the noise that is looked for.
-const HALVINGS: usize = 40;
+    /// Halvings of the noise that is looked for.
+    HALVINGS: usize = 40;
+}
 
 /// Standard deviation within stretches of rest: quiet ones too, whose readings stay on one level because of where between
 /// two steps they lie.
 pub(crate) fn spread(parts: &[Vec<f64>], step: f64) -> f64 {
-    let rounded = |(sum, dof): &(f64, f64)| sum / dof <= MOST * step * step;
+    let rounded = |(sum, dof): &(f64, f64)| sum / dof <= MOST.get() * step * step;
     let kept = parts.iter().map(|p| scatter(p)).filter(rounded);
     let (sum, dof) = kept.fold((0.0, 0.0), |(s, d), (sum, dof)| (s + sum, d + dof));
     if dof > 0.0 { (sum / dof).sqrt() } else { 0.0 }
@@ -35,7 +37,7 @@ pub(crate) fn of_means(parts: &[Vec<f64>], step: f64, spread: f64) -> f64 {
     let ends = |(low, high): (f64, f64), m: f64| (low.min(m), high.max(m));
     let start = (f64::INFINITY, f64::NEG_INFINITY);
     let (low, high) = parts.iter().map(mean).fold(start, ends);
-    if high - low > MANY * step {
+    if high - low > MANY.get() * step {
         step * step * share(noise(spread / step))
     } else {
         step * step / 12.0
@@ -50,7 +52,7 @@ fn share(ratio: f64) -> f64 {
         (-(2.0 * pi * k * ratio).powi(2)).exp() / (2.0 * (pi * k).powi(2))
     };
     if ratio > 0.0 {
-        (1..=TERMS).map(term).sum()
+        (1..=TERMS.get()).map(term).sum()
     } else {
         1.0 / 12.0
     }
@@ -59,7 +61,7 @@ fn share(ratio: f64) -> f64 {
 /// The noise in steps with which readings spread by so many steps.
 fn noise(spread: f64) -> f64 {
     let (mut low, mut high) = (0.0, spread);
-    for _ in 0..HALVINGS {
+    for _ in 0..HALVINGS.get() {
         let middle = 0.5 * (low + high);
         if middle * middle + 1.0 / 12.0 - share(middle) < spread * spread {
             low = middle;

@@ -1,7 +1,9 @@
 //! Scatter of values about their mean.
 
-/// Noise below this (m/s² or rad/s) is rounding: keeps noise-free recordings weighted, and sensibly.
-pub(crate) const FLOOR: f64 = 1e-9;
+findings::tuning! {
+    /// Noise below this (m/s² or rad/s) is rounding: keeps noise-free recordings weighted, and sensibly.
+    pub(crate) FLOOR: f64 = 1e-9;
+}
 
 /// Sum of squares about the mean, and its degrees of freedom.
 pub(crate) fn scatter(values: &[f64]) -> (f64, f64) {

@@ -4,26 +4,29 @@ use super::mixed::{Mixed, Part};
 use super::weights::Component;
 use crate::methods::joint::blocks::columns::Columns;
 
-/// Prior chance of no walk at all, over that of any. Every inertial sensor's bias walks, if often too little for a recording to
-/// show it: with as much chance on none as on any, one of 120 stated errors of effects that go with time was more than four
-/// standard errors off, with this one of 430.
-pub const NO_WALK: f64 = 0.2;
+findings::tuning! {
+    /// Prior chance of no walk at all, over that of any. Every inertial sensor's bias walks, if often too little for a recording to
+    /// show it: with as much chance on none as on any, one of 120 stated errors of effects that go with time was more than four
+    /// standard errors off, with this one of 430.
+    pub NO_WALK: f64 = 0.2;
 
-/// Sizes tried for an average.
-const GRID: usize = 12;
+    /// Sizes tried for an average.
+    GRID: usize = 12;
 
-/// Sizes tried reach so far beyond the likeliest.
-const BEYOND: f64 = 2.5;
+    /// Sizes tried reach so far beyond the likeliest.
+    BEYOND: f64 = 2.5;
 
-/// Beyond a size with this share of the likeliest one's weight nothing is left to try.
-const NOTHING: f64 = 1e-7;
+    /// Beyond a size with this share of the likeliest one's weight nothing is left to try.
+    NOTHING: f64 = 1e-7;
 
-/// Largest number of doublings of the range of sizes tried.
-const DOUBLINGS: usize = 12;
+    /// Largest number of doublings of the range of sizes tried.
+    DOUBLINGS: usize = 12;
 
-/// Rounds over the walks, and the relative change of a variance that ends them.
-const ROUNDS: usize = 4;
-const SETTLED: f64 = 0.02;
+    /// Rounds over the walks.
+    ROUNDS: usize = 4;
+    /// The relative change of a variance that ends them.
+    SETTLED: f64 = 0.02;
+}
 
 /// Residuals and Jacobian under noise of which the densities of the walks are not known.
 #[derive(Clone, Debug)]
@@ -71,7 +74,7 @@ impl Walks {
         };
         // Those beside which another has moved since.
         let mut due = vec![true; self.walks];
-        for _ in 0..ROUNDS {
+        for _ in 0..ROUNDS.get() {
             for c in 0..self.walks {
                 if !std::mem::take(&mut due[c]) {
                     continue;
@@ -81,7 +84,7 @@ impl Walks {
                 if !self.update(c, &theta, &mut parts) {
                     return none_at_all;
                 }
-                if (theta[c] - before).abs() > SETTLED * theta[c].max(before) {
+                if (theta[c] - before).abs() > SETTLED.get() * theta[c].max(before) {
                     let others = due.iter_mut().enumerate().filter(|(other, _)| *other != c);
                     others.for_each(|(_, due)| *due = true);
                 }
@@ -138,18 +141,22 @@ impl Walks {
 pub fn expected_square((usual, none): (f64, f64), log_likelihood: impl Fn(f64) -> f64) -> f64 {
     let mut points = vec![(0.0, none, log_likelihood(0.0))];
     let mut highest = usual;
-    for doubling in 0..=DOUBLINGS {
+    for doubling in 0..=DOUBLINGS.get() {
         let from = if doubling == 0 { 0.0 } else { 0.5 * highest };
-        let steps = if doubling == 0 { GRID } else { GRID / 2 };
+        let steps = if doubling == 0 {
+            GRID.get()
+        } else {
+            GRID.get() / 2
+        };
         let width = (highest - from) / steps as f64;
         for k in 0..steps {
             let size = from + (k as f64 + 0.5) * width;
             points.push((size, width / usual, log_likelihood(size)));
-            if share_of_last(&points) < NOTHING {
+            if share_of_last(&points) < NOTHING.get() {
                 return mean_square(&points);
             }
         }
-        if BEYOND * likeliest(&points) <= highest {
+        if BEYOND.get() * likeliest(&points) <= highest {
             break;
         }
         highest *= 2.0;
@@ -304,12 +311,12 @@ mod tests {
             let count = z.iter().filter(|z| z.abs() > limit).count();
             count as f64 / z.len() as f64
         };
-        let z = drifts(NO_WALK, 2000, 2.0);
+        let z = drifts(NO_WALK.get(), 2000, 2.0);
         // Of errors whose own size is known 5 % and none of 2000; with as much chance on no walk as on any 13 % and 21.
         assert!(beyond(&z, 1.96) < 0.1, "{}", beyond(&z, 1.96));
         assert!(beyond(&z, 4.0) < 0.003, "{}", beyond(&z, 4.0));
         // Nor are they without bounds where there is no walk.
-        let still = drifts(NO_WALK, 500, 0.0);
+        let still = drifts(NO_WALK.get(), 500, 0.0);
         let square: f64 = still.iter().map(|z| z * z).sum();
         assert!((square / 500.0).sqrt() > 0.4, "{square}");
     }

@@ -13,8 +13,10 @@ use crate::methods::joint::blocks::covariance::{Covariance, combined, independen
 use crate::methods::joint::blocks::groups::RowGroups;
 use crate::methods::joint::noise::rows::RowNoise;
 
-/// Error of the integration over a turn that is always granted, rad: what the coning terms leave out.
-const INTEGRATION: f64 = 1e-8;
+findings::tuning! {
+    /// Error of the integration over a turn that is always granted, rad: what the coning terms leave out.
+    INTEGRATION: f64 = 1e-8;
+}
 
 /// Whitening by the white noise alone: independent rows, and the two rows of each turn.
 #[derive(Clone, Debug)]
@@ -34,7 +36,7 @@ impl White {
         let (mut diagonal, mut beside) = (vec![0.0; m], vec![0.0; m]);
         for i in 0..m {
             let extra = if i >= first_turn {
-                INTEGRATION.powi(2)
+                INTEGRATION.get().powi(2)
             } else {
                 0.0
             };

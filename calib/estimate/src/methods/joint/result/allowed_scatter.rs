@@ -15,22 +15,24 @@ use crate::methods::joint::result::row_residuals::RowResiduals;
 use crate::methods::joint::rows::{MeanRows, Rows};
 use crate::methods::small_sample::{LEAST_SPARE, by_chance};
 
-/// A fit whose quieter three quarters are off by this much, as χ² per degree of freedom, does not
-/// know its noise: the model misses, or the noise is of another kind.
-const MISFIT: f64 = 2.0;
+findings::tuning! {
+    /// A fit whose quieter three quarters are off by this much, as χ² per degree of freedom, does not
+    /// know its noise: the model misses, or the noise is of another kind.
+    MISFIT: f64 = 2.0;
 
-/// The same of turns above which no single effect is taken for the cause before their scatter is allowed for.
-const GROSS: f64 = 4.0;
+    /// The same of turns above which no single effect is taken for the cause before their scatter is allowed for.
+    GROSS: f64 = 4.0;
 
-/// Sums of squares that exceed their expectation by fewer of their standard deviations are looked at no further.
-const QUIET: f64 = 2.0;
+    /// Sums of squares that exceed their expectation by fewer of their standard deviations are looked at no further.
+    QUIET: f64 = 2.0;
 
-/// Rows that leave so much by chance only do not scatter.
-const UNLIKELY: f64 = 1e-3;
+    /// Rows that leave so much by chance only do not scatter.
+    UNLIKELY: f64 = 1e-3;
 
-/// A walk through the whole recording is the better account of what differs between rests where the data are so many
-/// times likelier under it (log) than under scatter from rest to rest.
-const WALKS: f64 = 2.0;
+    /// A walk through the whole recording is the better account of what differs between rests where the data are so many
+    /// times likelier under it (log) than under scatter from rest to rest.
+    WALKS: f64 = 2.0;
+}
 
 impl Analysis {
     /// Adds scatter between rests and turns to what the noise may have, where the quieter three
@@ -55,7 +57,7 @@ impl Analysis {
     /// The kinds of rows of which the quieter three quarters are off by far more than the noise.
     fn missed(&self, rows: &Rows<'_>, taken: &Columns) -> Vec<(ComponentKind, Vec<Vec<usize>>)> {
         let left = RowResiduals::of(taken, &self.residuals);
-        let is_off = |(_, groups): &(_, Vec<Vec<usize>>)| left.quieter_ratio(groups) > MISFIT;
+        let is_off = |(_, groups): &(_, Vec<Vec<usize>>)| left.quieter_ratio(groups) > MISFIT.get();
         groups(rows).into_iter().filter(is_off).collect()
     }
 
@@ -80,7 +82,7 @@ impl Analysis {
     pub fn allow_scatter_of_gross_turns(&mut self, rows: &Rows<'_>, known: &[&Suspect]) {
         let left = RowResiduals::of(&self.with(known), &self.residuals);
         let [_, _, (_, turns)] = groups(rows);
-        if left.quieter_ratio(&turns) > GROSS {
+        if left.quieter_ratio(&turns) > GROSS.get() {
             self.allow_scatter_of_turns(rows);
         }
     }
@@ -108,7 +110,7 @@ impl Analysis {
                 square += left.square(i);
                 spare += left.spare(i);
             }
-            if spare > 0.5 && by_chance(square, spare) < UNLIKELY {
+            if spare > 0.5 && by_chance(square, spare) < UNLIKELY.get() {
                 self.allow(rows, kind, &groups);
             }
         }
@@ -125,7 +127,7 @@ impl Analysis {
             .all(|(from, to, taken)| {
                 let square: f64 = r[from..to].iter().map(|v| v.powi(2)).sum();
                 let spare = (to - from).saturating_sub(taken) as f64;
-                square <= spare + QUIET * (2.0 * spare).sqrt()
+                square <= spare + QUIET.get() * (2.0 * spare).sqrt()
             })
     }
 
@@ -174,7 +176,7 @@ impl Analysis {
     /// rest, and the mean bias would pass for known far better than it is. Without placements to spare neither is told from
     /// the other, and the walk goes on.
     fn end_walk_with_rests(&mut self, rows: &Rows<'_>, taken: &Columns) {
-        if rows.spare_placements() < LEAST_SPARE {
+        if rows.spare_placements() < LEAST_SPARE.get() {
             return;
         }
         let within = walk(
@@ -188,7 +190,7 @@ impl Analysis {
         };
         let through = self.likelihood_of_noise(taken);
         let whole = std::mem::replace(&mut self.components[place], within);
-        if through - self.likelihood_of_noise(taken) > WALKS {
+        if through - self.likelihood_of_noise(taken) > WALKS.get() {
             self.components[place] = whole;
         } else {
             self.walk_ends_with_rests = true;

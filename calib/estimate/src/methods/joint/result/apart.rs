@@ -10,11 +10,13 @@ use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::fit::JointFit;
 use crate::methods::joint::result::marginal::without;
 
-/// Fewest static intervals of a recording whose halves are compared.
-const FEWEST: usize = 16;
+findings::tuning! {
+    /// Fewest static intervals of a recording whose halves are compared.
+    FEWEST: usize = 16;
 
-/// A column of which the others leave less than this share of its length is one of them.
-const DEPENDS: f64 = 1e-6;
+    /// A column of which the others leave less than this share of its length is one of them.
+    DEPENDS: f64 = 1e-6;
+}
 
 /// A part of the data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,7 +76,7 @@ impl JointFit {
             1 => 0..0,
             _ => 0..count,
         };
-        let has_halves = |k: &usize| self.rests_of(*k).len() >= FEWEST;
+        let has_halves = |k: &usize| self.rests_of(*k).len() >= FEWEST.get();
         let halves = (0..count).filter(has_halves).map(Portion::SecondHalf);
         recordings.map(Portion::Recording).chain(halves).collect()
     }
@@ -102,7 +104,7 @@ impl JointFit {
         let left = taken.without(&columns).to_dense();
         let n = names.len();
         let lengths = columns.norms();
-        let is_free = |k: &usize| left.col(*k).norm_l2() > DEPENDS * lengths[*k];
+        let is_free = |k: &usize| left.col(*k).norm_l2() > DEPENDS.get() * lengths[*k];
         let biases: Vec<usize> = (n..wanted.len()).filter(is_free).collect();
         let biases = Mat::from_fn(left.nrows(), biases.len(), |i, k| left[(i, biases[k])]);
         let spare = self.residuals.len();

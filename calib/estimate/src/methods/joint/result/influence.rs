@@ -7,8 +7,10 @@ use crate::methods::joint::blocks::basis::Basis;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::fit::JointFit;
 
-/// Smallest squared pivot of `I − H` in the rows of a static interval; below it the other rows do not determine these.
-const HELD_UP: f64 = 1e-8;
+findings::tuning! {
+    /// Smallest squared pivot of `I − H` in the rows of a static interval; below it the other rows do not determine these.
+    HELD_UP: f64 = 1e-8;
+}
 
 /// The influence of one static interval.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -29,8 +31,10 @@ struct Deletion<'a> {
     covariance: Vec<Vec<f64>>,
 }
 
-/// Share of `least` from which on a change is worked out in full.
-const WORTH_A_LOOK: f64 = 0.5;
+findings::tuning! {
+    /// Share of `least` from which on a change is worked out in full.
+    WORTH_A_LOOK: f64 = 0.5;
+}
 
 impl JointFit {
     /// The static intervals without whose means a shared parameter moves by more than `least` of its standard errors, their turns kept.
@@ -58,7 +62,7 @@ impl JointFit {
             .filter_map(|rest| {
                 let rows = self.rows_of_means(rest);
                 let (_, roughly) = largest(deletion.of_rows(&rows, &self.residuals)?)?;
-                if roughly < WORTH_A_LOOK * least {
+                if roughly < WORTH_A_LOOK.get() * least {
                     return None;
                 }
                 let columns = self.whitened_units(&rows);
@@ -146,7 +150,11 @@ impl Deletion<'_> {
 /// `(Eᵀ P E)⁻¹ Eᵀ r`; `None` where the matrix is singular.
 fn solved(gram: DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
     let factor = gram.cholesky()?;
-    let holds = factor.l_dirty().diagonal().iter().all(|l| l * l > HELD_UP);
+    let holds = factor
+        .l_dirty()
+        .diagonal()
+        .iter()
+        .all(|l| l * l > HELD_UP.get());
     holds.then(|| factor.solve(right))
 }
 

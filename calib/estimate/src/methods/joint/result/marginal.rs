@@ -78,7 +78,7 @@ pub fn orthonormal(a: &Mat<f64>) -> Mat<f64> {
             0.0
         }
     });
-    orthonormal_with_pivots(&scaled, RANK_TOLERANCE, &mut Vec::new())
+    orthonormal_with_pivots(&scaled, RANK_TOLERANCE.get(), &mut Vec::new())
 }
 
 #[cfg(test)]

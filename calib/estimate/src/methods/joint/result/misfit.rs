@@ -14,8 +14,10 @@ use crate::methods::joint::orientation::Shown;
 use crate::methods::joint::result::channel::Channel;
 use crate::methods::small_sample::by_chance;
 
-/// Added to the unit diagonal of normal equations.
-const HELD_UP: f64 = 1e-11;
+findings::tuning! {
+    /// Added to the unit diagonal of normal equations.
+    HELD_UP: f64 = 1e-11;
+}
 
 /// Misfit of one kind of rows, against the noise that was measured within the static intervals and the walks of the
 /// biases.
@@ -243,12 +245,12 @@ fn left(columns: &Columns, r: &[f64]) -> (f64, f64) {
     let mut unit = columns.select(&used);
     unit.divide(&used.iter().map(|&k| norms[k]).collect::<Vec<_>>());
     let square: f64 = r.iter().map(|v| v * v).sum();
-    let Some(factor) = Arrow::gram(&unit).factor(HELD_UP) else {
+    let Some(factor) = Arrow::gram(&unit).factor(HELD_UP.get()) else {
         return (square, r.len() as f64);
     };
     let (own, shared) = factor.forward(&unit.transposed_times(r));
     let taken = own.iter().map(|own| own.squared_norm_l2()).sum::<f64>();
-    let undetermined = HELD_UP * factor.trace_of_inverse();
+    let undetermined = HELD_UP.get() * factor.trace_of_inverse();
     let rank = used.len() as f64 - undetermined;
     (
         square - taken - shared.squared_norm_l2(),

@@ -30,16 +30,18 @@ pub struct Missing {
     pub excess: f64,
 }
 
-/// An effect is what is missing where it explains more than this share of the excess.
-const MOST: f64 = 0.6;
+findings::tuning! {
+    /// An effect is what is missing where it explains more than this share of the excess.
+    MOST: f64 = 0.6;
 
-/// Components of readings at rest, at most, of which the scatter by itself is looked at: it takes the cube of their number.
-const MOST_READINGS: usize = 400;
+    /// Components of readings at rest, at most, of which the scatter by itself is looked at: it takes the cube of their number.
+    MOST_READINGS: usize = 400;
+}
 
 impl Missing {
     /// Returns true if the effect explains most of what the model leaves; otherwise something else is missing.
     pub fn explains_most(&self) -> bool {
-        self.statistic - self.dof as f64 > MOST * self.excess
+        self.statistic - self.dof as f64 > MOST.get() * self.excess
     }
 }
 
@@ -158,7 +160,7 @@ impl JointFit {
         let means = self.sensitivities().means.into_iter();
         let own = means.filter(|own| own.sensor == Sensor::Accelerometer);
         let rows: Vec<usize> = own.flat_map(|own| own.row..own.row + 3).collect();
-        if rows.len() > MOST_READINGS {
+        if rows.len() > MOST_READINGS.get() {
             return None;
         }
         let mut columns = Mat::zeros(self.residuals.len(), rows.len());

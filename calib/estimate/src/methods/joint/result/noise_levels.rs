@@ -13,15 +13,17 @@ use crate::methods::joint::noise::weights::{Component, ComponentKind, NoiseLevel
 use crate::methods::joint::result::row_residuals::RowResiduals;
 use crate::methods::joint::rows::Rows;
 
-/// Prior chance of no doubt of turns at all, over that of any.
-const NO_DOUBT: f64 = 1.0;
+findings::tuning! {
+    /// Prior chance of no doubt of turns at all, over that of any.
+    NO_DOUBT: f64 = 1.0;
 
-/// Usual limit of a walk: its standard deviation in the row that feels it most, in standard deviations of a chunk's
-/// mean.
-const USUAL: f64 = 3.0;
+    /// Usual limit of a walk: its standard deviation in the row that feels it most, in standard deviations of a chunk's
+    /// mean.
+    USUAL: f64 = 3.0;
 
-/// The same of what turns scatter by without any recording showing it, in standard deviations of the best turn.
-const USUAL_OF_TURNS: f64 = 1.0;
+    /// The same of what turns scatter by without any recording showing it, in standard deviations of the best turn.
+    USUAL_OF_TURNS: f64 = 1.0;
+}
 
 impl Analysis {
     /// The kinds of noise that are estimated together where the biases may flicker.
@@ -53,11 +55,16 @@ impl Analysis {
             .filter_map(|c| Some((c, c.kind.known_variance()?)))
             .collect();
         let fixed: Vec<(&Component, f64)> = scatter.iter().chain(&known).copied().collect();
-        let usual = walks.iter().map(|walk| usual_size(&walk.covariance, USUAL));
+        let usual = walks
+            .iter()
+            .map(|walk| usual_size(&walk.covariance, USUAL.get()));
         let usual: Vec<f64> = usual.collect();
         let from = variances_of(&walks, before);
-        let expected =
-            Walks::new(&self.residuals, &jacobian, &walks, &fixed).expected(&usual, NO_WALK, &from);
+        let expected = Walks::new(&self.residuals, &jacobian, &walks, &fixed).expected(
+            &usual,
+            NO_WALK.get(),
+            &from,
+        );
         walks
             .into_iter()
             .zip(expected)
@@ -123,8 +130,8 @@ impl Analysis {
             };
             turns.iter().map(of_turn).sum()
         };
-        let usual = usual_size(&component.covariance, USUAL_OF_TURNS);
-        let size = expected_square((usual, NO_DOUBT), log_likelihood).sqrt();
+        let usual = usual_size(&component.covariance, USUAL_OF_TURNS.get());
+        let size = expected_square((usual, NO_DOUBT.get()), log_likelihood).sqrt();
         self.components.push(component);
         levels.push(NoiseLevel { kind, size });
     }

@@ -15,8 +15,10 @@ use crate::methods::joint::rows::MeanRows;
 use crate::methods::joint::rows::turn::MARGIN;
 use crate::methods::small_sample::by_chance;
 
-/// A column of which a projection leaves a smaller square than this share is in the model: what is left is rounding.
-const ROUNDING: f64 = 1e-16;
+findings::tuning! {
+    /// A column of which a projection leaves a smaller square than this share is in the model: what is left is rounding.
+    ROUNDING: f64 = 1e-16;
+}
 
 /// A bias that changes evenly with time, as far as the static intervals show it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -136,7 +138,7 @@ impl JointFit {
         let whole = whole.to_dense();
         let is_left = |k: usize| {
             let [left, whole] = [&left, &whole].map(|of| of.col(k).squared_norm_l2());
-            left > ROUNDING * whole
+            left > ROUNDING.get() * whole
         };
         if !(0..left.ncols()).all(is_left) {
             return None;

@@ -3,8 +3,10 @@
 use crate::methods::joint::blocks::basis::Basis;
 use crate::methods::joint::blocks::columns::Columns;
 
-/// The share of rests (or turns) that a judgement of most of them rests on.
-const QUIETER: f64 = 0.75;
+findings::tuning! {
+    /// The share of rests (or turns) that a judgement of most of them rests on.
+    QUIETER: f64 = 0.75;
+}
 
 /// Residuals and leverages of the rows after a fit of columns.
 pub(crate) struct RowResiduals {
@@ -43,7 +45,7 @@ impl RowResiduals {
 fn quieter_ratio(mut groups: Vec<(f64, f64)>) -> f64 {
     groups.retain(|(_, dof)| *dof > 0.1);
     groups.sort_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)));
-    groups.truncate((QUIETER * groups.len() as f64).ceil() as usize);
+    groups.truncate((QUIETER.get() * groups.len() as f64).ceil() as usize);
     let (sum, dof) = groups
         .iter()
         .fold((0.0, 0.0), |(s, d), g| (s + g.0, d + g.1));

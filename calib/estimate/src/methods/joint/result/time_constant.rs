@@ -10,18 +10,21 @@ use crate::methods::joint::fit::JointFit;
 use crate::methods::joint::rows::error_columns::effect_columns;
 use crate::methods::joint::rows::sensitivity::Sensitivities;
 
-/// Time constants are looked at up to so many times the fitted one, and down to its inverse.
-const SPAN: f64 = 10.0;
+findings::tuning! {
+    /// Time constants are looked at up to so many times the fitted one, and down to its inverse.
+    SPAN: f64 = 10.0;
 
-/// Distance of neighbours, in linear standard errors of `ln τ`, and at most.
-const STEP: f64 = 0.5;
-const WIDEST: f64 = 0.2;
+    /// Distance of neighbours, in linear standard errors of `ln τ`.
+    STEP: f64 = 0.5;
+    /// That distance at most.
+    WIDEST: f64 = 0.2;
 
-/// Most of them each way: where the curvature says nothing of the likelihood, as of a column that is all but nothing.
-const MOST: u32 = 50;
+    /// Most of them each way: where the curvature says nothing of the likelihood, as of a column that is all but nothing.
+    MOST: u32 = 50;
 
-/// A likelihood below this share of the greatest ends the way.
-const NOTHING: f64 = 1e-4;
+    /// A likelihood below this share of the greatest ends the way.
+    NOTHING: f64 = 1e-4;
+}
 
 /// An effect with its coefficients and its time constant.
 struct Shaped<'a> {
@@ -136,14 +139,14 @@ impl JointFit {
         let without = Mat::from_fn(residuals.len(), 1, |i, _| residuals[i] - of_effect[(i, 0)]);
         let here = At::of(&here, &without)?;
         let weight = |at: &At| (at.log_likelihood - here.log_likelihood).exp();
-        let step = (STEP * linear[own.shape_column].sqrt() / tau).min(WIDEST);
+        let step = (STEP.get() * linear[own.shape_column].sqrt() / tau).min(WIDEST.get());
         let mut profile = Vec::new();
         for step in [-step, step] {
-            let ways = (1..=MOST).map(|k| step * f64::from(k));
-            for way in ways.take_while(|way| way.abs() < SPAN.ln()) {
+            let ways = (1..=MOST.get()).map(|k| step * f64::from(k));
+            for way in ways.take_while(|way| way.abs() < SPAN.get().ln()) {
                 let other = tau * way.exp();
                 let at = At::of(&columns(other), &without)?;
-                let is_nothing = weight(&at) < NOTHING;
+                let is_nothing = weight(&at) < NOTHING.get();
                 profile.push((other, at));
                 if is_nothing {
                     break;

@@ -8,8 +8,10 @@ use crate::methods::joint::clock::coning::{Coning, REACH};
 /// Windows of still samples kept on either side of a turn for the coning terms.
 pub const MARGIN: usize = REACH;
 
-/// Below this squared angle the series are exact to the last bit.
-const SERIES: f64 = 1e-2;
+findings::tuning! {
+    /// Below this squared angle the series are exact to the last bit.
+    SERIES: f64 = 1e-2;
+}
 
 /// The rotation over a turn and what each sample contributes to it.
 #[derive(Clone, Debug)]
@@ -110,7 +112,7 @@ impl Window {
     #[inline(always)]
     fn new(phi: Vector3<f64>) -> Self {
         let x = phi.norm_squared();
-        let (sine, cosine, rest) = if x < SERIES {
+        let (sine, cosine, rest) = if x < SERIES.get() {
             (
                 1.0 - x / 6.0 * (1.0 - x / 20.0 * (1.0 - x / 42.0 * (1.0 - x / 72.0))),
                 0.5 - x / 24.0 * (1.0 - x / 30.0 * (1.0 - x / 56.0 * (1.0 - x / 90.0))),

@@ -8,8 +8,10 @@ use super::turn::rotation;
 use crate::methods::joint::data::{Chunk, Mean, TurnSamples};
 use crate::methods::joint::rows::{MeanRows, Rows};
 
-/// Instants of a chunk that a slope is taken from.
-const INSTANTS: u32 = 8;
+findings::tuning! {
+    /// Instants of a chunk that a slope is taken from.
+    INSTANTS: u32 = 8;
+}
 
 impl Rows<'_> {
     /// The residuals at `x` (`m`).
@@ -47,8 +49,8 @@ impl Rows<'_> {
         let p = self.local_at_rest(x, sensor, chunk.rest);
         let u = self.direction(x, chunk.rest);
         let (mut moment, mut spread) = (Vector3::zeros(), 0.0);
-        for k in 0..INSTANTS {
-            let part = (f64::from(k) + 0.5) / f64::from(INSTANTS);
+        for k in 0..INSTANTS.get() {
+            let part = (f64::from(k) + 0.5) / f64::from(INSTANTS.get());
             let t = mean.span.from + part * mean.span.length();
             let span = Span { from: t, to: t };
             let truth = self.at_rest(chunk, &Mean { span, ..mean }, u);

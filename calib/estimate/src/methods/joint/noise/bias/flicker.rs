@@ -12,17 +12,19 @@ use crate::methods::joint::noise::exposure::{Path, paths, put};
 use crate::methods::joint::noise::stations::Stations;
 use crate::methods::joint::noise::weights::White;
 
-/// Shortest time constant, s: faster ones are white to a mean over seconds.
-const SHORTEST: f64 = 0.4;
+findings::tuning! {
+    /// Shortest time constant, s: faster ones are white to a mean over seconds.
+    SHORTEST: f64 = 0.4;
 
-/// Ratio of neighbouring time constants: the sum of the processes then ripples by less than 5 % about `1/f`.
-const RATIO: f64 = 4.0;
+    /// Ratio of neighbouring time constants: the sum of the processes then ripples by less than 5 % about `1/f`.
+    RATIO: f64 = 4.0;
 
-/// The longest time constant is beyond so many times the length of the recordings: slower ones are a constant bias.
-const BEYOND: f64 = 8.0;
+    /// The longest time constant is beyond so many times the length of the recordings: slower ones are a constant bias.
+    BEYOND: f64 = 8.0;
 
-/// After so many time constants nothing is left of a state.
-const FORGOTTEN: f64 = 40.0;
+    /// After so many time constants nothing is left of a state.
+    FORGOTTEN: f64 = 40.0;
+}
 
 /// Variance of the slope of a line through a window of length `T` in flicker noise of unit instability, times `T²`:
 /// `9/π`, from `−144/(π T²) ∫∫ x y ln|x − y| dx dy = 144/(16 π T²)` over the unit square about zero.
@@ -41,16 +43,16 @@ pub struct Flicker {
 impl Flicker {
     /// For recordings that last `length` seconds.
     pub fn lasting(length: f64) -> Self {
-        let mut taus = vec![SHORTEST];
-        while taus.last().is_some_and(|tau| *tau < BEYOND * length) && taus.len() < 16 {
-            taus.push(SHORTEST * RATIO.powi(taus.len() as i32));
+        let mut taus = vec![SHORTEST.get()];
+        while taus.last().is_some_and(|tau| *tau < BEYOND.get() * length) && taus.len() < 16 {
+            taus.push(SHORTEST.get() * RATIO.get().powi(taus.len() as i32));
         }
         Self { taus }
     }
 
     /// Variance of one process.
     fn variance() -> f64 {
-        RATIO.ln() / PI
+        RATIO.get().ln() / PI
     }
 
     /// A mean over `[from, to]`, times `sign`.
@@ -177,7 +179,7 @@ impl Flicker {
                 .map_or(0.0, |(_, end)| (one.begin - end).max(0.0));
             before = Some((one.recording, one.end));
             // The state is that at the end of the group, of which its begin is so many time constants ahead.
-            let ahead = |tau: &f64| ((one.end - one.begin).max(0.0) / tau).min(FORGOTTEN);
+            let ahead = |tau: &f64| ((one.end - one.begin).max(0.0) / tau).min(FORGOTTEN.get());
             let kept = |tau: &f64| (-gap / tau - ahead(tau)).exp();
             let gives = |i: usize, k: usize| one.head[k][(i, axis)] * ahead(&self.taus[k]).exp();
             let takes = |i: usize, k: usize| one.tail[k][(i, axis)] * Self::variance();

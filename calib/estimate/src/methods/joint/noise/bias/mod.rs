@@ -12,8 +12,10 @@ use super::weights::{ComponentKind, NoiseLevel};
 pub use flicker::{Fading, Flicker, IN_SLOPE};
 pub use within::{Within, within};
 
-/// The mean square of the slope over a window of length `T` of a random walk of unit density is `6/5 / T`.
-pub const WALK_IN_SLOPE: f64 = 1.2;
+findings::tuning! {
+    /// The mean square of the slope over a window of length `T` of a random walk of unit density is `6/5 / T`.
+    pub WALK_IN_SLOPE: f64 = 1.2;
+}
 
 /// Noise of the biases, of accelerometer and gyroscope.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
@@ -122,7 +124,7 @@ impl BiasNoise {
     /// Mean square of the slope of a line through a window of `length` seconds, of one axis of one sensor (0 or 1).
     pub fn slope_variance(&self, place: usize, axis: usize, length: f64) -> f64 {
         let t = length.max(1e-9);
-        let walk = WALK_IN_SLOPE * self.walk[place].powi(2) / t;
+        let walk = WALK_IN_SLOPE.get() * self.walk[place].powi(2) / t;
         walk + IN_SLOPE * (self.flicker[place][axis] / t).powi(2)
     }
 }

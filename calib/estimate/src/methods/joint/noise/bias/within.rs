@@ -8,11 +8,13 @@ use super::{IN_SLOPE, WALK_IN_SLOPE};
 use crate::methods::joint::data::Data;
 use crate::methods::joint::noise::weights::ComponentKind;
 
-/// Squares beyond this many times the usual one are of intervals in which something moved: they count as so much.
-const MOST: f64 = 9.0;
+findings::tuning! {
+    /// Squares beyond this many times the usual one are of intervals in which something moved: they count as so much.
+    MOST: f64 = 9.0;
 
-/// The median of the square of a normal number of variance one.
-const MEDIAN_SQUARE: f64 = 0.455;
+    /// The median of the square of a normal number of variance one.
+    MEDIAN_SQUARE: f64 = 0.455;
+}
 
 /// The slope of a chunk on one axis over what white noise makes of it: `y ~ N(0, 1 + Σ θ_c s_c)`.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,7 +45,9 @@ pub fn within(data: &Data, kinds: &[ComponentKind]) -> Vec<Within> {
     for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
         let mut own = of_sensor(data, sensor, kinds);
         let squares = own.iter().map(|w| w.square);
-        let most = median(squares).map_or(f64::INFINITY, |m| MOST * (m / MEDIAN_SQUARE).max(1.0));
+        let most = median(squares).map_or(f64::INFINITY, |m| {
+            MOST.get() * (m / MEDIAN_SQUARE.get()).max(1.0)
+        });
         own.iter_mut().for_each(|w| w.square = w.square.min(most));
         all.extend(own);
     }
@@ -61,7 +65,7 @@ fn of_sensor(data: &Data, sensor: Sensor, kinds: &[ComponentKind]) -> Vec<Within
         let t = mean.span.length().max(1e-9);
         let adds = |kind: &ComponentKind, axis: usize| match (kind, sensor) {
             (ComponentKind::AccelerometerWalk, Sensor::Accelerometer)
-            | (ComponentKind::GyroscopeWalk, Sensor::Gyroscope) => WALK_IN_SLOPE / t,
+            | (ComponentKind::GyroscopeWalk, Sensor::Gyroscope) => WALK_IN_SLOPE.get() / t,
             (ComponentKind::AccelerometerFlicker(own), Sensor::Accelerometer)
             | (ComponentKind::GyroscopeFlicker(own), Sensor::Gyroscope)
                 if *own == axis =>

@@ -191,7 +191,7 @@ fn make_orthonormal(parts: &mut [Part]) -> usize {
         all.as_mut().subrows_mut(above, q).copy_from(&part.shared);
         above += q;
     }
-    let basis = orthonormal_with_pivots(&all, RANK_TOLERANCE, &mut Vec::new());
+    let basis = orthonormal_with_pivots(&all, RANK_TOLERANCE.get(), &mut Vec::new());
     above = 0;
     for part in parts.iter_mut() {
         let q = part.z.nrows();
