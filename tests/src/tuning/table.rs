@@ -8,11 +8,8 @@ use super::{Constant, Moved, sessions};
 const HEAD: &str = "# Tuning constants
 
 Numbers that decide: levels of tests, fewest and most, limits of a search. A law of physics or the size of a matrix is none. Each stands
-in a table of the file that uses it (`findings::tuning!`); this page is written from those tables by a study:
-
-```sh build
-cargo run --release -p stillpoint-tests --features vary --bin tuning-study -- --page cli/manual/tuning.md
-```
+in a table of the file that uses it (`findings::tuning!`); this page is written from those tables by a study
+(`cargo run --release -p stillpoint-tests --features vary --bin tuning-study -- --page cli/manual/tuning.md`).
 
 The study takes each constant at half and at twice its value through the same sessions, a calibration or a search each. `3 + 2` says that
 3 of them have other findings and 2 more have a number that moved by more than a tenth of its standard error; `·` says that nothing

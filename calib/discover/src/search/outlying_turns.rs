@@ -12,15 +12,13 @@ use crate::state::State;
 findings::tuning! {
     /// A turn is taken out at once where its `χ²` of two degrees is beyond this, and beyond as many times the usual one.
     GROSS: f64 = 50.0;
+
+    /// At most this share of the turns.
+    SHARE: f64 = 0.2;
 }
 
 /// The median of `χ²` of two degrees.
 const MEDIAN: f64 = 1.386;
-
-findings::tuning! {
-    /// At most this share of the turns.
-    SHARE: f64 = 0.2;
-}
 
 /// The turns that are off by far more than all others, under white noise alone.
 ///

@@ -40,15 +40,13 @@ findings::tuning! {
 
     /// Ratio of the residual to that of the calibration's own recordings above which it is doubted.
     WORSE: f64 = 5.0;
+
+    /// A misfit of gravity's norm that has grown by [`WORSE`] is stated from here on, m/s² (1 mg).
+    GROWN: f64 = 0.01;
 }
 
 /// No doubt below these, ° and m/s²: what other hands, places and temperatures make.
 const FINE: (f64, f64) = (0.5, 0.05);
-
-findings::tuning! {
-    /// A misfit of gravity's norm that has grown by [`WORSE`] is stated from here on, m/s² (1 mg).
-    GROWN: f64 = 0.01;
-}
 
 /// Compares a recording with a calibration at its static intervals and through its turns; of a recording without these,
 /// and with effects that cannot be known, nothing is said.

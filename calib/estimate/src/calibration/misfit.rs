@@ -14,15 +14,13 @@ findings::tuning! {
 
     /// The same where walks are not told from a misfit.
     pub WITHOUT_WALKS: f64 = 3.0;
+
+    /// By chance in fewer cases than this.
+    UNLIKELY: f64 = 1e-4;
 }
 
 /// Probabilities are stated down to this.
 const LEAST_CHANCE: f64 = 1e-300;
-
-findings::tuning! {
-    /// By chance in fewer cases than this.
-    UNLIKELY: f64 = 1e-4;
-}
 
 /// One kind of comparison between a calibration and its recordings.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

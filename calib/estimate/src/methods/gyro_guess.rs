@@ -12,12 +12,7 @@ use crate::truth::RawUnit;
 findings::tuning! {
     /// Turns predicted this well, rms of the chord, need no other unit or axes.
     PREDICTED: f64 = 0.5;
-}
 
-/// Smallest and largest angle of the longest turn that a first guess of the scale reaches for, rad.
-const TURN_ANGLES: (f64, f64) = (0.3, 60.0);
-
-findings::tuning! {
     /// Ratio of neighbouring scales tried with the axes as they are named.
     SCALE_STEP: f64 = 1.01;
     /// The same with any axes.
@@ -49,6 +44,9 @@ findings::tuning! {
     /// Rms of the turns' chords below which it is.
     TURNED: f64 = 0.25;
 }
+
+/// Smallest and largest angle of the longest turn that a first guess of the scale reaches for, rad.
+const TURN_ANGLES: (f64, f64) = (0.3, 60.0);
 
 /// Starting point of a gyroscope's fit.
 #[derive(Clone, Copy, Debug, PartialEq)]

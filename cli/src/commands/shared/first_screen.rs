@@ -64,11 +64,11 @@ fn lines_of(step: &Step, width: usize) -> Vec<String> {
     lines
 }
 
-/// The line that calibrates, the command below its label where one line does not hold both.
+/// The line that calibrates, the command below its label where one line does not hold both; or why none does.
 pub fn to_calibrate(command: &str) -> String {
     let width = terminal::width();
     let one = format!("to calibrate: {command}");
-    match columns(&one) <= width {
+    match columns(&one) <= width || !command.starts_with("stillpoint ") {
         true => one,
         false => format!("to calibrate:\n{}", continued(command, width).join("\n")),
     }

@@ -29,18 +29,16 @@ findings::tuning! {
     KNOWN: f64 = 30.0;
     /// So likely what remains has to be by it alone.
     UNREMARKABLE: f64 = 0.1;
-}
 
-/// Walks tried, as multiples of the variance that the noise has: from none to one that dominates.
-const WALKS: [f64; 9] = [0.0, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 1000.0];
-
-findings::tuning! {
     /// Standard deviations below this share of the largest are held up to it: intervals of very different lengths.
     LEAST_SHARE: f64 = 1e-3;
 
     /// Columns of unit length of which others leave less than this depend on them.
     RANK_TOLERANCE: f64 = 1e-7;
 }
+
+/// Walks tried, as multiples of the variance that the noise has: from none to one that dominates.
+const WALKS: [f64; 9] = [0.0, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 1000.0];
 
 /// A shape that the misfit of the static intervals may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -39,12 +39,7 @@ findings::tuning! {
 
     /// Spare placements below which a residual may be small by chance.
     ENOUGH_SPARE: usize = 2;
-}
 
-/// Windows, shortest motions and shortest static intervals of hasty recordings, s.
-const SHORTER: [(f64, f64, f64); 2] = [(0.5, 0.3, 1.0), (0.3, 0.3, 0.6)];
-
-findings::tuning! {
     /// Shorter intervals are taken where they are so many times as many and the error of a corrected reading
     /// so many times smaller ...
     MANY_MORE: f64 = 1.5;
@@ -54,6 +49,9 @@ findings::tuning! {
     /// Neighbours whose forces differ by less than this share are one placement, which something interrupted (0.5°).
     SAME_PLACEMENT: f64 = 9e-3;
 }
+
+/// Windows, shortest motions and shortest static intervals of hasty recordings, s.
+const SHORTER: [(f64, f64, f64); 2] = [(0.5, 0.3, 1.0), (0.3, 0.3, 0.6)];
 
 /// A segmentation and how its multiplier was chosen.
 #[derive(Clone, Debug)]

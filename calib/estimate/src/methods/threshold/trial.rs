@@ -18,11 +18,7 @@ findings::tuning! {
 
     /// Steps that a fit may take: placements that determine the parameters need ten.
     MOST_STEPS: usize = 60;
-}
 
-/// Scale factors of a sensor lie between these, in the unit that its readings show.
-const SCALES: std::ops::RangeInclusive<f64> = 0.5..=2.0;
-findings::tuning! {
     /// Misalignments are smaller than this, rad.
     MISALIGNMENT: f64 = 0.35;
     /// A bias is smaller than this, as a fraction of gravity.
@@ -33,6 +29,9 @@ findings::tuning! {
     /// Norms that scatter by more than this fraction of gravity are those of a device in motion.
     STILL: f64 = 0.02;
 }
+
+/// Scale factors of a sensor lie between these, in the unit that its readings show.
+const SCALES: std::ops::RangeInclusive<f64> = 0.5..=2.0;
 
 /// Result of one multiplier.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -19,14 +19,13 @@ findings::tuning! {
 
     /// A scale this far from one on all axes of readings in SI units is a unit or a time base.
     COMMON_SCALE: f64 = 0.03;
-}
-/// The same to a factor of two, the commonest of wrong rates, and the sensor's own errors on top.
-const COMMON_SCALES: std::ops::RangeInclusive<f64> = 0.45..=2.2;
 
-findings::tuning! {
     /// A gyroscope's own scale beside them, all axes together; one axis has twice that.
     TICKS_OFF: f64 = 0.008;
 }
+
+/// The same to a factor of two, the commonest of wrong rates, and the sensor's own errors on top.
+const COMMON_SCALES: std::ops::RangeInclusive<f64> = 0.45..=2.2;
 
 /// A finding of the gyroscope.
 fn of(kind: Kind) -> Finding {

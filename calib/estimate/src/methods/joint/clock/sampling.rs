@@ -27,15 +27,7 @@ findings::tuning! {
 
     /// With `c = 1`, what is less than this share of the white noise of a turn does not matter.
     MATTERS: f64 = 0.02;
-}
 
-/// Shares tried: none of more than one, because no more can be missing than is seen.
-const SHARES: (f64, f64, usize) = (0.01, 1.0, 44);
-
-/// Scatters tried, rad: from a thousandth of a degree to five degrees.
-const FLOORS: (f64, f64, usize) = (1.7e-5, 0.087, 16);
-
-findings::tuning! {
     /// A direction that the fit leaves less than this share of says nothing.
     LEFT: f64 = 0.05;
 
@@ -47,6 +39,12 @@ findings::tuning! {
     /// Log-likelihood that a share has to gain.
     WORTH_IT: f64 = 2.0;
 }
+
+/// Shares tried: none of more than one, because no more can be missing than is seen.
+const SHARES: (f64, f64, usize) = (0.01, 1.0, 44);
+
+/// Scatters tried, rad: from a thousandth of a degree to five degrees.
+const FLOORS: (f64, f64, usize) = (1.7e-5, 0.087, 16);
 
 /// Computes the interpolation errors `e` at the inner samples of a turn, reduced by the part that white noise explains,
 /// rad/s near SI units; empty where their sum of squares is negligible against the white noise.

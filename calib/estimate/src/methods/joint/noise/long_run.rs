@@ -21,18 +21,16 @@ findings::tuning! {
 
     /// The density at low frequency is at most so many times what the longest batches show.
     FARTHER: f64 = 1.5;
-}
 
-/// Lengths of batches in shares of the longest: whatever the period of a vibration, one of them holds no full number of periods.
-const SHORTER: [f64; 2] = [0.854, 0.618];
-
-findings::tuning! {
     /// Batches of a stretch that spread by more than this many times the median variance are not quiet.
     LOUD: f64 = 4.0;
 
     /// A mean of samples with more than this many times the quiet variance has a noise of its own.
     pub(super) RESTLESS: f64 = 1.5;
 }
+
+/// Lengths of batches in shares of the longest: whatever the period of a vibration, one of them holds no full number of periods.
+const SHORTER: [f64; 2] = [0.854, 0.618];
 
 /// Sum of squares about the means of the stretches, and its degrees of freedom.
 pub(super) fn scatter_within(parts: &[&[f64]]) -> (f64, f64) {
