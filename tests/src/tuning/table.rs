@@ -53,7 +53,9 @@ pub fn page(constants: &[Constant], moved: impl Fn(&Constant) -> Option<[String;
             );
         }
         let [half, twice] = moved.unwrap_or_default();
-        let meaning = constant.meaning.replace('|', "\\|");
+        // The links of its doc lead nowhere from a page.
+        let meaning = constant.meaning.replace("[`", "`").replace("`]", "`");
+        let meaning = meaning.replace('|', "\\|");
         let _ = writeln!(
             page,
             "| `{}` | `{}` | {half} | {twice} | {meaning} |",
