@@ -45,9 +45,9 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             ..remark(0.0001)
         },
         Kind::NoAccelerometer => Entry {
-            reason: "there is no accelerometer",
+            reason: "without an accelerometer only the gyroscope's bias is found",
             text: "the recording has no accelerometer: only the gyroscope's bias (its reading at rest) is found",
-            ..remark(0.0001)
+            ..care(0.1)
         },
         Kind::SensorMissing => Entry {
             reason: "a recording lacks a sensor",
