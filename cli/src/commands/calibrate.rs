@@ -117,21 +117,25 @@ pub(super) fn run_and_show(args: &Args, shown: Watcher<'_>) -> Result<(), Failur
     if let Some(prior) = &prior {
         prior.inform(&mut outcome.calibration)?;
     }
-    let own = match &limits {
-        Some(_) => Some(residual(&recordings, &outcome)?.evaluation()),
-        None => None,
+    // The document alone needs neither.
+    let measured = match limits.is_some() || pictures.wanted() || !args.json {
+        true => {
+            let session = session(&recordings, &outcome)?;
+            Some((Residual::measured(&session), calibration::covered(&session)))
+        }
+        false => None,
     };
+    let residual = measured.as_ref().map(|(residual, _)| *residual);
+    let own = residual.map(|residual| residual.evaluation());
     limits::state(&mut outcome.calibration, limits.as_ref(), own.as_ref());
-    // The document has none of this call.
-    if pictures.wanted() || !args.json {
-        let coverage = calibration::covered(&session(&recordings, &outcome)?);
+    if let Some((_, coverage)) = &measured {
         first_screen::state_next(args, &mut outcome.calibration, coverage.as_ref());
     }
     if pictures.wanted() {
         draw(pictures, &recordings, &outcome)?;
     }
     shown(&recordings, &outcome)?;
-    finish(args, output, &recordings, &outcome)
+    finish(args, output, &recordings, &outcome, residual)
 }
 
 /// Names of the plots that this call draws.
@@ -161,7 +165,7 @@ pub(super) fn session<'a>(
     let calibration = &outcome.calibration;
     let mut session = Session::of(cut, Some(calibration), calibration.gravity)?;
     if let Some(fit) = &outcome.joint {
-        session.mark(&fit.flagged);
+        session.mark(fit);
     }
     Ok(session)
 }
@@ -183,11 +187,6 @@ fn drawn(
     let plots = calibration::pictures(calibration, &session, units);
     let page = calibration::page(calibration, &session, &plots, units)?;
     Ok((plots, page))
-}
-
-/// The residuals of a fit, raw and calibrated.
-pub fn residual(recordings: &[Recording], outcome: &Outcome) -> Result<Residual, Failure> {
-    Ok(Residual::measured(&session(recordings, outcome)?))
 }
 
 /// The report alone, as HTML.
@@ -219,6 +218,7 @@ fn finish(
     output: Option<Output>,
     recordings: &[Recording],
     outcome: &Outcome,
+    residual: Option<Residual>,
 ) -> Result<(), Failure> {
     let calibration = &outcome.calibration;
     let json = show::json(&calibration)?;
@@ -232,7 +232,7 @@ fn finish(
         args,
         recordings,
         calibration,
-        residual: residual(recordings, outcome)?.in_words(),
+        residual: residual.map_or_else(String::new, |residual| residual.in_words()),
     };
     first_screen::screen(&shown).show(|| {
         let shares = calibration

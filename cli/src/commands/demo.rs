@@ -10,12 +10,13 @@ use calib::discover::{Discovery, Request};
 use calib::effects::force_sensitivity;
 use calib::simulate::{Session, Spec};
 
-use super::calibrate::residual;
+use super::calibrate::session as session_of;
 use super::discover::{gaps, look, page_after, plots, verdict};
 use crate::commands::shared::first_screen::{Screen, Step};
 use crate::commands::shared::inputs::spinner;
 use crate::exit::Failure;
 use crate::output::{Folder, Output, Replace};
+use crate::pages::residual::Residual;
 use crate::report::{Report, ReportTable};
 use crate::show;
 use crate::show::command_line;
@@ -114,7 +115,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     if let Some(files) = files {
         files.write(&mut session, &discovery, &request)?;
     }
-    let residual = residual(&recordings, &outcome)?.in_words();
+    let residual = Residual::measured(&session_of(&recordings, &outcome)?).in_words();
     screen(dir, &session, &outcome, &discovery, &residual).show(|| {
         let mut text = simulated(&session, &outcome, &residual);
         text.push_str(&discovered(&discovery));

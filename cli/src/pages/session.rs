@@ -1,8 +1,8 @@
 //! Static intervals and turns of one or more recordings, with what a calibration leaves of each.
 
 use calib::calibration::Triad;
-use calib::intervals::{Detector, Segmentation, StaticInterval, Turn};
-use calib::methods::joint::{Flagged, Scope};
+use calib::intervals::{Detector, Segmentation, StaticInterval, Turn, is_of};
+use calib::methods::joint::{JointFit, Scope};
 use calib::{Calibration, Misfit, Misfits, Recording, misfits};
 
 use super::direction;
@@ -161,22 +161,24 @@ impl<'a> Session<'a> {
     }
 
     /// Marks what the fit of these recordings found disturbed.
-    pub fn mark(&mut self, disturbed: &[Flagged]) {
-        for found in disturbed {
-            let Some(part) = self.parts.get(found.recording) else {
+    pub fn mark(&mut self, fit: &JointFit) {
+        for found in &fit.flagged {
+            // A long recording is fitted in parts.
+            let name = &fit.data.sources[found.recording].name;
+            let mut parts = self.parts.iter();
+            let Some(part) = parts.find(|part| is_of(name, &part.recording.name)) else {
                 continue;
             };
             let key = part.first + found.interval;
-            if let Some(rest) = self
-                .rests
-                .get_mut(key - 1)
-                .filter(|_| found.fault.opens_force)
+            if let Some(rest) = self.rests.get_mut(key - 1)
+                && found.fault.opens_force
             {
                 rest.is_disturbed = true;
             }
             let turn = format!("t{key}");
-            let turn = self.turns.iter_mut().find(|own| own.key == turn);
-            if let Some(turn) = turn.filter(|_| found.fault.scope == Scope::Turn) {
+            if let Some(turn) = self.turns.iter_mut().find(|own| own.key == turn)
+                && found.fault.scope == Scope::Turn
+            {
                 turn.is_disturbed = true;
             }
         }
