@@ -12,6 +12,7 @@ use crate::call;
 use crate::commands::calibrate;
 use crate::commands::shared::inputs::as_paths;
 use crate::exit::Failure;
+use crate::read_args::quoted;
 use crate::show::command_line;
 
 /// The command `calibrate` by itself.
@@ -22,39 +23,34 @@ struct Ordinary {
     args: calibrate::Args,
 }
 
-/// The options of the place, with their values.
-fn of_place(args: &Args) -> impl Iterator<Item = (&'static str, f64)> {
-    let place = [
-        ("--gravity", args.place.gravity),
-        ("--latitude", args.place.latitude),
-        ("--altitude", args.place.altitude),
-    ];
-    place
-        .into_iter()
-        .filter_map(|(option, value)| Some((option, value?)))
-}
-
 /// The command that calibrates `recording` once more.
 pub(super) fn again(args: &Args, recording: &Path) -> String {
-    let mut call = format!("stillpoint calibrate {}", command_line(recording));
-    for (option, value) in of_place(args) {
-        call += &format!(" {option} {value}");
-    }
-    for word in &args.calibrate {
-        call += " ";
-        call += &match word.starts_with('-') {
-            true => word.clone(),
-            false => command_line(Path::new(word)),
-        };
-    }
-    call
+    let (recording, place, read) = (
+        command_line(recording),
+        args.place.command_line(),
+        args.read.command_line(),
+    );
+    let more: String = args
+        .calibrate
+        .iter()
+        .map(|word| format!(" {}", quoted(word)))
+        .collect();
+    format!("stillpoint calibrate {recording}{place}{read}{more}")
 }
 
 /// The call of `calibrate` for `recording`.
 pub(super) fn parse(args: &Args, recording: &Path) -> Result<calibrate::Args, Failure> {
     let mut words: Vec<OsString> = vec![recording.into()];
-    words.extend(of_place(args).map(|(option, value)| format!("{option}={value}").into()));
-
+    let place = [
+        ("--gravity", args.place.gravity),
+        ("--latitude", args.place.latitude),
+        ("--altitude", args.place.altitude),
+    ];
+    for (option, value) in place {
+        if let Some(value) = value {
+            words.push(format!("{option}={value}").into());
+        }
+    }
     if let Some(output) = &args.output {
         words.extend(["-o".into(), output.into()]);
     }
