@@ -59,9 +59,14 @@ impl Loss {
     /// The loss as a remark of a kind.
     pub(crate) fn as_kind(&self, kind: Kind) -> Finding {
         let lost = Finding::of(kind).detail("what", &self.what);
+        // The document has the units of `cal.json`.
+        let unit = match self.unit {
+            "uT" => "µT",
+            unit => unit,
+        };
         match self.size {
             Some(size) => lost
-                .detail("size", human(size, self.unit))
+                .detail("size", human(size, unit))
                 .detail("signal", &self.at),
             None => lost,
         }
@@ -187,22 +192,16 @@ fn of_effects(source: &Source<'_>, kept: &Kept) -> Vec<Loss> {
             let size = size_at(&model, &p, gravity, *time);
             (size > ROUNDING).then_some((size, *when))
         });
+        let largest = errors.max_by(|a, b| a.0.total_cmp(&b.0));
+        let mut own = loss(sensor, format!("the effect {}", values.name), 0.0);
         // Which there is none of at any of these states says nothing of its size.
-        let Some((size, when)) = errors.max_by(|a, b| a.0.total_cmp(&b.0)) else {
-            lost.push(Loss {
-                size: None,
-                ..loss(sensor, format!("the effect {}", values.name), 0.0)
-            });
-            continue;
-        };
-        let own = loss(sensor, format!("the effect {}", values.name), size);
-        lost.push(match needs.as_slice() {
-            [] => own,
-            needs => Loss {
-                at: state(needs, when),
-                ..own
-            },
-        });
+        own.size = largest.map(|(size, _)| size);
+        if let Some((_, when)) = largest
+            && !needs.is_empty()
+        {
+            own.at = state(&needs, when);
+        }
+        lost.push(own);
     }
     lost
 }
@@ -251,7 +250,7 @@ fn loss(sensor: Sensor, what: String, size: f64) -> Loss {
     let (unit, at) = match sensor {
         Sensor::Accelerometer => ("m/s^2", "1 g"),
         Sensor::Gyroscope => ("rad/s", "1 rad/s"),
-        Sensor::Magnetometer => ("µT", "50 µT"),
+        Sensor::Magnetometer => ("uT", "50 µT"),
     };
     Loss {
         what,

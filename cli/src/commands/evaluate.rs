@@ -221,10 +221,7 @@ fn failing(
     let own = judged.iter().find(|(other, _)| other == name);
     let limit = own.and_then(|(_, lines)| limits::failing(lines));
     let gate = || {
-        let failed = !calibration
-            .failed_gates
-            .texts(Front::CommandLine)
-            .is_empty();
+        let failed = !calibration.failed_gates.is_empty();
         failed.then(|| "a quality gate of its own recording".to_owned())
     };
     limit.or_else(gate)

@@ -235,8 +235,8 @@ pub fn judged(
         let sentence = format!("{sentence} {why}");
         return (Level::Care, sentence, next.into_iter().collect());
     }
-    let own = doubts.get(best).into_iter().flatten();
-    let has_moved = own.clone().any(|found| found.kind == Kind::RateAtRestOff);
+    let mut own = doubts.get(best).into_iter().flatten();
+    let has_moved = own.any(|found| found.kind == Kind::RateAtRestOff);
     let mut rests = segmentation.statics.iter();
     let can_renew =
         norm(e.static_rate) > FAR_FROM_ZERO && rests.any(|rest| rest.span.length() > LONG_ENOUGH);
