@@ -19,5 +19,6 @@ pub mod plan_study;
 pub mod power;
 pub mod prior_study;
 pub mod problems;
+pub mod rust_files;
 pub mod tie_study;
 pub mod tuning;

@@ -16,7 +16,7 @@ use indicatif::ProgressBar;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use stillpoint_tests::tuning::{
-    Constant, Job, Outcome, constants, moved, outcomes, page, rows_of, simulate, words,
+    Constant, Job, Outcome, constants, measured_on, moved, outcomes, page, simulate, words,
 };
 
 /// A run that takes longer has no end.
@@ -87,17 +87,8 @@ impl Page {
     fn open(file: PathBuf) -> Result<Self, Failure> {
         let constants = constants(&Path::new(env!("CARGO_MANIFEST_DIR")).join(".."))?;
         let old = std::fs::read_to_string(&file).unwrap_or_default();
-        let rows: HashMap<_, _> = rows_of(&old)
-            .into_iter()
-            .filter(|row| !row.moved[0].is_empty())
-            .map(|row| (row.place, row.moved))
-            .collect();
-        let kept = constants.iter().filter_map(|constant| {
-            let moved = rows.get(&(constant.file.clone(), constant.name.clone()))?;
-            Some((constant.path.clone(), moved.clone()))
-        });
         Ok(Self {
-            measured: Mutex::new(kept.collect()),
+            measured: Mutex::new(measured_on(&old, &constants)),
             file,
             constants,
         })
@@ -113,9 +104,7 @@ impl Page {
     fn add(&self, path: &str, moved: [String; 2]) -> Result<(), Failure> {
         let mut measured = self.measured.lock().map_err(|_| "another thread failed")?;
         measured.insert(path.to_owned(), moved);
-        let text = page(&self.constants, |constant| {
-            measured.get(&constant.path).cloned()
-        });
+        let text = page(&self.constants, &measured);
         Ok(std::fs::write(&self.file, text)?)
     }
 }

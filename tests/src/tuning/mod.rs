@@ -11,4 +11,4 @@ mod table;
 
 pub use sessions::{Job, Moved, Outcome, moved, outcomes, sessions, simulate};
 pub use sources::{Constant, constants};
-pub use table::{Row, page, rows_of, words, written_again};
+pub use table::{Row, measured_on, page, rows_of, words, written_again};

@@ -1,10 +1,12 @@
 //! The tuning constants of a crate, as its source states them.
 
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
+
+use crate::rust_files::rust_files;
 
 /// Folders of the crates whose tuning constants stand in tables.
-const CRATES: [&str; 2] = ["calib/estimate", "calib/discover"];
+const CRATES: [&str; 2] = ["calib/discover", "calib/estimate"];
 
 /// One constant.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -26,30 +28,15 @@ pub struct Constant {
 /// # Errors
 /// A file that cannot be read.
 pub fn constants(root: &Path) -> io::Result<Vec<Constant>> {
-    let mut files = Vec::new();
-    for part in CRATES {
-        collect(&root.join(part).join("src"), &mut files)?;
-    }
-    files.sort();
     let mut all = Vec::new();
-    for file in files {
-        let shown = file.strip_prefix(root).unwrap_or(&file);
-        let shown = shown.to_string_lossy().replace('\\', "/");
-        all.extend(in_text(&shown, &std::fs::read_to_string(&file)?));
-    }
-    Ok(all)
-}
-
-fn collect(folder: &Path, all: &mut Vec<PathBuf>) -> io::Result<()> {
-    for entry in std::fs::read_dir(folder)? {
-        let path = entry?.path();
-        if path.is_dir() {
-            collect(&path, all)?;
-        } else if path.extension().is_some_and(|e| e == "rs") {
-            all.push(path);
+    for part in CRATES {
+        for file in rust_files(&root.join(part).join("src"))? {
+            let shown = file.strip_prefix(root).unwrap_or(&file);
+            let shown = shown.to_string_lossy().replace('\\', "/");
+            all.extend(in_text(&shown, &std::fs::read_to_string(&file)?));
         }
     }
-    Ok(())
+    Ok(all)
 }
 
 /// The constants of one file.

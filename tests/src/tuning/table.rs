@@ -1,5 +1,6 @@
 //! The page of the tuning constants: meaning, value, and how much depends on each.
 
+use std::collections::HashMap;
 use std::fmt::Write;
 
 use super::{Constant, Moved, sessions};
@@ -28,8 +29,9 @@ pub struct Row {
 }
 
 /// The page.
-pub fn page(constants: &[Constant], moved: impl Fn(&Constant) -> Option<[String; 2]>) -> String {
-    let measured: Vec<_> = constants.iter().map(&moved).collect();
+/// `moved` is what was measured, by the path of the constant.
+pub fn page(constants: &[Constant], moved: &HashMap<String, [String; 2]>) -> String {
+    let measured: Vec<_> = constants.iter().map(|own| moved.get(&own.path)).collect();
     let mut page = HEAD.to_owned();
     let reached = measured.iter().flatten();
     let still = reached
@@ -52,7 +54,7 @@ pub fn page(constants: &[Constant], moved: impl Fn(&Constant) -> Option<[String;
                 "\n## `{file}`\n\n| constant | value | × ½ | × 2 | meaning |\n| --- | --- | --- | --- | --- |"
             );
         }
-        let [half, twice] = moved.unwrap_or_default();
+        let [half, twice] = moved.cloned().unwrap_or_default();
         // The links of its doc lead nowhere from a page.
         let meaning = constant.meaning.replace("[`", "`").replace("`]", "`");
         let meaning = meaning.replace('|', "\\|");
@@ -65,14 +67,21 @@ pub fn page(constants: &[Constant], moved: impl Fn(&Constant) -> Option<[String;
     page
 }
 
+/// What a page says of these constants, by their paths.
+pub fn measured_on(old: &str, constants: &[Constant]) -> HashMap<String, [String; 2]> {
+    let rows = rows_of(old).into_iter();
+    let measured = rows.filter(|row| !row.moved[0].is_empty());
+    let mut of_place: HashMap<_, _> = measured.map(|row| (row.place, row.moved)).collect();
+    let known = constants.iter().filter_map(|constant| {
+        let place = (constant.file.clone(), constant.name.clone());
+        Some((constant.path.clone(), of_place.remove(&place)?))
+    });
+    known.collect()
+}
+
 /// The page with the constants as they are now, and what was measured of them.
 pub fn written_again(constants: &[Constant], old: &str) -> String {
-    let rows = rows_of(old);
-    page(constants, |constant| {
-        let is_it = |row: &&Row| row.place.0 == constant.file && row.place.1 == constant.name;
-        let row = rows.iter().find(is_it)?;
-        (!row.moved[0].is_empty()).then(|| row.moved.clone())
-    })
+    page(constants, &measured_on(old, constants))
 }
 
 /// In place of a count where nothing moved.

@@ -6,6 +6,7 @@
 use std::path::{Path, PathBuf};
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use stillpoint_tests::rust_files::rust_files;
 
 /// Words of a sentence, at least; names of channels and formats have up to five.
 const WORDS: usize = 6;
@@ -174,17 +175,14 @@ fn item(tokens: &[TokenTree], from: usize) -> usize {
 
 /// Rust files of a crate without its tests.
 fn sources(folder: &Path) -> Vec<PathBuf> {
-    let mut all = Vec::new();
-    for entry in std::fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        let name = path.file_name().unwrap().to_str().unwrap().to_owned();
-        if path.is_dir() && name != "tests" {
-            all.extend(sources(&path));
-        } else if name.ends_with(".rs") && name != "tests.rs" {
-            all.push(path);
-        }
-    }
-    all.sort();
+    let is_of_tests = |path: &PathBuf| {
+        let below = path.strip_prefix(folder).unwrap();
+        below
+            .iter()
+            .any(|part| part == "tests" || part == "tests.rs")
+    };
+    let mut all = rust_files(folder).unwrap();
+    all.retain(|path| !is_of_tests(path));
     all
 }
 
