@@ -7,7 +7,7 @@ use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use super::units::Units;
 use super::wandering::neighbours_are_alike;
-use crate::methods::magnetic::{Field, MagneticFit, MagneticRequest, fit_magnetometer, fit_to_all};
+use crate::methods::magnetic::{Field, MagneticFit, MagneticRequest, chi2_at, fit_magnetometer};
 use crate::methods::small_sample::by_chance;
 
 /// What is another from a step on.
@@ -109,7 +109,7 @@ fn fewest_steps<'a>(
     let (mut steps, mut found, mut left) = (Vec::new(), None, fit.unevenness);
     let mut needed = LEFT.get() * left;
     while left > UNEVEN.get() * noise && steps.len() < MOST.get() {
-        let Some(best) = one_more(request, &mut steps, stepping) else {
+        let Some(best) = one_more(request, &mut steps, stepping, left) else {
             break;
         };
         left = best.unevenness;
@@ -123,28 +123,32 @@ fn fewest_steps<'a>(
     found
 }
 
-/// The fit that leaves least with one step more; where the others are is looked for again beside it.
+/// The fit with one step more, at the likeliest place in a field that differs by `uneven`; where the others are is looked for again beside it.
 fn one_more(
     request: &MagneticRequest<'_>,
     steps: &mut Vec<usize>,
     stepping: Stepping,
+    uneven: f64,
 ) -> Option<MagneticFit> {
     let others = steps.len();
-    steps.push(best_beside(request, steps, stepping, None)?);
+    let beside = |steps: &[usize], near: Option<usize>| {
+        likeliest_beside(request, steps, stepping, near, uneven)
+    };
+    steps.push(beside(steps, None)?);
     for _ in 0..2 * others {
         steps.rotate_left(1);
-        let near = Some(steps[others]);
-        steps[others] = best_beside(request, &steps[..others], stepping, near)?;
+        steps[others] = beside(&steps[..others], Some(steps[others]))?;
     }
     fit_magnetometer(divided(request, steps, stepping)).ok()
 }
 
-/// The place of one more step whose fit leaves least, near another where one is given.
-fn best_beside(
+/// The likeliest place of one more step in a field that differs by `uneven`, near another where one is given.
+fn likeliest_beside(
     request: &MagneticRequest<'_>,
     others: &[usize],
     stepping: Stepping,
     near: Option<usize>,
+    uneven: f64,
 ) -> Option<usize> {
     let side = stepping.side();
     let places = side..request.placements.len().saturating_sub(side - 1);
@@ -152,8 +156,8 @@ fn best_beside(
     let is_near = |at: &usize| near.is_none_or(|near| near.abs_diff(*at) <= NEAR.get());
     let fits = places.filter(is_apart).filter(is_near).filter_map(|at| {
         let all = [others, &[at]].concat();
-        let fit = fit_to_all(&divided(request, &all, stepping)).ok()?;
-        Some((at, fit.unevenness))
+        let chi2 = chi2_at(&divided(request, &all, stepping), uneven).ok()?;
+        Some((at, chi2))
     });
     let best = fits.min_by(|a, b| a.1.total_cmp(&b.1))?;
     Some(best.0)

@@ -9,7 +9,7 @@ use super::fitted::MagneticFit;
 use super::placement::{HeadingChange, Placement};
 use super::problem::Problem;
 use super::result::Judged;
-use super::start::linear_start;
+use super::start::{Start, linear_start};
 use super::unevenness::unevenness;
 
 findings::tuning! {
@@ -67,12 +67,34 @@ pub fn fit_magnetometer(mut request: MagneticRequest<'_>) -> Result<MagneticFit,
     }
 }
 
-/// Fits a magnetometer to all placements, also to one in another field: a first look at many divisions of a recording.
+/// The smallest `χ²` of all placements where the field differs by `uneven` from place to place: one minimum, where a fit takes twenty to
+/// find the unevenness. It compares divisions of a recording of equally many parts.
 ///
 /// # Errors
 /// As [`fit_magnetometer`].
-pub fn fit_to_all(request: &MagneticRequest<'_>) -> Result<MagneticFit, Error> {
-    Ok(fit_all(request)?.0)
+pub fn chi2_at(request: &MagneticRequest<'_>, uneven: f64) -> Result<f64, Error> {
+    let start = start_of(request)?;
+    let minimum = problem_of(request, &start).minimum(&start, uneven, None)?;
+    Ok(2.0 * minimum.report.cost)
+}
+
+fn start_of(request: &MagneticRequest<'_>) -> Result<Start, Error> {
+    let (placements, changes) = (&request.placements, &request.changes);
+    linear_start(placements, changes, request.recordings, request.strength)
+}
+
+fn problem_of<'a>(request: &'a MagneticRequest<'_>, start: &Start) -> Problem<'a> {
+    Problem {
+        model: request.model,
+        placements: &request.placements,
+        changes: &request.changes,
+        recordings: request.recordings,
+        parts: request.parts,
+        errors: request.errors,
+        strength: start.strength,
+        strength_given: request.strength.is_some(),
+        walk: request.walk,
+    }
 }
 
 /// The fit to all placements, and the one that is disturbed most, if one is.
@@ -86,19 +108,8 @@ fn fit_all(request: &MagneticRequest<'_>) -> Result<(MagneticFit, Option<(usize,
                 .count("least", LEAST_PLACEMENTS.get()),
         ));
     }
-    let (placements, changes) = (&request.placements, &request.changes);
-    let start = linear_start(placements, changes, request.recordings, request.strength)?;
-    let problem = Problem {
-        model: request.model,
-        placements,
-        changes,
-        recordings: request.recordings,
-        parts: request.parts,
-        errors: request.errors,
-        strength: start.strength,
-        strength_given: request.strength.is_some(),
-        walk: request.walk,
-    };
+    let start = start_of(request)?;
+    let problem = problem_of(request, &start);
     let (uneven, minimum) = unevenness(&problem, &start)?;
     let minimum = problem.polished(&start, uneven, minimum);
     let judged = Judged::new(&problem, &start, uneven, &minimum)?;
