@@ -166,47 +166,77 @@ pub fn correlation(calibration: &Calibration) -> Option<Picture> {
     Some(Picture::Matrix(title, names.collect(), rows))
 }
 
+impl Sensor<'_> {
+    /// A scale factor in words, and an error of it; `std` in the unit of the readings.
+    fn scale_factor(&self, axis: &str, std: f64) -> (String, String) {
+        let ppm = show::rounded(1e6 * std / self.scale, 2);
+        (
+            format!("{} {axis} scale", self.name),
+            format!("± {ppm} ppm"),
+        )
+    }
+
+    /// A misalignment in words, and an error of it; `std` in the unit of the readings.
+    fn misalignment(&self, axes: &str, std: f64) -> (String, String) {
+        let mrad = show::figures(1e3 * std / self.scale, 2);
+        (
+            format!("{} misalignment {axes}", self.name),
+            format!("± {mrad} mrad"),
+        )
+    }
+
+    /// A bias in words, and an error of it; `std` in the unit of the readings.
+    fn bias(&self, axis: &str, std: f64) -> (String, String) {
+        let (unit, factor) = self.bias;
+        let size = show::rounded(factor * self.scale * std, 2);
+        (
+            format!("{} {axis} bias", self.name),
+            format!("± {size} {unit}"),
+        )
+    }
+}
+
+/// The parameter called `parameter` in words, and an error of it in the unit that people use; `None` for one of a recording or an effect.
+pub fn error_in_words(
+    calibration: &Calibration,
+    parameter: &str,
+    std: f64,
+) -> Option<(String, String)> {
+    let (prefix, own) = parameter.split_once('.')?;
+    let all = sensors(calibration).into_iter();
+    let sensor = { all }.find(|sensor| sensor.name.starts_with(prefix))?;
+    match own.split_once('_')? {
+        ("s", axis) => Some(sensor.scale_factor(axis, std)),
+        ("b", axis) => Some(sensor.bias(axis, std)),
+        (angle, axes) if angle == sensor.angle => Some(sensor.misalignment(axes, std)),
+        _ => None,
+    }
+}
+
 /// The parameter that makes the largest share of a reading's error.
 pub fn weakest(calibration: &Calibration) -> Option<Figure> {
-    let mut all: Vec<(f64, String, String)> = Vec::new();
+    let mut all: Vec<(f64, (String, String))> = Vec::new();
     for sensor in sensors(calibration) {
-        let Sensor {
-            name,
-            triad,
-            scale,
-            bias,
-            at,
-            ..
-        } = sensor;
+        let (triad, scale) = (sensor.triad, sensor.scale);
         for (i, axis) in AXES.iter().enumerate() {
             for j in 0..3 {
                 let Some(std) = triad.t_std[i][j] else {
                     continue;
                 };
-                let std = std / scale;
-                let (parameter, text) = if i == j {
-                    (
-                        format!("{axis} scale"),
-                        format!("± {} ppm", show::rounded(1e6 * std, 2)),
-                    )
-                } else {
-                    let angle = format!("{}{}", AXES[j], AXES[3 - i - j]);
-                    (
-                        format!("misalignment {angle}"),
-                        format!("± {} mrad", show::figures(1e3 * std, 2)),
-                    )
+                let axes = || format!("{}{}", AXES[j], AXES[3 - i - j]);
+                let words = match i == j {
+                    true => sensor.scale_factor(axis, std),
+                    false => sensor.misalignment(&axes(), std),
                 };
-                all.push((std, format!("{name} {parameter}"), text));
+                all.push((std / scale, words));
             }
             if let Some(std) = triad.bias_std[i] {
-                let (unit, factor) = bias;
-                let text = format!("± {} {unit}", show::rounded(factor * scale * std, 2));
-                all.push((scale * std / at, format!("{name} {axis} bias"), text));
+                all.push((scale * std / sensor.at, sensor.bias(axis, std)));
             }
         }
     }
     all.retain(|(share, ..)| share.is_finite());
-    let (share, name, text) = all.into_iter().max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let (share, (name, text)) = all.into_iter().max_by(|a, b| a.0.total_cmp(&b.0))?;
     let note = format!(
         "{name}, one standard error: {} % of {}",
         show::figures(100.0 * share, 2),

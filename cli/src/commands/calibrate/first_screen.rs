@@ -9,7 +9,7 @@ use calib::{Calibration, Recording};
 
 use super::arguments::Args;
 use super::judgement;
-use super::{limits, reading_error};
+use super::{left_out, limits, reading_error};
 use crate::commands::shared::first_screen::{Screen, lines_of_failure, wrote};
 use crate::commands::shared::names::Names;
 use crate::pages::coverage::Coverage;
@@ -67,6 +67,7 @@ pub fn screen(shown: &Shown<'_>) -> Screen {
         let name = note.split(',').next().unwrap_or(note);
         ["weakest parameter".into(), format!("{name} {value}")]
     }));
+    figures.extend(left_out::line(calibration));
     Screen {
         verdict: vec![names.short(&judgement.sentence)],
         figures,
