@@ -4,7 +4,9 @@ use std::borrow::{Borrow, Cow};
 use std::sync::Arc;
 
 use effects::{catalogue_of, follows_turns, stands_in_the_room};
-use estimate::calibrate::{Prepared, corrected_before, of_the_detector, own_effects};
+use estimate::calibrate::{
+    Instant, Prepared, corrected_before, leave_out, of_the_detector, own_effects,
+};
 use estimate::gravity::GravitySource;
 use estimate::methods::joint::{BiasNoise, ClockMode, IN_A_SEARCH, JointFit, SourceClock};
 use estimate::methods::{Choice, cut, cut_several};
@@ -33,6 +35,8 @@ pub struct Request {
     pub detector: Detector,
     /// True if the detector's multiplier is chosen by the residual of the accelerometer's fit.
     pub choose_multiplier: bool,
+    /// Static intervals to leave out, each by an instant within it.
+    pub left_out: Vec<Instant>,
     /// True if recordings that look like those of different devices are accepted as those of one.
     pub force_device: bool,
     /// True if flicker (1/f) noise of the biases is estimated beside their random walks. It can absorb errors that depend
@@ -85,6 +89,7 @@ impl Request {
             clock: ClockMode::default(),
             detector: Detector::default(),
             choose_multiplier: true,
+            left_out: Vec::new(),
             force_device: false,
             catalogue: catalogue_of(Sensor::Accelerometer)
                 .chain(catalogue_of(Sensor::Gyroscope))
@@ -155,7 +160,8 @@ impl<'a> Session<'a> {
         let all = ready.all();
         let choices = cut_several(all.len(), &detector, |k, detector| {
             request.watch.step(Stage::Cutting)?;
-            cut(all[k], detector, choose, request.gravity)
+            let choice = cut(all[k], detector, choose, request.gravity)?;
+            leave_out(choice, all[k], k, &request.left_out)
         })?;
         let mut remarks = ready.remarks.clone();
         for (recording, choice) in all.iter().zip(&choices) {

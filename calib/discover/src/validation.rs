@@ -56,7 +56,11 @@ pub fn validate(
     request: &Request,
     discovery: &Discovery,
 ) -> Result<Validated, Error> {
-    let session = Session::new(std::slice::from_ref(recording), request)?;
+    let request = Request {
+        left_out: Vec::new(),
+        ..request.clone()
+    };
+    let session = Session::new(std::slice::from_ref(recording), &request)?;
     let search = &discovery.search;
     let noise = search.last.noise;
     let before = Missed::of(&session, &search.base, noise)?;

@@ -120,7 +120,7 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Findings,
     if recordings.is_empty() {
         return Err(Error::usage(Finding::of(Kind::RecordingsMissing)));
     }
-    let how = request.for_discovery()?;
+    let how = request.for_discovery(recordings.len())?;
     let recordings: Vec<Recording> = recordings.iter().map(Recording::at_hand_speed).collect();
     let all: Vec<&calib::Recording> = recordings.iter().map(AsRef::as_ref).collect();
     let validation = request.validation.as_ref().map(AsRef::as_ref);

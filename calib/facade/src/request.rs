@@ -203,7 +203,7 @@ impl Request {
     }
 
     /// For the search.
-    pub(crate) fn for_discovery(&self) -> Result<DiscoverRequest, Error> {
+    pub(crate) fn for_discovery(&self, recordings: usize) -> Result<DiscoverRequest, Error> {
         if !(self.alpha > 0.0 && self.alpha <= 0.5) {
             let expected = "above 0 to 0.5";
             return Err(Error::usage(out_of_range("alpha", self.alpha, expected)));
@@ -216,6 +216,7 @@ impl Request {
                 walk,
                 ..BiasNoise::default()
             }),
+            left_out: self.left_out_of(recordings)?,
             force_device: self.force_device,
             latitude: self.latitude,
             clock: self.clock,

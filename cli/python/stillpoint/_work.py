@@ -130,7 +130,7 @@ def discover(
         alpha: chance of any false claim about a device that lacks nothing.
         validation: another recording of the device, to show the gap on.
         gravity, latitude, altitude, effect_files, progress: as for :func:`calibrate`.
-        more: walks (random walk densities of the biases, m/s²/√s and rad/s/√s), clock, force_device and the detector's.
+        more: walks (random walk densities of the biases, m/s²/√s and rad/s/√s), leave_out, clock, force_device and the detector's.
     """
     options = _options(
         dict(

@@ -5,7 +5,6 @@ pub mod clocks;
 mod first_screen;
 pub mod joint;
 mod judgement;
-mod leave_out;
 pub mod left_out;
 pub mod limits;
 pub mod methods;
@@ -95,7 +94,7 @@ pub(super) fn run_and_show(args: &Args, shown: Watcher<'_>) -> Result<(), Failur
         .map(|p| read(p, &args.read).map(calib::Recording::decimated))
         .collect::<Result<Vec<_>, _>>()?;
     request.sections = sections(args, &recordings)?;
-    request.left_out = leave_out::instants(&args.leave_out, recordings.len())?;
+    request.left_out = args.leave_out.instants(recordings.len())?;
     let spinner = spinner("calibrating");
     let mut outcome = match calibrate(&recordings, &gyro_recordings, &request) {
         Ok(outcome) => outcome,

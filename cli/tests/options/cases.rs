@@ -90,7 +90,7 @@ pub fn case(command: &str, option: &str) -> Option<(&'static str, &'static str)>
         }
         ("calibrate", "--field") => return Some(("field.csv", "--field 48")),
         ("calibrate", "--sections") => "--sections sections.csv",
-        ("calibrate", "--leave-out") => "--leave-out 10",
+        ("calibrate" | "discover", "--leave-out") => "--leave-out 10",
         ("calibrate", "--static-means") => "--static-means means.csv",
         ("calibrate", "--accel-file" | "--gyro-file") => {
             "--accel-file acc.txt --gyro-file gyro.txt"

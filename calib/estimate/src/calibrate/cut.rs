@@ -7,7 +7,7 @@ use recording::{Error, Recording};
 use sensor::Quantity;
 
 use super::checks::{self, none_is_there_twice, none_is_turned};
-use super::request::{Method, Request};
+use super::request::{Instant, Method, Request};
 use crate::methods::{self, Choice, cut_several};
 
 /// Recordings with their static intervals and turns.
@@ -103,14 +103,27 @@ pub fn of_one_recording_each<'a>(
 /// The rests and turns of a recording without those that are left out; `k` is its place among those that sections were
 /// given for.
 fn cut(recording: &Recording, request: &Request, k: Option<usize>) -> Result<Choice, Error> {
-    let mut choice = whole(recording, request, k)?;
-    let of_this = request
-        .left_out
-        .iter()
-        .filter(|i| Some(i.recording) == k.map(|k| k + 1));
-    let instants: Vec<f64> = of_this.map(|instant| instant.t).collect();
-    if !instants.is_empty() {
-        choice.segmentation = choice.segmentation.without(recording, &instants)?;
+    let choice = whole(recording, request, k)?;
+    match k {
+        Some(k) => leave_out(choice, recording, k, &request.left_out),
+        None => Ok(choice),
+    }
+}
+
+/// The choice without the static intervals of the recording at place `k` that `instants` lie in.
+///
+/// # Errors
+/// An instant in none of them.
+pub fn leave_out(
+    mut choice: Choice,
+    recording: &Recording,
+    k: usize,
+    instants: &[Instant],
+) -> Result<Choice, Error> {
+    let own = instants.iter().filter(|i| i.recording == k + 1);
+    let own: Vec<f64> = own.map(|instant| instant.t).collect();
+    if !own.is_empty() {
+        choice.segmentation = choice.segmentation.without(recording, &own)?;
     }
     Ok(choice)
 }

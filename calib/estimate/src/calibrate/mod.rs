@@ -36,7 +36,7 @@ pub use checks::{
     of_the_detector, readings_of_the_device, too_fast, untested_linearity, withdraw_beside_a_cut,
     without_copies,
 };
-pub use cut::of_one_recording_each;
+pub use cut::{leave_out, of_one_recording_each};
 pub use joint::{Account, LatitudeDoubt, is_determined, refuse_unobservable, written_down};
 pub use magnetic::{FIELDS, beside_the_others};
 pub use outcome::Outcome;

@@ -4,9 +4,9 @@ use std::path::PathBuf;
 
 use clap::ValueEnum;
 
-use super::leave_out::LeftOut;
 use super::limits::LimitArgs;
 use crate::commands::shared::inputs::{ClockArg, DetectorArgs, PlaceArgs, RecordingArgs};
+use crate::commands::shared::leave_out::LeaveOutArgs;
 use crate::commands::shared::pictures::PictureArgs;
 use crate::output::Replace;
 use crate::read_args::ReadArgs;
@@ -90,14 +90,8 @@ pub struct Args {
     /// `start,stop`)
     #[arg(long, value_name = "FILE")]
     pub(super) sections: Vec<PathBuf>,
-    /// Static intervals to leave out, each by an instant within it, s; of the second recording as 2:61.5
-    #[arg(
-        long,
-        value_name = "T,T",
-        value_delimiter = ',',
-        allow_hyphen_values = true
-    )]
-    pub(super) leave_out: Vec<LeftOut>,
+    #[command(flatten)]
+    pub(super) leave_out: LeaveOutArgs,
     /// With `--method stepwise`: table of static means (columns `ax,ay,az`) for the accelerometer, instead of the recordings'
     #[arg(long, value_name = "FILE")]
     pub(super) static_means: Option<PathBuf>,

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use crate::commands::shared::inputs::{ClockArg, DetectorArgs, PlaceArgs, RecordingArgs};
+use crate::commands::shared::leave_out::LeaveOutArgs;
 use crate::commands::shared::pictures::PictureArgs;
 use crate::output::Replace;
 use crate::read_args::ReadArgs;
@@ -56,8 +57,10 @@ pub struct Args {
     pub(super) effect_file: Vec<PathBuf>,
     /// Each recording is that of another unit of one type: the evidence of all is added up, calibration, noise and the size
     /// of what is named are each unit's own, and whether the sizes agree is said
-    #[arg(long, conflicts_with_all = ["validation", "emit_effect", "noise", "force_device", "report", "plots"])]
+    #[arg(long, conflicts_with_all = ["validation", "emit_effect", "noise", "force_device", "leave_out", "report", "plots"])]
     pub(super) units: bool,
+    #[command(flatten)]
+    pub(super) leave_out: LeaveOutArgs,
     /// Take recordings for those of one device even where their scale factors differ
     #[arg(long)]
     pub(super) force_device: bool,

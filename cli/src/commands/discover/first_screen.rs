@@ -280,7 +280,7 @@ fn next(args: &Args, findings: &Findings) -> Vec<Step> {
     let given = args.output.as_deref().map(command_line);
     let document = given.clone().unwrap_or("findings.json".into());
     let inputs = args.recordings.command_line() + &args.read.command_line();
-    let place = args.place.command_line();
+    let place = args.place.command_line() + &args.leave_out.command_line();
     let mut steps = Vec::new();
     if given.is_none() {
         let again = call::again(None, "", false, &document);

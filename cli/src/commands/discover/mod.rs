@@ -66,6 +66,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         request.noise = Some(given.noise);
     }
     let recordings = args.recordings.read(&args.read)?;
+    request.left_out = args.leave_out.instants(recordings.len())?;
     let validation = args.validation.as_ref();
     let validation = validation.map(|path| read(path, &args.read)).transpose()?;
     let read = recordings.iter().chain(&validation);

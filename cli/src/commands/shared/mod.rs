@@ -3,5 +3,6 @@
 pub mod figures;
 pub mod first_screen;
 pub mod inputs;
+pub mod leave_out;
 pub mod names;
 pub mod pictures;

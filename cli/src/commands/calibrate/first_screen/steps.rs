@@ -31,7 +31,7 @@ pub fn next(
             .flat_map(|finding| finding.remedies.first())
     };
     let search = || {
-        let place = args.place.command_line();
+        let place = args.place.command_line() + &args.leave_out.command_line();
         Step::new(
             "look for a missing effect",
             format!("stillpoint discover {inputs}{place} -o findings.json"),
