@@ -306,6 +306,9 @@ pub enum Remedy {
 /// A misspelling has at most this many edits, and one more for every third letter.
 const EDITS: usize = 1;
 
+/// A name of at least so many letters that begins another one is that one, however much is missing.
+const BEGUN: usize = 4;
+
 impl Remedy {
     /// An option without a value.
     pub fn set(option: OptionName) -> Self {
@@ -374,10 +377,12 @@ impl Remedy {
     /// assert_eq!(Remedy::nearest("zzzzzz", ["gravity", "rate"]), None);
     /// ```
     pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<Self> {
+        let is_begun = |known: &str| name.len() >= BEGUN && known.starts_with(name);
+        let edits = |known| strsim::damerau_levenshtein(name, known);
         let all = known.into_iter();
-        let all = all.map(|known| (strsim::damerau_levenshtein(name, known), known));
-        let (edits, nearest) = all.min()?;
-        (edits <= EDITS + name.len() / 3).then(|| Self::Nearest {
+        let all = all.map(|known| (!is_begun(known), edits(known), known));
+        let (is_other, edits, nearest) = all.min()?;
+        (!is_other || edits <= EDITS + name.len() / 3).then(|| Self::Nearest {
             names: vec![nearest.to_owned()],
         })
     }

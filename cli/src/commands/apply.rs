@@ -6,6 +6,7 @@ use calib::Recording;
 use calib::calibration::apply_under;
 use calib::recording::{FOLDER_FILES, FolderFile, to_csv, to_parquet};
 
+use crate::commands::shared::first_screen::say_written;
 use crate::commands::shared::inputs::{DeviceArgs, load, read_for};
 use crate::exit::Failure;
 use crate::output::{Filled, Folder, Output, Replace};
@@ -50,7 +51,12 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let mut corrected: Recording = apply_under(&steps::watch(), &calibration, &recording)?;
     let written = target.write(&mut corrected);
     show::warn_each(&corrected.warnings);
-    written
+    written?;
+    let to_file = args
+        .output
+        .as_deref()
+        .filter(|path| *path != Path::new("-"));
+    to_file.map_or(Ok(()), say_written)
 }
 
 /// Destination of the corrected recording.

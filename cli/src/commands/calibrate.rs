@@ -125,8 +125,8 @@ pub(super) fn run_and_show(args: &Args, shown: Watcher<'_>) -> Result<(), Failur
         false => None,
     };
     let residual = measured.as_ref().map(|(residual, _)| *residual);
-    let own = residual.map(|residual| residual.evaluation());
-    limits::state(&mut outcome.calibration, limits.as_ref(), own.as_ref());
+    let own = residual.map(|residual| residual.for_limits());
+    limits::state(&mut outcome.calibration, limits.as_ref(), own);
     if let Some((_, coverage)) = &measured {
         first_screen::state_next(args, &mut outcome.calibration, coverage.as_ref());
     }

@@ -9,6 +9,7 @@ use calib::Recording;
 use calib::recording::UnitBy;
 
 use super::apply::Target;
+use crate::commands::shared::first_screen::say_written;
 use crate::commands::shared::inputs::read;
 use crate::exit::Failure;
 use crate::output::Replace;
@@ -67,7 +68,8 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         warnings.extend(left_out::samples(&recording));
     }
     warnings.iter().for_each(|warning| show::warn(warning));
-    written
+    written?;
+    say_written(&args.output)
 }
 
 /// A warning for every sensor that the file states to be in counts: they are written as they are.

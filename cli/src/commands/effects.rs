@@ -1,9 +1,11 @@
 //! `effects`: the catalogue.
 
+use std::fmt::Write as _;
 use std::path::PathBuf;
 
 use calib::effect_file::catalogue_with;
-use sensor::REFERENCE_TEMPERATURE;
+use comfy_table::Table;
+use sensor::{EffectRef, REFERENCE_TEMPERATURE, Sensor};
 use serde_json::json;
 
 use crate::commands::shared::inputs::own_effects;
@@ -50,20 +52,30 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             .collect();
         return show::print(&show::json(&effects)?);
     }
-    let mut table = show::texts(&["effect", "sensor", "equation", "parameters"]);
-    let all: Vec<_> = catalogue_with(&own).collect();
-    show::keep_names_whole(&mut table, all.iter().map(|effect| effect.name()));
-    for effect in all {
-        table.add_row([
-            effect.name().to_owned(),
-            effect.sensor().name().to_owned(),
-            effect.equation(),
-            parameters(effect.params()),
-        ]);
+    let mut text = String::new();
+    for sensor in Sensor::ALL {
+        let effects = catalogue_with(&own).filter(|effect| effect.sensor() == sensor);
+        let name = show::capital(sensor.name());
+        let _ = writeln!(text, "{name}\n{}\n", table(&effects.collect::<Vec<_>>()));
     }
     show::print(&format!(
-        "{table}\n\nT0 is {REFERENCE_TEMPERATURE} °C: scale factors and biases are stated for that temperature."
+        "{text}T0 is {REFERENCE_TEMPERATURE} °C: scale factors and biases are stated for that temperature."
     ))
+}
+
+/// The effects of a sensor.
+fn table(effects: &[EffectRef]) -> Table {
+    let mut table = show::texts(&["effect", "equation", "parameters"]);
+    show::keep_names_whole(&mut table, effects.iter().map(|effect| effect.name()));
+    for effect in effects {
+        let cells = [
+            effect.name().to_owned(),
+            effect.equation(),
+            parameters(effect.params()),
+        ];
+        table.add_row(cells);
+    }
+    table
 }
 
 /// `x y z (m/s^2), tau (s)`: neighbours of one unit together.

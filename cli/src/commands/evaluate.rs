@@ -4,7 +4,7 @@ use ::findings::{Finding, Front};
 use std::path::{Path, PathBuf};
 
 use calib::calibrate::{STANDARD_GRAVITY, changes_part_way, implausible};
-use calib::limits::{LimitLine, judge_on};
+use calib::limits::{LimitLine, Residuals, judge_on};
 use calib::methods::cut;
 use calib::readings::{symptoms, without_spikes};
 use calib::recording::figure;
@@ -96,12 +96,22 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let mut warnings = recording.warnings.clone();
     warnings.extend(gravities.differ(&calibrations));
     let mut doubts: Vec<Vec<Finding>> = Vec::new();
-    for (_, calibration) in &calibrations {
-        warnings.extend(gates_of(calibration));
+    // Of several calibrations each warning names its own.
+    let of = |name: &str, text: String| match calibrations.len() {
+        1 => text,
+        _ => format!("{}: {text}", show::name(name)),
+    };
+    for (name, calibration) in &calibrations {
+        warnings.extend(gates_of(calibration).map(|text| of(name, text)));
         let doubted = args.device.doubts(calibration, &[&recording])?;
-        warnings.extend(doubted.iter().cloned());
+        let of_biases = calibration.doubts_biases_of(&recording);
+        for doubt in doubted.iter().chain(&of_biases) {
+            warnings.push(match calibrations.len() {
+                1 => doubt.clone(),
+                _ => of(name, doubt.text(Front::CommandLine)).into(),
+            });
+        }
         doubts.push(doubted);
-        warnings.extend(calibration.doubts_biases_of(&recording));
     }
     let progress = spinner("comparing");
     let choice = cut(&recording, &detector, choose, gravities.raw)?;
@@ -139,7 +149,13 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let judged: Vec<(String, Vec<LimitLine>)> = calibrations
         .iter()
         .zip(rows.iter().skip(1))
-        .filter_map(|((name, c), (_, e))| Some((name.clone(), judge_on(limits.as_ref()?, c, e))))
+        .filter_map(|((name, c), (_, e))| {
+            let left = Residuals {
+                at_rest: e.modulus_rms,
+                after_turn: e.direction_rms,
+            };
+            Some((name.clone(), judge_on(limits.as_ref()?, c, left)))
+        })
         .collect();
     let failed: Vec<Option<String>> = calibrations
         .iter()
@@ -297,9 +313,9 @@ impl Gravities {
 const HEADER: [&str; 6] = [
     "calibration",
     "static",
-    "|f| - g, mm/s²",
+    "|f| - g,\nmm/s²",
     "turns",
-    "direction, °",
+    "turn, °",
     "rate at rest, °/s",
 ];
 
@@ -315,7 +331,6 @@ fn cells(rows: &[(String, Evaluation)]) -> Vec<Vec<String>> {
             number(e.direction_rms, 4),
             e.static_rate.map_or("-".into(), |rate| {
                 let [x, y, z] = rate.map(f64::to_degrees);
-                // Three rates fit beside the other columns.
                 let digits = if x.hypot(y).hypot(z) < 0.1 { 4 } else { 3 };
                 format!("{x:.digits$} {y:.digits$} {z:.digits$}")
             }),

@@ -1,6 +1,6 @@
 //! The residuals of a fit, raw and calibrated: one definition for the terminal, the page and the documents.
 
-use calib::Evaluation;
+use calib::limits::Residuals;
 use calib::recording::averages::root_mean_square;
 
 use super::session::{Moved, Rest, Session};
@@ -45,16 +45,10 @@ impl Residual {
     }
 
     /// The same for limits.
-    pub fn evaluation(&self) -> Evaluation {
-        let [rests, turns] = self.count;
-        Evaluation {
-            static_intervals: rests,
-            modulus_rms: self.at_rest[1].map(|left| 1e-3 * left),
-            turns,
-            direction_rms: self.after_turn[1],
-            static_rate: None,
-            static_rate_scatter: None,
-            magnetic_field: None,
+    pub fn for_limits(&self) -> Residuals {
+        Residuals {
+            at_rest: self.at_rest[1].map(|left| 1e-3 * left),
+            after_turn: self.after_turn[1],
         }
     }
 

@@ -4,24 +4,31 @@ use super::line::{Bound, Limit, LimitLine};
 use super::quantity::{Class, largest_error, parameter, unit};
 use super::{Limits, RequiredSensor};
 use crate::calibration::{Calibration, Triad};
-use crate::evaluate::Evaluation;
 
 /// The lines of `limits` for a calibration, in the order of the file's sections.
 pub fn judge(limits: &Limits, calibration: &Calibration) -> Vec<LimitLine> {
     lines(limits, calibration, None)
 }
 
-/// The same with the residuals of a recording that the calibration has not seen. The reduced chi² stays that of the
-/// calibration.
+/// Residuals of corrected readings.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Residuals {
+    /// Length of the specific force at rest less gravity, rms, m/s².
+    pub at_rest: Option<f64>,
+    /// Direction of gravity after a turn, rms, °.
+    pub after_turn: Option<f64>,
+}
+
+/// The same with these residuals, as of a recording that the calibration has not seen. The reduced chi² stays that of the calibration.
 pub fn judge_on(
     limits: &Limits,
     calibration: &Calibration,
-    evaluation: &Evaluation,
+    residuals: Residuals,
 ) -> Vec<LimitLine> {
-    lines(limits, calibration, Some(evaluation))
+    lines(limits, calibration, Some(residuals))
 }
 
-fn lines(limits: &Limits, calibration: &Calibration, seen: Option<&Evaluation>) -> Vec<LimitLine> {
+fn lines(limits: &Limits, calibration: &Calibration, seen: Option<Residuals>) -> Vec<LimitLine> {
     let mut all = Lines(Vec::new());
     let (force, rate) = (&calibration.accelerometer, &calibration.gyroscope);
     for sensor in &limits.required {
@@ -38,7 +45,7 @@ fn lines(limits: &Limits, calibration: &Calibration, seen: Option<&Evaluation>) 
     }
     let own = &limits.accelerometer;
     let residual = match seen {
-        Some(seen) => seen.modulus_rms,
+        Some(seen) => seen.at_rest,
         None => force.as_ref().map(|t| t.residual_rms),
     };
     let name = "accelerometer.residual_mm_s2";
@@ -59,7 +66,7 @@ fn lines(limits: &Limits, calibration: &Calibration, seen: Option<&Evaluation>) 
     );
     let own = &limits.gyroscope;
     let residual = match seen {
-        Some(seen) => seen.direction_rms,
+        Some(seen) => seen.after_turn,
         None => rate.as_ref().map(|t| t.residual_rms),
     };
     let name = "gyroscope.residual_deg";

@@ -43,7 +43,7 @@ pub use built_in::{
     built_in,
 };
 pub use file::{parse_limits, read_limits};
-pub use judge::{judge, judge_on};
+pub use judge::{Residuals, judge, judge_on};
 pub use line::{Bound, Limit, LimitLine, not_kept};
 pub use quantity::parameter;
 

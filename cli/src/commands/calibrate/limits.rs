@@ -3,11 +3,11 @@
 use ::findings::Front;
 use std::path::PathBuf;
 
+use calib::Calibration;
 use calib::calibration::Triad;
 use calib::limits::{
-    Bound, Limit, LimitLine, Limits, built_in, judge, judge_on, not_kept, read_limits,
+    Bound, Limit, LimitLine, Limits, Residuals, built_in, judge, judge_on, not_kept, read_limits,
 };
-use calib::{Calibration, Evaluation};
 
 use crate::exit::{Failure, GATE, NOT_ENOUGH};
 use crate::{report, show};
@@ -33,7 +33,7 @@ impl LimitArgs {
 
 /// Writes the verdict into the calibration: the limits of the file, by the residuals of its own recordings where they are given, then
 /// what holds without one.
-pub fn state(calibration: &mut Calibration, limits: Option<&Limits>, own: Option<&Evaluation>) {
+pub fn state(calibration: &mut Calibration, limits: Option<&Limits>, own: Option<Residuals>) {
     let mut lines = match (limits, own) {
         (Some(limits), Some(own)) => judge_on(limits, calibration, own),
         (Some(limits), None) => judge(limits, calibration),

@@ -224,6 +224,17 @@ pub fn wrote<'a>(files: impl IntoIterator<Item = &'a Path>, nothing: &str) -> St
     }
 }
 
+/// Says which file was written where that is all that there is to say, unless the output is quiet.
+///
+/// # Errors
+/// A standard output that cannot be written.
+pub fn say_written(file: &Path) -> Result<(), Failure> {
+    match terminal::is_quiet() {
+        true => Ok(()),
+        false => show::print(&wrote([file], "")),
+    }
+}
+
 /// Says remarks where there is no result that they stand below: half a terminal of them, all with `-v`.
 pub fn say(remarks: &[String]) {
     if terminal::is_quiet() {

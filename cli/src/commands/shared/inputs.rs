@@ -436,11 +436,8 @@ pub fn named_effect(name: &str, own: &[EffectRef]) -> Result<EffectRef, Failure>
     let found = catalogue_with(own).find(|effect| effect.name() == name);
     found.ok_or_else(|| {
         let names: Vec<String> = catalogue_with(own).map(|e| e.name().to_owned()).collect();
-        let begun = names.iter().find(|known| known.starts_with(name));
-        let nearest = || Remedy::nearest(name, names.iter().map(String::as_str));
-        let known = match (begun, nearest()) {
-            (Some(begun), _) => format!("did you mean {begun}?"),
-            (None, Some(Remedy::Nearest { names })) => {
+        let known = match Remedy::nearest(name, names.iter().map(String::as_str)) {
+            Some(Remedy::Nearest { names }) => {
                 format!("did you mean {}?", names.join(" or "))
             }
             _ => names.join(", "),

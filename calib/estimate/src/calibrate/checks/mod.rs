@@ -40,7 +40,7 @@ pub(super) use unknowable::{refuse_attitude, refuse_unknowable};
 use ::findings::{Finding, Kind};
 use recording::readings::{Quiet, quietest, symptoms};
 use recording::{Error, Recording, Stream};
-use sensor::{EffectRef, Quantity};
+use sensor::{EffectRef, Quantity, Sensor};
 
 use crate::methods::Choice;
 use crate::residuals::StaticMean;
@@ -153,15 +153,21 @@ pub(super) fn enough_rests(
 
 /// `t = 12.0 s (1.2e-2 rad/s, 3.1e-1 m/s²), t = …`: the quietest seconds; none without samples.
 fn quietest_of(recordings: &[&Recording]) -> Option<String> {
+    let recording = recordings.first()?;
+    let unit = |sensor, si| match recording.is_in_counts(sensor) {
+        true => "counts",
+        false => si,
+    };
+    let units = [
+        unit(Sensor::Gyroscope, "rad/s"),
+        unit(Sensor::Accelerometer, "m/s²"),
+    ];
     let of = |quiet: &Quiet| {
-        let rate = quiet.rate.map(|r| format!("{r:.1e} rad/s"));
-        let force = quiet.force.map(|f| format!("{f:.1e} m/s²"));
+        let rate = quiet.rate.map(|r| format!("{r:.1e} {}", units[0]));
+        let force = quiet.force.map(|f| format!("{f:.1e} {}", units[1]));
         let spread: Vec<String> = rate.into_iter().chain(force).collect();
         format!("t = {:.1} s ({})", quiet.span.from, spread.join(", "))
     };
-    let found: Vec<String> = quietest(recordings.first()?, QUIETEST.get())
-        .iter()
-        .map(of)
-        .collect();
+    let found: Vec<String> = quietest(recording, QUIETEST.get()).iter().map(of).collect();
     (!found.is_empty()).then(|| found.join(", "))
 }

@@ -17,7 +17,7 @@ fn whole_turns() -> Vec<Remedy> {
 pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
     Some(match kind {
         Kind::Requirement => error(
-            "record at least {least} placements in all ({advised} are better), with each face up once and down once. Hold the device still for {rest} in each, and turn no faster than {fastest}",
+            "record at least {least} placements in all ({advised} are better), with each face up once and down once. Hold the device still for at least {rest} in each, and turn no faster than {fastest}",
             "",
         ),
         Kind::PlacementsLeaveOpen => error_by(
