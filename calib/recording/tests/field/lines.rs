@@ -284,7 +284,7 @@ fn tenths_of_microseconds_are_offered_beside_the_clock_of_a_processor() {
     assert!(
         error
             .text(Front::CommandLine)
-            .contains("Look up what they count")
+            .contains("look up what they count")
     );
     assert!(said.contains(&format!("{:?}", OptionName::TimeUnit)));
 }

@@ -2,9 +2,9 @@
 
 use findings::{OptionName, Remedy};
 
-use super::suggest::{entry, time as by_name};
+use super::suggest::{entry, suggestion, time as by_name};
 use crate::averages::median;
-use crate::header::dialect::Dialect;
+use crate::header::dialect::{Cell, Dialect};
 use crate::header::preface::{Kept, cells};
 use crate::header::row_shape::usual_width;
 use crate::header::unnamed::number_in;
@@ -76,8 +76,17 @@ fn time(rows: &[&Kept], dialect: Dialect, changing: &[Option<Vec<f64>>]) -> Opti
     rising(rows, dialect, |_| true).or_else(any)
 }
 
+/// True if every cell of the rows is a number.
+fn are_numbers(rows: &[&Kept], dialect: Dialect) -> bool {
+    let is_number = |row: &Kept, cell: &Cell| number_in(row, cell, dialect).is_some();
+    rows.iter().all(|row| {
+        let cells = cells(&row.bytes, dialect);
+        cells.iter().all(|cell| is_number(row, cell))
+    })
+}
+
 /// Returns an example for a table whose rows do not tell the sensors: the time by its numbers, and columns of numbers in their order;
-/// `None` where fewer than three hold any.
+/// `None` where fewer than three hold any and others hold words.
 pub(crate) fn example(rows: &[&Kept], dialect: Dialect, names: &[String]) -> Option<Remedy> {
     let changing = changing(rows, dialect)?;
     let time = by_name(names).or_else(|| time(rows, dialect, &changing));
@@ -88,7 +97,8 @@ pub(crate) fn example(rows: &[&Kept], dialect: Dialect, names: &[String]) -> Opt
     };
     let free: Vec<usize> = (0..changing.len()).filter(may_be).collect();
     let axes = match free.len() {
-        0..3 => return None,
+        // Of a table of numbers any example shows how it is said.
+        0..3 => return are_numbers(rows, dialect).then(|| suggestion(names)),
         3..6 => 3,
         _ => 6,
     };
