@@ -302,14 +302,15 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
                 None if is_days => Remedy::examples([unit(TimeUnit::Days)]),
                 // Of several clocks that make a usual rate nobody but the user knows which it is.
                 None => {
-                    let tenths = Some(tenths).filter(|tenths| is_usual(tenths, step));
                     let counted = clock
                         .zip(name)
                         .map(|(clock, name)| (OptionName::Columns, format!("t={name}/{clock}")));
-                    let known: Vec<_> = tenths.map(unit).into_iter().chain(counted).collect();
-                    match known.is_empty() {
-                        true => Remedy::examples([unit(TimeUnit::Milliseconds)]),
-                        false => Remedy::examples(known),
+                    match is_usual(&tenths, step) {
+                        true => Remedy::examples(std::iter::once(unit(tenths)).chain(counted)),
+                        false => {
+                            let any = unit(TimeUnit::Milliseconds);
+                            Remedy::examples(counted.into_iter().chain([any]))
+                        }
                     }
                 }
             };
