@@ -43,6 +43,23 @@ pub(super) fn layouts(s: &Samples) -> Vec<Layout> {
         };
         format!("{}\n{}\n", of(&f, 'a'), of(&w, 'g'))
     });
+    let field = |name: String, value: &dyn Fn(&Vector3<f64>, &Vector3<f64>) -> f64| {
+        text(s, |stamp, f, w| {
+            format!(
+                ",,0,{}.{:06},{:.9},{name},imu\n",
+                stamp / 1_000_000_000,
+                stamp / 1000 % 1_000_000,
+                value(&f, &w)
+            )
+        })
+    };
+    let sorted: String = (0..6)
+        .map(|at| {
+            let (sensor, axis) = (["a", "g"][at / 3], at % 3);
+            let name = format!("{sensor}{}", ["x", "y", "z"][axis]);
+            field(name, &|f, w| if at < 3 { f[axis] } else { w[axis] })
+        })
+        .collect();
     let records: Vec<String> = s
         .rows()
         .enumerate()
@@ -59,6 +76,12 @@ pub(super) fn layouts(s: &Samples) -> Vec<Layout> {
     vec![
         Layout::text("rostopic echo, ros2 topic echo", "imu.txt", documents).one_clock(),
         Layout::text("InfluxDB", "imu.txt", influx).one_clock(),
+        Layout::text(
+            "InfluxDB, CSV",
+            "imu.csv",
+            format!(",result,table,_time,_value,_field,_measurement\n{sorted}"),
+        )
+        .one_clock(),
         Layout::text("Firebase", "imu.json", firebase).one_clock(),
         Layout::text(
             "a row per number",

@@ -55,6 +55,14 @@ pub(super) fn layouts(s: &Samples) -> Vec<Layout> {
             f[0], f[1], f[2], w[0], w[1], w[2]
         )
     });
+    let teleplot = lines(s, |t, f, w| {
+        let numbers = [f, w].concat();
+        let names = ["ax", "ay", "az", "gx", "gy", "gz"].iter().zip(numbers);
+        let of_axes: Vec<String> = names
+            .map(|(name, number)| format!(">{name}:{t}:{number}"))
+            .collect();
+        of_axes.join("\n")
+    });
     let logged = lines(s, |t, f, w| {
         format!(
             "I ({t}) imu: ax:{} ay:{} az:{} gx:{} gy:{} gz:{}",
@@ -114,6 +122,7 @@ pub(super) fn layouts(s: &Samples) -> Vec<Layout> {
             &unstamped,
         ),
         counted("serial plotter", plotter, &unstamped),
+        counted("Teleplot", teleplot, &stamped),
         counted("ESP-IDF, Arduino-ESP32, Zephyr", logged, &stamped),
         counted("MPU6050_raw of I2Cdevlib", jeff, &unstamped),
         counted("Arduino IDE with time stamps", arduino, &stamped),

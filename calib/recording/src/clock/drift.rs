@@ -69,7 +69,11 @@ fn measured(force: &Stream, rate: &Stream) -> Option<ClockDrift> {
     if force.t == rate.t {
         return None;
     }
-    let starts = [of_halves(force, rate), of_ends(force, rate)];
+    let starts = [
+        of_halves(force, rate),
+        of_ends(force, rate),
+        Some(as_stamped(force)),
+    ];
     let found = starts
         .into_iter()
         .flatten()
@@ -98,6 +102,15 @@ fn of_ends(force: &Stream, rate: &Stream) -> Option<Line> {
         at_middle: begin,
     };
     (slope.abs() > STEEP).then_some(line)
+}
+
+/// The line of stamps that need no change: where turns follow one another like clockwork, halves slip by whole turns.
+fn as_stamped(force: &Stream) -> Line {
+    Line {
+        slope: 0.0,
+        middle: force.t.first().copied().unwrap_or_default(),
+        at_middle: 0.0,
+    }
 }
 
 /// The line through the offsets that the turns show, begun with `line`.
@@ -368,5 +381,29 @@ mod tests {
             );
             assert!(found.error < 6e-5, "{found:?}");
         }
+    }
+
+    #[test]
+    fn turns_like_clockwork_slip_by_no_whole_turn() {
+        let (mut force, mut rate) = (Stream::default(), Stream::default());
+        let mut attitude = nalgebra::Rotation3::identity();
+        let mut random = ChaCha8Rng::seed_from_u64(5);
+        for turn in 0..20 {
+            let at = f64::from(turn);
+            let axis = Vector3::new(at.cos(), at.sin(), (2.0 * at).cos()).normalize();
+            let angle = 1.0 + 0.2 * (3.0 * at).sin();
+            for k in 0..240 {
+                let phase = (f64::from(k - 160) / 80.0).max(0.0);
+                let speed = angle / 1.6 * (1.0 - (std::f64::consts::TAU * phase).cos());
+                attitude = nalgebra::Rotation3::new(axis * (-speed * 0.02)) * attitude;
+                let noise = Vector3::from_fn(|_, _| random.random_range(-0.02..0.02f64));
+                let t = f64::from(240 * turn + k) * 0.02;
+                force.t.push(t);
+                force.values.push(attitude * Vector3::z() * 9.8 + noise);
+                rate.t.push(t + 3e-6);
+                rate.values.push(axis * speed + 0.1 * noise);
+            }
+        }
+        assert_eq!(clock_drift(&force, &rate), None);
     }
 }

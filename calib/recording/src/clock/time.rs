@@ -296,16 +296,23 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
                 .chain(PROCESSORS)
                 .find(|clock| USUAL.contains(&(clock / step)));
             let long = LONG.iter().find(|unit| is_usual(unit, step));
-            let remedy = match (long, clock.zip(name)) {
-                (Some(unit), _) => Remedy::such_as(OptionName::TimeUnit, unit.name()),
-                (None, _) if is_days => {
-                    Remedy::such_as(OptionName::TimeUnit, TimeUnit::Days.name())
+            let unit = |unit: TimeUnit| (OptionName::TimeUnit, unit.name().to_owned());
+            let remedy = match long {
+                Some(long) => Remedy::examples([unit(*long)]),
+                None if is_days => Remedy::examples([unit(TimeUnit::Days)]),
+                // Of several clocks that make a usual rate nobody but the user knows which it is.
+                None => {
+                    let counted = clock
+                        .zip(name)
+                        .map(|(clock, name)| (OptionName::Columns, format!("t={name}/{clock}")));
+                    match is_usual(&tenths, step) {
+                        true => Remedy::examples(std::iter::once(unit(tenths)).chain(counted)),
+                        false => {
+                            let any = unit(TimeUnit::Milliseconds);
+                            Remedy::examples(counted.into_iter().chain([any]))
+                        }
+                    }
                 }
-                (None, Some((clock, name))) => Remedy::examples([
-                    (OptionName::Columns, format!("t={name}/{clock}").as_str()),
-                    (OptionName::TimeUnit, TimeUnit::Milliseconds.name()),
-                ]),
-                _ => Remedy::such_as(OptionName::TimeUnit, TimeUnit::Milliseconds.name()),
             };
             let found = Finding::of(Kind::TimeUnitOpen).detail("step", significant(step, 6));
             Err(in_file(&table.name, found.only_remedies([remedy])))

@@ -23,7 +23,7 @@ use robots::{
     ardupilot_log, betaflight, gyroflow, kalibr, novatel, px4_text, razor, ros_text, trackers,
     vmu931,
 };
-use serial_logs::{adafruit, headings, serial};
+use serial_logs::{adafruit, axis_lines, headings, serial, tagged_rows};
 use texts::{
     axis_rows, brackets, clock_columns, clock_text, date_and_time, documents, fields, labview,
     long, per_axis, split_stamp, start_and_rate, tagged, two_headers, unpadded, wide,
@@ -81,6 +81,8 @@ pub static FORMATS: &[&dyn Format] = &[
     &adafruit::ADAFRUIT,
     &headings::HEADINGS,
     &serial::SERIAL,
+    &axis_lines::AXIS_LINES,
+    &tagged_rows::TAGGED_ROWS,
     &start_and_rate::START_AND_RATE,
     &clock_columns::CLOCK_COLUMNS,
     &split_stamp::SPLIT_STAMP,

@@ -8,15 +8,16 @@ use super::dialect::{Cell, Dialect, Separator};
 use super::preface::{
     Finder, Kept, Preface, cells, decode, is_comment, without_comment_mark, words,
 };
+use super::questions::likely::{example, likely, rising};
 use super::quotes::open_quote;
 use super::row_shape::{
     ends_empty, first_row, is_empty, is_finer, only_integers, rows_are_numbered, stands_still,
     usual_width,
 };
-use super::suggest::suggestion;
+use super::suggest::is_by_number;
 use super::time_column::is_date;
 use super::unit_row;
-use super::unnamed::{Unnamed, likely};
+use super::unnamed::Unnamed;
 use crate::Error;
 use crate::devices::labels::{self, Class};
 use crate::header::Layout;
@@ -60,6 +61,8 @@ pub(crate) struct Start {
     pub unclear: Vec<String>,
     /// Columns that may say which device a row is of.
     pub labels: Vec<(usize, Class)>,
+    /// The column without a role that may be the time by its numbers.
+    pub rising: Option<usize>,
 }
 
 /// True if `head`, the beginning of a text, has a row of numbers before anything that could be a header.
@@ -132,6 +135,7 @@ impl Start {
             told_by_norm: false,
             unclear: Vec::new(),
             labels: Vec::new(),
+            rising: None,
         };
         if dialect.decimal_comma {
             start.warnings.push(
@@ -156,6 +160,8 @@ impl Start {
         }
         start.read_units(name, preface, options)?;
         start.unclear = start.unclear(&rows);
+        let is_free = |at| !start.layout.is_read(at);
+        start.rising = rising(&rows, dialect, is_free);
         start.labels = labels::columns(&start.layout, &rows, dialect, options);
         if let Some(row) = row.filter(|_| preface.header.is_none()) {
             start.pass_torn(&kept, row);
@@ -291,12 +297,19 @@ impl Start {
                 let other = Finding::of(Kind::HeaderWidth)
                     .count("names", cells.len())
                     .count("width", width)
-                    .only_remedies([by_readings(rows, self.dialect, width, only)]);
+                    .only_remedies(by_readings(rows, self.dialect, width, only));
                 return Err(refuse(other.into()));
             }
             names.resize(width, String::new());
         }
-        self.layout = Layout::of_names(names, &options.columns, only).map_err(refuse)?;
+        let layout = Layout::of_names(names.clone(), &options.columns, only);
+        self.layout = layout.map_err(|found| {
+            let by_rows = || example(rows, self.dialect, &names);
+            refuse(match is_by_number(&found) {
+                true => found.only_remedies(by_rows()).into(),
+                false => found,
+            })
+        })?;
         if !options.columns.names(Role::Time) {
             let stands_still = |column| stands_still(rows, self.dialect, column);
             self.layout.take_time_that_moves(stands_still);
@@ -344,7 +357,7 @@ impl Start {
             let roles = roles.ok_or_else(|| {
                 let unknown = Finding::of(Kind::NoHeader).count("width", width);
                 let example = by_readings(rows, self.dialect, width, only);
-                refuse(unknown.only_remedies([example]).into())
+                refuse(unknown.only_remedies(example).into())
             })?;
             // Four columns of a file that is known to hold one sensor need no comment.
             if only.is_none() && !self.undecided {
@@ -366,18 +379,23 @@ impl Start {
     }
 }
 
-/// The columns of the axes as the readings of rows of another width than the header's show them, else any as an example.
-fn by_readings(rows: &[&Kept], dialect: Dialect, width: usize, only: Option<Sensor>) -> Remedy {
+/// The columns of the axes as the readings of rows of another width than the header's show them, else any of numbers as an example.
+fn by_readings(
+    rows: &[&Kept],
+    dialect: Dialect,
+    width: usize,
+    only: Option<Sensor>,
+) -> Option<Remedy> {
     let numbers: Vec<String> = (1..=width).map(|i| i.to_string()).collect();
     let roles = Unnamed::of(rows, dialect).roles(only);
     let Some(roles) = roles.or_else(|| likely(rows, dialect)) else {
-        return suggestion(&numbers);
+        return example(rows, dialect, &numbers);
     };
     let columns = roles
         .iter()
         .map(|(role, at)| format!("{}={}", role.name(), at + 1));
     let columns: Vec<String> = columns.collect();
-    Remedy::such_as(OptionName::Columns, columns.join(","))
+    Some(Remedy::such_as(OptionName::Columns, columns.join(",")))
 }
 
 /// The first lines of the text that are not blank.

@@ -4,7 +4,7 @@ use sensor::Sensor;
 
 use super::dialect::{Cell, Dialect};
 use super::preface::{Kept, cells};
-use super::row_shape::{ends_empty, stands_still, usual_width};
+use super::row_shape::{ends_empty, usual_width};
 use crate::averages::median;
 use crate::recording::options::Role;
 use crate::rows::number::{self, Dialects};
@@ -80,53 +80,6 @@ impl Unnamed {
     }
 }
 
-/// The columns of an accelerometer by its length of gravity, and of a gyroscope beside it, in a table of any width, behind the
-/// time where the first goes up; an example to be checked.
-pub(crate) fn likely(rows: &[&Kept], dialect: Dialect) -> Option<Vec<(Role, usize)>> {
-    let width = usual_width(rows, dialect)?;
-    let cells_of = |row: &&Kept| cells(&row.bytes, dialect);
-    let column = |at: usize| -> Option<Vec<f64>> {
-        let number = |row: &&Kept| number_in(row, cells_of(row).get(at)?, dialect);
-        let whole = rows.iter().filter(|row| cells_of(row).len() == width);
-        let numbers: Vec<f64> = whole.map(number).collect::<Option<_>>()?;
-        let first = *numbers.first()?;
-        numbers.iter().any(|n| *n != first).then_some(numbers)
-    };
-    // Of numbers that change in every row.
-    let changing: Vec<Option<Vec<f64>>> = (0..width).map(column).collect();
-    let goes_up = |t: &Vec<f64>| t.windows(2).all(|pair| pair[0] <= pair[1]);
-    let is_time = changing.first()?.as_ref().is_none_or(goes_up);
-    let begin = usize::from(is_time && !stands_still(rows, dialect, 0));
-    let norm = |from: usize| {
-        let [x, y, z] = [0, 1, 2].map(|axis| changing.get(from + axis)?.as_ref());
-        let (x, y, z) = (x?, y?, z?);
-        median((0..x.len()).map(|k| x[k].hypot(y[k]).hypot(z[k])))
-    };
-    let of_length = |lengths: std::ops::Range<f64>| {
-        let is_it = move |from: &usize| norm(*from).is_some_and(|norm| lengths.contains(&norm));
-        (begin..width).filter(is_it)
-    };
-    // A quaternion has the length 1 too, and what is turned into the frame of the earth comes behind what was read.
-    let mut in_g = of_length(0.8..1.25);
-    let one_in_g = in_g
-        .next()
-        .filter(|first| in_g.all(|other| other < first + 3));
-    let accel = of_length(IN_SI).next().or(one_in_g)?;
-    let beside = [Some(accel + 3), accel.checked_sub(3)];
-    let beside = beside.into_iter().flatten().filter(|from| *from >= begin);
-    let lengths = beside.filter_map(|from| Some((from, norm(from)?)));
-    // Of a field and a rate the rate is less.
-    let gyro = lengths
-        .filter(|(_, length)| *length < SLOWEST && !IN_SI.contains(length))
-        .min_by(|a, b| a.1.total_cmp(&b.1))
-        .map(|(from, _)| from);
-    let accel = (0..3).map(|axis| (Role::Accel(axis), accel + axis));
-    let gyro = gyro.map(|from| (0..3).map(move |axis| (Role::Gyro(axis), from + axis)));
-    let sensors = accel.chain(gyro.into_iter().flatten());
-    let time = (0..begin).map(|at| (Role::Time, at));
-    Some(time.chain(sensors).collect())
-}
-
 /// Entries of columns for eight unnamed columns of which the one numbered `slow`, from 1, is no sensor's axis but a
 /// temperature's.
 pub(crate) fn with_temperature(slow: usize) -> String {
@@ -151,15 +104,11 @@ fn numbers(rows: &[&Kept], dialect: Dialect, width: usize, columns: &[usize]) ->
         .collect()
 }
 
-fn number_in(row: &Kept, cell: &Cell, dialect: Dialect) -> Option<f64> {
+pub(super) fn number_in(row: &Kept, cell: &Cell, dialect: Dialect) -> Option<f64> {
     let bytes = &row.bytes[cell.clone()];
     number::parse(bytes, dialect.decimal_comma, &mut Dialects::default()).ok()
 }
 
-/// Lengths of gravity, m/s².
-const IN_SI: std::ops::Range<f64> = 7.0..13.0;
-/// A gyroscope at the beginning of a recording is at rest and reads less than this, in degrees per second or less.
-const SLOWEST: f64 = 20.0;
 /// Whole numbers below this may say which device a row is of.
 const DEVICES: f64 = 16.0;
 /// Words of which more than one in so many rows is another are no names of devices but stamps.
@@ -272,48 +221,6 @@ mod tests {
             decimal_comma: false,
         };
         Unnamed::of(&rows.iter().collect::<Vec<_>>(), dialect).columns
-    }
-
-    #[test]
-    fn gravity_shows_the_accelerometer_in_a_wide_table() {
-        let likely_of = |row: &dyn Fn(usize) -> String| {
-            let kept = (0..20).map(|k| Kept {
-                number: k as u64 + 1,
-                comment: false,
-                bytes: row(k).into_bytes(),
-            });
-            let rows: Vec<Kept> = kept.collect();
-            let dialect = Dialect {
-                separator: Separator::Byte(b','),
-                decimal_comma: false,
-            };
-            let found = likely(&rows.iter().collect::<Vec<_>>(), dialect)?;
-            Some(found.into_iter().map(|(_, at)| at).collect::<Vec<_>>())
-        };
-        let noise = |k: usize, axis: usize| ((7 * k + 3 * axis) % 11) as f64 * 1e-3;
-        let triad = |k: usize, x: f64, z: f64| {
-            format!("{},{},{}", x + noise(k, 0), noise(k, 1), z + noise(k, 2))
-        };
-        // A quaternion, the rate, the specific force, the field.
-        let wide = |k: usize| {
-            let [rate, force, field] =
-                [(0.01, 0.02), (0.1, 9.8), (20.0, -40.0)].map(|(x, z)| triad(k, x, z));
-            format!("{k},0.5,0.5,0.5,0.5,{rate},{force},{field}")
-        };
-        assert_eq!(likely_of(&wide), Some(vec![0, 8, 9, 10, 5, 6, 7]));
-        // The field in gauss behind the accelerometer.
-        let gauss = |k: usize| {
-            let [rate, force, field] =
-                [(0.01, 0.02), (0.1, 9.8), (0.2, -0.4)].map(|(x, z)| triad(k, x, z));
-            format!("{k},{rate},{force},{field}")
-        };
-        assert_eq!(likely_of(&gauss), Some(vec![0, 4, 5, 6, 1, 2, 3]));
-        // Light, a button and a temperature behind.
-        let still = |k: usize| format!("2023-07-22 04:26:{k},{},12,0,25.0", triad(k, 0.01, 1.0));
-        assert_eq!(likely_of(&still), Some(vec![0, 1, 2, 3]));
-        let untimed = |k: usize| format!("{},{},5,6,7", triad(k, 0.1, 9.8), triad(k, 0.01, 0.02));
-        assert_eq!(likely_of(&untimed), Some(vec![0, 1, 2, 3, 4, 5]));
-        assert_eq!(likely_of(&|k| format!("{k},{}", triad(k, 3.0, 3.0))), None);
     }
 
     #[test]

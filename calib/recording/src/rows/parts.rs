@@ -34,6 +34,8 @@ pub(crate) struct Part {
     pub negated: bool,
     /// Rows without numbers are padding.
     pub padded: bool,
+    /// The beginning of the text does not show whether it has any row.
+    pub may_be_absent: bool,
     /// Rewriting of the text to rows.
     pub change: Option<Change>,
     /// The rate that its program has unless it was told another, Hz, where the rows have no stamps.
@@ -221,6 +223,7 @@ pub(crate) fn read(
     let parts = own.as_deref().unwrap_or(parts);
     let mut tables: Vec<Table> = Vec::new();
     let mut input = Some(input);
+    let mut absent = None;
     for (k, part) in parts.iter().enumerate() {
         let Some(this) = input.take() else { break };
         if k + 1 < parts.len() {
@@ -229,10 +232,18 @@ pub(crate) fn read(
         let origin = tables.first().and_then(|table| table.clock.origin);
         match part.read(this, origin, options) {
             Err(error) if part.is_field() => without_field(&mut tables, &error),
+            Err(error) if part.may_be_absent && is_of_no_rows(&error) => absent = Some(error),
             table => tables.push(table?),
         }
     }
-    Ok(tables)
+    match absent {
+        Some(error) if tables.is_empty() => Err(error),
+        _ => Ok(tables),
+    }
+}
+
+fn is_of_no_rows(error: &Error) -> bool {
+    error.finding().kind == Kind::NoData
 }
 
 /// Goes on without a magnetometer, and says why: no calibration uses it.

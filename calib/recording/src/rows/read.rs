@@ -9,7 +9,7 @@ use crate::devices;
 use crate::header::affine::Affine;
 use crate::header::questions::said_rate::said_rate;
 use crate::header::sniff::Start;
-use crate::header::suggest::{entry, suggestion};
+use crate::header::suggest::entry;
 use crate::header::unnamed::with_temperature;
 use crate::recording::options::{ReadOptions, Role};
 use crate::recording::{memory, with_gravity};
@@ -79,10 +79,9 @@ impl Table {
         if start.undecided {
             table.decide_roles(&start)?;
         } else if start.told_by_norm && rests::at_one_reading(&table.accel.values) {
-            let names: Vec<String> = (1..=start.layout.width).map(|i| i.to_string()).collect();
             let found = Finding::of(Kind::NoHeaderNoForce)
                 .count("width", start.layout.width)
-                .only_remedies([suggestion(&names)]);
+                .only_remedies([as_taken(&start)]);
             return Err(at_line(&table.name, start.after + 1, found));
         }
         memory::room_to_work(&table.name, table.accel.t.len() + table.gyro.t.len())?;
@@ -145,10 +144,9 @@ impl Table {
 
     /// Builds the error that nothing tells the columns apart.
     fn unknown_columns(&self, start: &Start) -> Error {
-        let names: Vec<String> = (1..=start.layout.width).map(|i| i.to_string()).collect();
         let found = Finding::of(Kind::NoHeaderUndecided)
             .count("width", start.layout.width)
-            .only_remedies([suggestion(&names)]);
+            .only_remedies([as_taken(start)]);
         at_line(&self.name, start.after + 1, found)
     }
 
@@ -179,21 +177,44 @@ impl Table {
     }
 }
 
+/// The columns of a text without a header as they were taken, as an example to be checked.
+fn as_taken(start: &Start) -> Remedy {
+    let layout = &start.layout;
+    let time = layout.time.into_iter().map(|at| (Role::Time, at));
+    let of = |sensor: Sensor, triad: Option<[usize; 3]>| {
+        let columns = triad.into_iter().flatten().enumerate();
+        columns.map(move |(axis, at)| (Role::axis(sensor, axis), at))
+    };
+    let accel = of(Sensor::Accelerometer, layout.accel);
+    let gyro = of(Sensor::Gyroscope, layout.gyro);
+    let entries: Vec<String> = time
+        .chain(accel)
+        .chain(gyro)
+        .map(|(role, at)| format!("{}={}", role.name(), at + 1))
+        .collect();
+    Remedy::such_as(OptionName::Columns, entries.join(","))
+}
+
 /// Builds the error about a text without stamps, with the columns that may be stamps.
 fn no_time(input: &Input, start: &Start) -> Error {
     let names = &start.layout.names;
     let likely = start.layout.times.iter().map(|&at| &names[at]);
     let first = start.layout.times.first();
-    let column = first.map_or("t=1".to_owned(), |&at| format!("t={}", entry(names, at)));
+    let column = first.or(start.rising.as_ref());
+    let called = |at: usize| match names.is_empty() {
+        true => (at + 1).to_string(),
+        false => entry(names, at),
+    };
+    let column = column.map(|&at| (OptionName::Columns, format!("t={}", called(at))));
     let none = Finding::of(Kind::NoTime).in_file(&input.name);
     let none = match said_rate(&input.head) {
         Some(rate) => none
             .number("said", rate, "Hz")
             .only_remedies([Remedy::set_to(OptionName::Rate, rate.to_string())]),
-        None => none.only_remedies([Remedy::examples([
-            (OptionName::Rate, "100".to_owned()),
-            (OptionName::Columns, column),
-        ])]),
+        None => {
+            let rate = (OptionName::Rate, "100".to_owned());
+            none.only_remedies([Remedy::examples(std::iter::once(rate).chain(column))])
+        }
     };
     Error::usage(match first {
         Some(_) => none.detail("likely", shown_list(likely)),

@@ -35,13 +35,18 @@ impl<F: FnMut(&[u8], &mut Vec<u8>)> Rewritten<F> {
         self.at = 0;
         loop {
             let buffer = self.source.fill_buf()?;
-            let feed = memchr::memchr(b'\n', buffer);
-            let length = feed.map_or(buffer.len(), |at| at + 1);
+            let end = memchr::memchr2(b'\n', b'\r', buffer);
+            let length = end.map_or(buffer.len(), |at| at + 1);
             self.line.extend_from_slice(&buffer[..length]);
             self.source.consume(length);
-            if feed.is_some() || length == 0 || is_too_long(self.line.len()) {
+            if end.is_some() || length == 0 || is_too_long(self.line.len()) {
                 break;
             }
+        }
+        // A return before a feed is one end of a line with it.
+        if self.line.ends_with(b"\r") && self.source.fill_buf()?.starts_with(b"\n") {
+            self.line.push(b'\n');
+            self.source.consume(1);
         }
         let content = self.line.trim_ascii_end().len();
         // Blanks before the end of the line are no part of it.
@@ -92,5 +97,19 @@ mod tests {
         let mut all = String::new();
         read.read_to_string(&mut all).unwrap();
         assert_eq!(all, "1 a\r\n\n\n2 b");
+        // Returns end lines too.
+        let upper = |text: &str| {
+            changed_by(
+                |text| {
+                    let change = |line: &[u8], out: &mut Vec<u8>| {
+                        out.push(b'>');
+                        out.extend_from_slice(line);
+                    };
+                    rewritten(text, change)
+                },
+                text,
+            )
+        };
+        assert_eq!(upper("a\rb\r\nc\n\rd"), ">a\r>b\r\n>c\n>\r>d");
     }
 }

@@ -22,7 +22,7 @@ const FEWEST: usize = 5;
 const SHARE: f64 = 0.9;
 
 /// A number and the unit behind it.
-pub(super) fn number_and_unit(cell: &str) -> Option<(&str, &str)> {
+pub(crate) fn number_and_unit(cell: &str) -> Option<(&str, &str)> {
     let of_number = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '\u{2212}' | '.' | ',');
     let end = cell.find(|c| !of_number(c))?;
     let (mut number, mut unit) = cell.split_at(end);

@@ -88,7 +88,7 @@ unit! {
         /// Metres per second squared.
         MetresPerSecondSquared = "m/s^2" | "m/s2" | "m/s²" | "m/s/s" | "ms^-2" | "ms-2" | "m.s-2" | "m.s^-2" | "m*s^-2" | "ms⁻²" | "mps2" | "ms2",
         /// Standard gravity, 9.80665 m/s².
-        G = "g" | "g0" | "gs",
+        G = "g" | "g0" | "gs" | "g's",
         /// Thousandths of standard gravity.
         MilliG = "mg" | "milli-g" | "millig",
         /// Millionths of standard gravity.

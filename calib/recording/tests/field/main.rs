@@ -9,6 +9,7 @@ mod columns;
 mod formats;
 mod languages;
 mod layouts;
+mod lines;
 mod loggers;
 mod session;
 mod stamps;

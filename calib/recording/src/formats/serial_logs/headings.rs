@@ -35,12 +35,18 @@ enum Said<'a> {
     Other,
 }
 
+/// The axis of a letter, or of one that a chip's first axes are called by: `X1`.
+fn axis(word: &str) -> Option<usize> {
+    let letter = word.strip_suffix('1').unwrap_or(word).to_lowercase();
+    ["x", "y", "z"].iter().position(|axis| *axis == letter)
+}
+
 fn said(line: &str) -> Said<'_> {
     let separates = |c: char| matches!(c, ' ' | ',' | ':' | '\t' | '=' | '|' | '(' | ')');
     let words: Vec<&str> = line.split(separates).filter(|w| !w.is_empty()).collect();
     let is_number = |word: &&&str| word.parse::<f64>().is_ok_and(f64::is_finite);
     let numbers: Vec<&str> = words.iter().filter(is_number).copied().collect();
-    let is_axis = |word: &&str| matches!(*word, "x" | "y" | "z" | "X" | "Y" | "Z");
+    let is_axis = |word: &&str| axis(word).is_some();
     match (&numbers[..], &words[..]) {
         ([], [first, ..]) => {
             let of_field = is_field(&compact(first)).then_some(Sensor::Magnetometer);
@@ -62,9 +68,9 @@ fn said(line: &str) -> Said<'_> {
                 false => Said::Other,
             }
         }
-        ([number], [axis, _]) => match "xyz".find(&axis.to_lowercase()) {
-            Some(at) if axis.len() == 1 => Said::Axis(at, number),
-            _ => Said::Other,
+        ([number], [name, _]) => match axis(name) {
+            Some(at) => Said::Axis(at, number),
+            None => Said::Other,
         },
         _ => Said::Other,
     }
@@ -193,6 +199,11 @@ mod tests {
             (
                 "Acceleration in g (x,y,z):\n0.1   0.2   1.0\nResultant g: 1.02\nGyroscope data in degrees/s: \n1   2   3\n*****\n",
                 "0.1,0.2,1.0",
+                "1,2,3",
+            ),
+            (
+                "Accelerometer:\n X1 = 0.1\n Y1 = 0.2\n Z1 = 9.8\n\nGyroscope:\n X1 = 1\n Y1 = 2\n Z1 = 3\n\nThermometer:\n Degrees C1 = 25.1\n",
+                "0.1,0.2,9.8",
                 "1,2,3",
             ),
             (

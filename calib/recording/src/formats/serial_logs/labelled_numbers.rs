@@ -4,6 +4,7 @@ use sensor::Sensor;
 
 use super::listed_names::{Listed, between_strokes, in_brackets_of, sensor_and_unit};
 use super::log_prefix::{Stamp, by_terminal, logged, without_checksum};
+use super::words::{number, with_unit, words};
 use crate::header::names::{compact, is_field, role_of, sensor_of, stated_unit};
 use crate::recording::options::Role;
 use crate::units::{AccelUnit, GyroUnit, TimeUnit};
@@ -124,7 +125,8 @@ pub(super) fn numbers(line: &str) -> Option<Numbers<'_>> {
         accel_unit: None,
         gyro_unit: None,
     };
-    found.read(without_topic(rest))?;
+    let rest = rest.trim_start();
+    found.read(without_topic(rest.strip_prefix('>').unwrap_or(rest)))?;
     // A stamp in brackets alone names no numbers.
     let names = found.names().skip(usize::from(counted.is_some()));
     let has_name = { names }.any(|name| !name.is_empty());
@@ -142,29 +144,6 @@ fn without_topic(message: &str) -> &str {
     record.map_or(message, |at| &message[at..])
 }
 
-/// The words and the numbers of a message, without what separates them.
-fn words(message: &str) -> impl Iterator<Item = &str> {
-    let is_json = message.trim_start().starts_with('{');
-    // `IMU {AccX : 1, ..}`, `Accel: {'x': 1, ..}`.
-    let is_in_braces = is_json || (message.contains('{') && message.trim_end().ends_with('}'));
-    let separates = move |c: char| {
-        matches!(
-            c,
-            ',' | ';' | ' ' | '\t' | ':' | '=' | '|' | '(' | ')' | '[' | ']'
-        ) || (is_in_braces && matches!(c, '{' | '}' | '"' | '\''))
-    };
-    message.split(separates).filter(|word| !word.is_empty())
-}
-
-/// A number as it is written, and a whole one that InfluxDB marks, `12i`, without its mark.
-fn number(word: &str) -> Option<&str> {
-    let is_number = |word: &str| word.parse::<f64>().is_ok_and(f64::is_finite);
-    let whole = word
-        .strip_suffix('i')
-        .filter(|own| own.parse::<i64>().is_ok());
-    whole.or_else(|| is_number(word).then_some(word))
-}
-
 /// Digits of a stamp since 1970 in seconds.
 const OF_EPOCH: usize = 10;
 
@@ -180,6 +159,14 @@ impl<'a> Numbers<'a> {
             if let Some(number) = number(word) {
                 self.pairs.push((names.next(), number));
                 self.sensors.push(sensor);
+            } else if let Some((number, unit)) = with_unit(word) {
+                let name = names.next();
+                let own = role_of(name, None).and_then(|role| role.sensor());
+                self.pairs.push((name, number));
+                self.sensors.push(sensor);
+                if let Some(own) = own.or(sensor) {
+                    self.set_unit(unit, own);
+                }
             } else if let Some((name, own, unit)) = sensor_and_unit(message, word) {
                 names.push(name);
                 sensor = Some(own);
@@ -188,7 +175,9 @@ impl<'a> Numbers<'a> {
                 // Dates and torn numbers are no names.
                 word.starts_with(char::is_alphabetic).then_some(())?;
                 between_strokes(word).for_each(|name| names.push(name));
-                sensor = names.sensor().or(sensor);
+                // The axes behind `AccX` are the accelerometer's too.
+                let of_axis = || role_of(names.last(), None)?.sensor();
+                sensor = names.sensor().or_else(of_axis).or(sensor);
             }
         }
         let name = names.last();
@@ -289,6 +278,32 @@ mod tests {
         }
         let found = numbers("Acc (mg) [ -18.99, -32.07, 982.16 ]").unwrap();
         assert_eq!(found.accel_unit, "mg".parse().ok());
+    }
+
+    #[test]
+    fn units_and_marks_may_stand_beside_a_number() {
+        let line = "[ACCEL] X:+0.01g Y:-0.02g Z:+1.0g | [GYRO] X:+0.4°/s Y:-0.7°/s Z:+0.3°/s | [ANGLE] R:+1.5°";
+        let found = numbers(line).unwrap();
+        assert_eq!(found.pairs[2], ("Z", "+1.0"));
+        assert_eq!(
+            (found.accel_unit, found.gyro_unit),
+            (Some(AccelUnit::G), Some(GyroUnit::DegreesPerSecond))
+        );
+        for line in [
+            "Acceleration => AX: 0.1 | AY: 0.2 | AZ: 9.8",
+            "Accelerometer - x: 0.1 y: 0.2 z: 9.8",
+            ">ax:0.1,ay:0.2,az:9.8",
+            "AccX=0.1,Y=0.2,Z=9.8",
+        ] {
+            assert!(
+                numbers(line).unwrap().is_of_one(Sensor::Accelerometer),
+                "{line}"
+            );
+        }
+        let found = numbers("acc analog: (unit mg) x: 0.1 y: 0.2 z: 998").unwrap();
+        assert_eq!(found.accel_unit, Some(AccelUnit::MilliG));
+        // What is torn is no number.
+        assert_eq!(numbers("ax:0.1gy:0.2 az:3 ax:1"), None);
     }
 
     #[test]

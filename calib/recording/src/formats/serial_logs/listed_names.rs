@@ -77,6 +77,8 @@ pub(super) fn between_strokes(word: &str) -> impl Iterator<Item = &str> {
 pub(super) fn in_brackets_of<'a>(message: &'a str, word: &str) -> (bool, &'a str) {
     let begin = word.as_ptr() as usize - message.as_ptr() as usize;
     let (before, after) = (&message[..begin], &message[begin + word.len()..]);
+    // `(unit mg)`
+    let before = before.strip_suffix("unit ").unwrap_or(before);
     let is_between = |begin, end| before.ends_with(begin) && after.starts_with(end);
     (is_between('(', ')') || is_between('[', ']'), after)
 }

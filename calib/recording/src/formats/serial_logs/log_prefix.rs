@@ -94,6 +94,7 @@ pub(super) fn logged(line: &str) -> Option<Logged<'_>> {
         .or_else(|| arduino(line))
         .or_else(|| zephyr(line))
         .or_else(|| dated(line))
+        .or_else(|| frame(line))
 }
 
 /// A line without what tells a terminal colours and places: `ESC[0;32m`, `ESC[8D`.
@@ -155,6 +156,19 @@ fn zephyr(line: &str) -> Option<Logged<'_>> {
     Some(Logged {
         stamp,
         tag,
+        message,
+    })
+}
+
+/// What a frame of a bus means, behind it: `(1700000000.010000)  can0  101   [2]  59 00 :: IMU(AccX: 0.1 m/s2, ..)`.
+fn frame(line: &str) -> Option<Logged<'_>> {
+    let (frame, message) = line.split_once(" :: ")?;
+    let (stamp, _) = frame.trim_start().strip_prefix('(')?.split_once(')')?;
+    let since = || stamp.parse().ok().map(Stamp::SinceStart);
+    let of_day = || seconds(stamp.rsplit([' ', 'T']).next()?).map(Stamp::OfDay);
+    Some(Logged {
+        stamp: since().or_else(of_day)?,
+        tag: "",
         message,
     })
 }
@@ -302,6 +316,10 @@ mod tests {
         assert_eq!(
             of("\u{1b}[8D\u{1b}[J[00:00:12.345,678] <inf> imu: ax:1 ay:2\u{1b}[0m"),
             Some((Stamp::OfDay(12.345678), imu, said))
+        );
+        assert_eq!(
+            of("(170.5)  can0  101   [2]  59 00 :: ax:1 ay:2"),
+            Some((since(170.5), "", said))
         );
         let noon = Stamp::OfDay(43_200.01);
         for (line, tag) in [

@@ -1,5 +1,7 @@
 //! Tables with a row per number, which says its name: `0.01,ax,0.05`.
 
+use std::collections::HashMap;
+
 use sensor::Sensor;
 
 use super::gathered::{Gather, parts_of};
@@ -18,7 +20,16 @@ pub(crate) static FIELDS: TextFormat = TextFormat {
 };
 
 /// Names of the column of the numbers.
-const VALUES: [&str; 6] = ["value", "val", "wert", "valeur", "valor", "reading"];
+const VALUES: [&str; 7] = [
+    "value", "val", "wert", "valeur", "valor", "reading", "state",
+];
+/// Names of the column of the time beside those of every table: that of a change of state.
+const CHANGES: [&str; 2] = ["lastchanged", "lastupdated"];
+/// Instants that wait for their other axes, where the rows are sorted by their names.
+const MOST: usize = 1 << 20;
+/// Rows of names in runs, and runs of which these are at most so many.
+const SORTED: usize = 20;
+const RUNS: usize = 9;
 /// Numbers in a line of a table of another kind.
 const WIDEST: usize = 16;
 
@@ -32,7 +43,9 @@ struct Columns {
 impl Columns {
     fn of(header: &[String]) -> Option<Self> {
         let is_value = |name: &String| VALUES.contains(&compact(name).as_str());
-        let is_time = |name: &String| role_of(name, None) == Some(Role::Time);
+        let is_time = |name: &String| {
+            role_of(name, None) == Some(Role::Time) || CHANGES.contains(&compact(name).as_str())
+        };
         let found = Self {
             time: header.iter().position(is_time)?,
             value: header.iter().position(is_value)?,
@@ -77,21 +90,19 @@ fn name_of(cells: &[String]) -> Option<(Sensor, usize)> {
     whole.or_else(|| Some((sensor()?, axis()?)))
 }
 
-/// The numbers of a sensor at the instant that the last row is of.
-struct Instant {
+/// The numbers of a sensor at the instants of which an axis or two are still to come.
+struct Instants {
     sensor: Sensor,
     columns: Columns,
-    time: String,
-    axes: [Option<String>; 3],
+    waiting: HashMap<String, [Option<String>; 3]>,
 }
 
-impl Gather for Instant {
+impl Gather for Instants {
     fn below(header: &[String], sensor: Sensor) -> Option<Self> {
         Some(Self {
             sensor,
             columns: Columns::of(header)?,
-            time: String::new(),
-            axes: Default::default(),
+            waiting: HashMap::new(),
         })
     }
 
@@ -101,19 +112,53 @@ impl Gather for Instant {
             cells.get(self.columns.value)?,
         );
         let (_, axis) = name_of(cells).filter(|(own, _)| *own == self.sensor)?;
-        if *time != self.time {
-            self.time.clone_from(time);
-            self.axes = Default::default();
+        if self.waiting.len() >= MOST {
+            self.waiting.clear();
         }
-        self.axes[axis] = Some(value.clone());
-        let [Some(x), Some(y), Some(z)] = &self.axes else {
+        let device = device_of(cells, time, value);
+        let key = format!("{time};{device}");
+        let axes = self.waiting.entry(key.clone()).or_default();
+        axes[axis] = Some(value.clone());
+        let [Some(x), Some(y), Some(z)] = axes else {
             return None;
         };
         // Another separator than commas, which may be decimal marks.
-        let row = format!("{time};{x};{y};{z}");
-        self.axes = Default::default();
+        let mut row = format!("{time};{x};{y};{z}");
+        if !device.is_empty() {
+            row.extend([";", &device]);
+        }
+        self.waiting.remove(&key);
         Some(row)
     }
+}
+
+/// What else a row says in words, as the device that it is of.
+fn device_of(cells: &[String], time: &str, value: &str) -> String {
+    let is_word = |cell: &&String| {
+        let begins = cell.starts_with(char::is_alphabetic);
+        let is_other = *cell != time && *cell != value;
+        let is_letter = ["x", "y", "z"].iter().any(|a| cell.eq_ignore_ascii_case(a));
+        begins && is_other && !is_letter && axis_of(cell).is_none()
+    };
+    let is_sensor = |cell: &&String| {
+        let word = compact(cell);
+        is_field(&word) || sensor_of(&word).is_some()
+    };
+    let words: Vec<&str> = cells
+        .iter()
+        .filter(is_word)
+        .filter(|cell| !is_sensor(cell))
+        .map(String::as_str)
+        .collect();
+    words.join(" ")
+}
+
+/// True where all rows of one name come before those of the next, so that the beginning of a text does not show every axis.
+fn are_sorted(rows: &[Vec<String>]) -> bool {
+    let names = rows.iter().filter_map(|row| name_of(row));
+    let names: Vec<(Sensor, usize)> = names.collect();
+    let runs = names.chunk_by(|a, b| a == b).count();
+    names.len() >= SORTED * runs && (1..=RUNS).contains(&runs)
 }
 
 fn parts(look: &Look) -> Option<Vec<Part>> {
@@ -122,11 +167,20 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
     let columns = Columns::of(&header)?;
     let rows: Vec<Vec<String>> = lines.collect();
     let named = rows.iter().filter(|row| name_of(row).is_some()).count();
-    if 2 * named < rows.len() {
+    let has = |name: &str| header.iter().any(|own| own == name);
+    let is_of_flux = has("_field") && has("_value") && has("_time");
+    if 2 * named < rows.len() && !is_of_flux {
         return None;
     }
+    if are_sorted(&rows) || (named == 0 && is_of_flux) {
+        let is_read = |sensor: Sensor| sensor != Sensor::Magnetometer;
+        let mut parts =
+            parts_of::<Instants>(is_read, stated_unit(&header[columns.time]), |_| None)?;
+        parts.iter_mut().for_each(|part| part.may_be_absent = true);
+        return Some(parts);
+    }
     let has = |sensor: Sensor| {
-        let Some(mut instant) = Instant::below(&header, sensor) else {
+        let Some(mut instant) = Instants::below(&header, sensor) else {
             return false;
         };
         let whole = rows.iter().filter_map(|row| instant.next(row));
@@ -137,7 +191,7 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
         let name = rows.iter().flatten().find(is_own)?;
         take_apart(name).1
     };
-    parts_of::<Instant>(has, stated_unit(&header[columns.time]), unit)
+    parts_of::<Instants>(has, stated_unit(&header[columns.time]), unit)
 }
 
 #[cfg(test)]
@@ -170,6 +224,17 @@ mod tests {
             rows(&text).unwrap()[0],
             ["0,00;0,5;1,5;2,5", "0,01;3,5;4,5;5,5"]
         );
+    }
+
+    #[test]
+    fn rows_sorted_by_their_names_are_put_together_by_their_stamps() {
+        let names = ["ax", "ay", "az", "gx", "gy", "gz"];
+        let row = |at: usize, k: usize| format!("{k},{},{at}.{k}\n", names[at]);
+        let rows_of = |at: usize| (0..30).map(|k| row(at, k)).collect::<String>();
+        let text = "time,name,value\n".to_owned() + &(0..6).map(rows_of).collect::<String>();
+        let read = rows(&text).unwrap();
+        let expected: Vec<String> = (0..30).map(|k| format!("{k};3.{k};4.{k};5.{k}")).collect();
+        assert_eq!((read.len(), &read[1]), (2, &expected));
     }
 
     #[test]

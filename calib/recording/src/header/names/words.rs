@@ -82,6 +82,7 @@ pub(super) const ACCEL: &[&str] = &[
     "acce",
     "gforce",
     "accel",
+    "acel",
     "accelerometer",
     "acceleration",
     "linearacceleration",
@@ -221,9 +222,11 @@ pub(super) const TEMPERATURE: &[&str] = &[
 ];
 
 /// Words around that of a sensor which say nothing more.
-const AROUND: [&str; 8] = [
+const AROUND: [&str; 10] = [
     "imu",
+    SENSOR,
     "raw",
+    "org",
     "array",
     "out",
     "scaled",
@@ -232,8 +235,9 @@ const AROUND: [&str; 8] = [
     BODY,
 ];
 
-/// The one beside which a letter may be a force, a moment or gravity in the axes of the body.
+/// The ones beside which a letter may be a force, a moment or gravity in the axes of the body, or one of several sensors.
 const BODY: &str = "body";
+const SENSOR: &str = "sensor";
 
 /// True for a stem that is one of `words`, with one of the words around it or without.
 fn is_one_of(words: &[&str], stem: &str) -> bool {
@@ -241,7 +245,7 @@ fn is_one_of(words: &[&str], stem: &str) -> bool {
         let rest = stem
             .strip_prefix(*around)
             .or_else(|| stem.strip_suffix(*around));
-        let may_be = |rest: &str| *around != BODY || rest.chars().count() > 1;
+        let may_be = |rest: &str| ![BODY, SENSOR].contains(around) || rest.chars().count() > 1;
         rest.is_some_and(|rest| may_be(rest) && words.contains(&rest))
     };
     words.contains(&stem) || AROUND.iter().any(bare)

@@ -1,6 +1,6 @@
 //! Suggested options where column names are not understood.
 
-use findings::{OptionName, Remedy};
+use findings::{Finding, Kind, OptionName, Remedy};
 use sensor::Sensor;
 
 use crate::header::names::{is_like_time, is_of_ticks, role_of, take_apart};
@@ -18,6 +18,16 @@ fn by_number(width: usize) -> Remedy {
         _ => "t=1,ax=2,ay=3,az=4,gx=5,gy=6,gz=7",
     };
     Remedy::such_as(OptionName::Columns, example)
+}
+
+/// True for an error whose example of columns is only by their number in the table.
+pub(crate) fn is_by_number(found: &Finding) -> bool {
+    let is_example = |remedy: &Remedy| match remedy {
+        Remedy::Example { any_of } => any_of.iter().any(|s| s.option == OptionName::Columns),
+        _ => false,
+    };
+    matches!(found.kind, Kind::NoSensorColumns | Kind::ColumnMissing)
+        && found.remedies.iter().any(is_example)
 }
 
 /// The name most like `wanted`, if one is.
@@ -112,7 +122,7 @@ pub(crate) fn suggestion(names: &[String]) -> Remedy {
 }
 
 /// The column that is the time by its name, or most like it.
-fn time(names: &[String]) -> Option<usize> {
+pub(crate) fn time(names: &[String]) -> Option<usize> {
     let is = |name: &String| role_of(name, None) == Some(Role::Time);
     let exact = names.iter().position(|name| is(name) && !is_of_ticks(name));
     let in_time = |name: &String| {

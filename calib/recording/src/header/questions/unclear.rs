@@ -59,10 +59,11 @@ const DERIVED: [&str; 26] = [
 /// True for a name that says what a column holds, and that it is no accelerometer and no gyroscope.
 fn is_of_another(name: &str) -> bool {
     let (word, unit) = take_apart(name);
-    let is_xyz = matches!(word.as_str(), "x" | "y" | "z");
-    if DERIVED.iter().any(|part| word.contains(part))
-        || (!is_xyz && OTHER_NAMES.contains(&word.as_str()))
-    {
+    // `MOT.Q0` is called as `q0` is.
+    let last = name.rsplit('.').next().map(compact).unwrap_or_default();
+    let is_xyz = |word: &str| matches!(word, "x" | "y" | "z");
+    let is_other = |word: &str| !is_xyz(word) && OTHER_NAMES.contains(&word);
+    if DERIVED.iter().any(|part| word.contains(part)) || is_other(&word) || is_other(&last) {
         return true;
     }
     // `gyro_counts_x` counts, and is a gyroscope's all the same.

@@ -35,7 +35,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             vec![Remedy::such_as(OptionName::TimeUnit, "ms")],
         ),
         Kind::TimeUnitOpen => error_by(
-            "the program cannot tell the unit of the time stamps[: it does not know the one in `{column}`][. Their usual step of {step} makes a usual rate in no unit that it knows]",
+            "the program cannot tell the unit of the time stamps[: it does not know the one in `{column}`][. Their usual step of {step} makes a usual rate in no common unit, so look up what they count]",
             vec![Remedy::such_as(OptionName::TimeUnit, "ms")],
         ),
         Kind::TimeUnitTooFast => error_with(
