@@ -67,7 +67,7 @@ pub fn screen(shown: &Shown<'_>) -> Screen {
         let name = note.split(',').next().unwrap_or(note);
         ["weakest parameter".into(), format!("{name} {value}")]
     }));
-    figures.extend(left_out::line(calibration));
+    figures.extend(not_excluded(calibration));
     Screen {
         verdict: vec![names.short(&judgement.sentence)],
         figures,
@@ -87,6 +87,19 @@ pub fn screen(shown: &Shown<'_>) -> Screen {
         remarks: names.all_short(&remarks),
         reserved: lines_of_failure(&reasons),
     }
+}
+
+/// The effect that would enlarge a standard error most, in words; `None` where none would double.
+fn not_excluded(calibration: &Calibration) -> Option<[String; 2]> {
+    let worst = calibration.enlarged_by_more_than(left_out::WORTH_SHOWING);
+    let own = worst.first()?;
+    let (name, added) =
+        parameters::error_in_words(calibration, &own.by.parameter, own.by.std_added)?;
+    let effect = &own.by.effect;
+    Some([
+        "not excluded".into(),
+        format!("{effect}: adds {added} to {name}"),
+    ])
 }
 
 /// Returns the standard errors of corrected readings, in words.

@@ -2,11 +2,11 @@
 
 use calib::Calibration;
 
-use crate::pages::parameters::error_in_words;
 use crate::show;
 
-/// An effect that makes no standard error so many times as large is not shown, and no more of them than this.
-const WORTH_SHOWING: f64 = 2.0;
+/// An effect that makes no standard error so many times as large is not shown.
+pub const WORTH_SHOWING: f64 = 2.0;
+/// Effects shown at most.
 const MOST_SHOWN: usize = 4;
 
 /// Caption of the table.
@@ -41,18 +41,6 @@ pub fn rows(calibration: &Calibration, units: [&str; 2]) -> Vec<[String; 5]> {
         ]
     };
     enlarged.take(MOST_SHOWN).map(row).collect()
-}
-
-/// The effect that would enlarge a standard error most, in one line; `None` where none would double.
-pub fn line(calibration: &Calibration) -> Option<[String; 2]> {
-    let worst = calibration.enlarged_by_more_than(WORTH_SHOWING).into_iter();
-    let own = { worst }.next()?;
-    let (name, added) = error_in_words(calibration, &own.by.parameter, own.by.std_added)?;
-    let effect = &own.by.effect;
-    Some([
-        "not excluded".into(),
-        format!("{effect}: adds {added} to {name}"),
-    ])
 }
 
 /// The table for people; empty where no standard error would double.

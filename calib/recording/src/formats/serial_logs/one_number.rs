@@ -100,7 +100,7 @@ impl<'a> Words<'a> {
         } else if let Some((number, unit)) = number_with_unit(word) {
             self.numbers.push(number);
             self.unit = unit;
-        } else if self.numbers.is_empty() || self.axis().is_none() {
+        } else if self.numbers.is_empty() || self.axis().is_none() || axis_of(word).is_some() {
             // `Velocity-X`
             let is_joined = !word.contains(|c: char| c.is_ascii_digit());
             let parts = word.split(|c| c == '-' && is_joined);

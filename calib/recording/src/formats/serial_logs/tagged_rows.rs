@@ -75,7 +75,8 @@ mod tests {
 
     #[test]
     fn rows_of_the_tag_are_taken_from_those_of_other_parts() {
-        let log = "hello\nODOM,0.5,0.1\nIMU,1,2,3,4\nCTRL,lock=0,yaw=0.1\nIMU,5,6,7,8\n".repeat(6);
+        let rows = "ODOM,0.5,0.1\nIMU,1,2,3,4\nCTRL,lock=0,yaw=0.1\nIMU,5,6,7,8\n".repeat(6);
+        let log = format!("hello\n{rows}");
         let parts = parts(&Look::at(log.as_bytes())).unwrap();
         let rows = changed_by(parts[0].change.unwrap(), &log);
         let rows: Vec<&str> = rows.lines().filter(|line| !line.is_empty()).collect();
