@@ -92,7 +92,7 @@ def test_a_recording_gives_the_calibration_of_the_command_line(browser, folder):
     assert "Directions covered" in shown
     assert browser.run("document.querySelector('#pictures .shown').shadowRoot.querySelectorAll('svg').length") > 5
     steps = browser.run("[...document.querySelectorAll('.steps li')].map((step) => step.innerText)")
-    assert any("Correct recordings" in step and "Choose a recording" in step for step in steps), steps
+    assert any("Correct a recording" in step and "Choose a recording" in step for step in steps), steps
 
 
 def test_a_folder_is_one_recording_and_two_files_of_one_sensor_each_are_too(browser, folder):
