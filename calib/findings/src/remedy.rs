@@ -367,7 +367,7 @@ impl Remedy {
         }
     }
 
-    /// The known name that `name` is most likely a misspelling of; none where no name is near.
+    /// The known name that `name` is most likely the beginning or a misspelling of; none where no name is near.
     ///
     /// # Examples
     /// ```
