@@ -297,22 +297,17 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
                 .find(|clock| USUAL.contains(&(clock / step)));
             let long = LONG.iter().find(|unit| is_usual(unit, step));
             let unit = |unit: TimeUnit| (OptionName::TimeUnit, unit.name().to_owned());
-            let remedy = match long {
-                Some(long) => Remedy::examples([unit(*long)]),
-                None if is_days => Remedy::examples([unit(TimeUnit::Days)]),
+            let counted = clock
+                .zip(name)
+                .map(|(clock, name)| (OptionName::Columns, format!("t={name}/{clock}")))
+                .into_iter();
+            let remedy = match long.copied().or(is_days.then_some(TimeUnit::Days)) {
+                Some(likely) => Remedy::examples([unit(likely)]),
                 // Of several clocks that make a usual rate nobody but the user knows which it is.
-                None => {
-                    let counted = clock
-                        .zip(name)
-                        .map(|(clock, name)| (OptionName::Columns, format!("t={name}/{clock}")));
-                    match is_usual(&tenths, step) {
-                        true => Remedy::examples(std::iter::once(unit(tenths)).chain(counted)),
-                        false => {
-                            let any = unit(TimeUnit::Milliseconds);
-                            Remedy::examples(counted.into_iter().chain([any]))
-                        }
-                    }
+                None if is_usual(&tenths, step) => {
+                    Remedy::examples([unit(tenths)].into_iter().chain(counted))
                 }
+                None => Remedy::examples(counted.chain([unit(TimeUnit::Milliseconds)])),
             };
             let found = Finding::of(Kind::TimeUnitOpen).detail("step", significant(step, 6));
             Err(in_file(&table.name, found.only_remedies([remedy])))

@@ -61,7 +61,7 @@ pub(crate) struct Start {
     pub unclear: Vec<String>,
     /// Columns that may say which device a row is of.
     pub labels: Vec<(usize, Class)>,
-    /// The column without a role that may be the time by its numbers.
+    /// Where no column is the time, one without a role that may be it by its numbers.
     pub rising: Option<usize>,
 }
 
@@ -160,8 +160,10 @@ impl Start {
         }
         start.read_units(name, preface, options)?;
         start.unclear = start.unclear(&rows);
+        // Asked for only where no column is the time.
         let is_free = |at| !start.layout.is_read(at);
-        start.rising = rising(&rows, dialect, is_free);
+        let untimed = start.layout.time.is_none();
+        start.rising = untimed.then(|| rising(&rows, dialect, is_free)).flatten();
         start.labels = labels::columns(&start.layout, &rows, dialect, options);
         if let Some(row) = row.filter(|_| preface.header.is_none()) {
             start.pass_torn(&kept, row);

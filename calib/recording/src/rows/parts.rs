@@ -80,6 +80,21 @@ impl Part {
         })
     }
 
+    /// The part of a sensor whose rows, that `change` leaves, are a stamp, if they have one, and its axes in the unit of that name.
+    pub fn of_rows(sensor: Sensor, is_stamped: bool, unit: &str, change: Change) -> Self {
+        let stamped = usize::from(is_stamped);
+        let time = is_stamped.then(|| (Role::Time, "1".to_owned()));
+        let axes = (0..3).map(|axis| (Role::axis(sensor, axis), (stamped + axis + 1).to_string()));
+        Self {
+            only: Some(sensor),
+            columns: time.into_iter().chain(axes).collect(),
+            accel_unit: unit.parse().ok(),
+            gyro_unit: unit.parse().ok(),
+            change: Some(change),
+            ..Self::default()
+        }
+    }
+
     /// True for a magnetometer's, of which the other sensors are not read.
     pub fn is_field(&self) -> bool {
         self.only == Some(Sensor::Magnetometer)

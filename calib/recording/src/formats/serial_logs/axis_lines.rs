@@ -9,7 +9,6 @@ use sensor::Sensor;
 use super::one_number::{Said, is_of_unknown_axis, said};
 use crate::formats::texts::TextFormat;
 use crate::header::look::Look;
-use crate::recording::options::Role;
 use crate::rows::parts::{Change, Part};
 use crate::source::head::take_head;
 use crate::source::rewrite::rewritten;
@@ -154,17 +153,9 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
             Some(_) => own.time_unit,
             None => clock.and_then(|clock| clock.time_unit),
         };
-        let stamped = usize::from(is_stamped);
-        let time = is_stamped.then(|| (Role::Time, "1".to_owned()));
-        let axes = (0..3).map(|axis| (Role::axis(sensor, axis), (stamped + axis + 1).to_string()));
         Some(Part {
-            only: Some(sensor),
-            columns: time.into_iter().chain(axes).collect(),
             time_unit: time_unit.filter(|unit| *unit != TimeUnit::Days),
-            accel_unit: own.unit.parse().ok(),
-            gyro_unit: own.unit.parse().ok(),
-            change: Some(change),
-            ..Part::default()
+            ..Part::of_rows(sensor, is_stamped, own.unit, change)
         })
     };
     let changes: [(Sensor, Change); 2] = [

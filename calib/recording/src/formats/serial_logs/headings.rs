@@ -6,14 +6,14 @@ use std::io::Read;
 use sensor::Sensor;
 
 use super::log_prefix::{Stamp, by_terminal};
+use super::words::axis_of_letter;
 use crate::clock::time_of_day::TimeOfDay;
 use crate::formats::texts::TextFormat;
 use crate::header::look::Look;
 use crate::header::names::{compact, is_field, sensor_of};
-use crate::recording::options::Role;
 use crate::rows::parts::{Change, Part};
 use crate::source::rewrite::rewritten;
-use crate::units::{AccelUnit, GyroUnit, TimeUnit};
+use crate::units::TimeUnit;
 
 /// Numbers below headings.
 pub(crate) static HEADINGS: TextFormat = TextFormat {
@@ -37,8 +37,7 @@ enum Said<'a> {
 
 /// The axis of a letter, or of one that a chip's first axes are called by: `X1`.
 fn axis(word: &str) -> Option<usize> {
-    let letter = word.strip_suffix('1').unwrap_or(word).to_lowercase();
-    ["x", "y", "z"].iter().position(|axis| *axis == letter)
+    axis_of_letter(word.strip_suffix('1').unwrap_or(word))
 }
 
 fn said(line: &str) -> Said<'_> {
@@ -146,17 +145,9 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
     }
     let part = |(sensor, change): (Sensor, Change)| {
         let first = of(sensor).next().filter(|_| of(sensor).count() >= 2)?;
-        let stamped = usize::from(first.stamp.is_some());
-        let axis = |axis| (Role::axis(sensor, axis), (stamped + axis + 1).to_string());
-        let time = first.stamp.map(|_| (Role::Time, "1".to_owned()));
         Some(Part {
-            only: Some(sensor),
-            columns: time.into_iter().chain((0..3).map(axis)).collect(),
             time_unit: first.stamp.map(|_| TimeUnit::Seconds),
-            accel_unit: first.unit.parse::<AccelUnit>().ok(),
-            gyro_unit: first.unit.parse::<GyroUnit>().ok(),
-            change: Some(change),
-            ..Part::default()
+            ..Part::of_rows(sensor, first.stamp.is_some(), &first.unit, change)
         })
     };
     let changes: [(Sensor, Change); 2] = [

@@ -2,6 +2,7 @@
 
 use sensor::Sensor;
 
+use super::words::axis_of_letter;
 use crate::header::names::{compact, is_field, role_of, sensor_of, stated_unit};
 use crate::recording::options::Role;
 use crate::spelling::number_with_unit;
@@ -114,7 +115,7 @@ impl<'a> Words<'a> {
     fn has_letter(&self) -> bool {
         let ends = |name: &&str| {
             let last = name.rsplit(|c: char| !c.is_alphanumeric()).next();
-            last.is_some_and(|last| ["x", "y", "z"].iter().any(|a| last.eq_ignore_ascii_case(a)))
+            last.is_some_and(|last| axis_of_letter(last).is_some())
         };
         self.names.iter().any(ends)
     }
@@ -132,12 +133,7 @@ impl<'a> Words<'a> {
         if let Some(axis) = self.names.iter().find_map(|name| axis_of(name)) {
             return Some(axis);
         }
-        let letter = |name: &&str| {
-            ["x", "y", "z"]
-                .iter()
-                .position(|a| name.eq_ignore_ascii_case(a))
-        };
-        let mut letters = self.names.iter().filter_map(letter);
+        let mut letters = self.names.iter().filter_map(|name| axis_of_letter(name));
         let axis = letters.next().filter(|_| letters.next().is_none())?;
         let one = || self.names.iter().find_map(|name| called(name));
         let two = || {

@@ -18,6 +18,13 @@ pub(super) fn words(message: &str) -> impl Iterator<Item = &str> {
     message.split(separates).filter(move |word| !is_mark(word))
 }
 
+/// The axis that a letter is of.
+pub(super) fn axis_of_letter(word: &str) -> Option<usize> {
+    ["x", "y", "z"]
+        .iter()
+        .position(|axis| word.eq_ignore_ascii_case(axis))
+}
+
 /// A number as it is written, and a whole one that InfluxDB marks, `12i`, without its mark.
 pub(super) fn number(word: &str) -> Option<&str> {
     let is_number = |word: &str| word.parse::<f64>().is_ok_and(f64::is_finite);

@@ -20,11 +20,11 @@ const FEWEST: usize = 5;
 /// The numbers of every column in the rows that are as wide as most; `None` for a column that holds another thing, or one number.
 fn changing(rows: &[&Kept], dialect: Dialect) -> Option<Vec<Option<Vec<f64>>>> {
     let width = usual_width(rows, dialect)?;
-    let cells_of = |row: &&Kept| cells(&row.bytes, dialect);
+    let each = rows.iter().map(|row| (row, cells(&row.bytes, dialect)));
+    let whole: Vec<_> = each.filter(|(_, cells)| cells.len() == width).collect();
     let column = |at: usize| -> Option<Vec<f64>> {
-        let number = |row: &&Kept| number_in(row, cells_of(row).get(at)?, dialect);
-        let whole = rows.iter().filter(|row| cells_of(row).len() == width);
-        let numbers: Vec<f64> = whole.map(number).collect::<Option<_>>()?;
+        let number = |(row, cells): &(&&Kept, Vec<Cell>)| number_in(row, &cells[at], dialect);
+        let numbers: Vec<f64> = whole.iter().map(number).collect::<Option<_>>()?;
         let first = *numbers.first()?;
         numbers.iter().any(|n| *n != first).then_some(numbers)
     };
@@ -49,8 +49,12 @@ pub(crate) fn rising(
     is_free: impl Fn(usize) -> bool,
 ) -> Option<usize> {
     let changing = changing(rows, dialect)?;
-    let may_be = |at: &usize| is_free(*at) && changing[*at].as_ref().is_some_and(|n| ticks(n));
-    (0..changing.len()).find(may_be)
+    (0..changing.len()).find(|at| is_free(*at) && is_so(&changing[*at], ticks))
+}
+
+/// True for a column of numbers of this kind.
+fn is_so(column: &Option<Vec<f64>>, kind: fn(&[f64]) -> bool) -> bool {
+    column.as_deref().is_some_and(kind)
 }
 
 /// True if the first cell of every row is a time of day, with its date or without.
@@ -68,12 +72,8 @@ fn time(rows: &[&Kept], dialect: Dialect, changing: &[Option<Vec<f64>>]) -> Opti
     if begins_with_clock(rows, dialect) {
         return Some(0);
     }
-    let any = || {
-        changing
-            .iter()
-            .position(|n| n.as_ref().is_some_and(|n| goes_up(n)))
-    };
-    rising(rows, dialect, |_| true).or_else(any)
+    let first = |kind| changing.iter().position(|column| is_so(column, kind));
+    first(ticks).or_else(|| first(goes_up))
 }
 
 /// True if every cell of the rows is a number.
@@ -155,20 +155,25 @@ mod tests {
     use super::*;
     use crate::header::dialect::Separator;
 
+    const COMMAS: Dialect = Dialect {
+        separator: Separator::Byte(b','),
+        decimal_comma: false,
+    };
+
+    fn twenty(row: &dyn Fn(usize) -> String) -> Vec<Kept> {
+        let kept = (0..20).map(|k| Kept {
+            number: k as u64 + 1,
+            comment: false,
+            bytes: row(k).into_bytes(),
+        });
+        kept.collect()
+    }
+
     #[test]
     fn gravity_shows_the_accelerometer_in_a_wide_table() {
         let likely_of = |row: &dyn Fn(usize) -> String| {
-            let kept = (0..20).map(|k| Kept {
-                number: k as u64 + 1,
-                comment: false,
-                bytes: row(k).into_bytes(),
-            });
-            let rows: Vec<Kept> = kept.collect();
-            let dialect = Dialect {
-                separator: Separator::Byte(b','),
-                decimal_comma: false,
-            };
-            let found = likely(&rows.iter().collect::<Vec<_>>(), dialect)?;
+            let rows = twenty(row);
+            let found = likely(&rows.iter().collect::<Vec<_>>(), COMMAS)?;
             Some(found.into_iter().map(|(_, at)| at).collect::<Vec<_>>())
         };
         let noise = |k: usize, axis: usize| ((7 * k + 3 * axis) % 11) as f64 * 1e-3;
@@ -200,18 +205,9 @@ mod tests {
     #[test]
     fn an_example_names_the_time_where_one_goes_up_and_columns_of_numbers() {
         let of = |names: &[&str], row: &dyn Fn(usize) -> String| {
-            let kept = (0..20).map(|k| Kept {
-                number: k as u64 + 1,
-                comment: false,
-                bytes: row(k).into_bytes(),
-            });
-            let rows: Vec<Kept> = kept.collect();
-            let dialect = Dialect {
-                separator: Separator::Byte(b','),
-                decimal_comma: false,
-            };
+            let rows = twenty(row);
             let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
-            let found = example(&rows.iter().collect::<Vec<_>>(), dialect, &names)?;
+            let found = example(&rows.iter().collect::<Vec<_>>(), COMMAS, &names)?;
             match found {
                 Remedy::Example { any_of } => any_of[0].value.clone(),
                 other => panic!("{other:?}"),
