@@ -2,12 +2,14 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 
-/// Time after which gravity has pulled the attitude to itself, s.
-const PULL: f64 = 1.0;
-/// Specific force within this share of gravity counts as gravity.
-const NEAR_GRAVITY: f64 = 0.1;
-/// Steps longer than this begin anew, s.
-const LOST: f64 = 0.5;
+findings::tuning! {
+    /// Time after which gravity has pulled the attitude to itself, s.
+    PULL: f64 = 1.0;
+    /// Specific force within this share of gravity counts as gravity.
+    NEAR_GRAVITY: f64 = 0.1;
+    /// Steps longer than this begin anew, s.
+    LOST: f64 = 0.5;
+}
 
 /// Rotation from the device to the room, z up; its heading is free.
 #[derive(Clone, Copy, Debug)]
@@ -29,16 +31,20 @@ impl Attitude {
     /// Goes on to time `t`, s, with the rate `rate`, rad/s, and the specific force `force` in units of gravity.
     pub fn advance(&mut self, t: f64, rate: &Vector3<f64>, force: &Vector3<f64>) {
         let step = self.t.replace(t).map_or(f64::INFINITY, |before| t - before);
-        let is_lost = !(0.0..LOST).contains(&step);
+        let is_lost = !(0.0..LOST.get()).contains(&step);
         if !is_lost {
             self.to_room *= UnitQuaternion::from_scaled_axis(rate * step);
         }
         let norm = force.norm();
-        if (norm - 1.0).abs() > NEAR_GRAVITY {
+        if (norm - 1.0).abs() > NEAR_GRAVITY.get() {
             return;
         }
         let up = self.to_room * (force / norm);
-        let share = if is_lost { 1.0 } else { (step / PULL).min(1.0) };
+        let share = if is_lost {
+            1.0
+        } else {
+            (step / PULL.get()).min(1.0)
+        };
         if let Some(tilt) = UnitQuaternion::rotation_between(&up, &Vector3::z()) {
             self.to_room =
                 UnitQuaternion::from_scaled_axis(tilt.scaled_axis() * share) * self.to_room;

@@ -3,27 +3,33 @@
 use nalgebra::Vector3;
 use serde::Serialize;
 
-/// Length of the window, s.
-pub(crate) const WINDOW: f64 = 1.0;
-/// Fewest samples in it whose spread means something.
-const FEWEST: usize = 5;
+findings::tuning! {
+    /// Length of the window, s.
+    pub(crate) WINDOW: f64 = 1.0;
+    /// Fewest samples in it whose spread means something.
+    FEWEST: usize = 5;
 
-/// A window is quiet where its spread is within this factor of the quietest so far: the detector that cuts the recording
-/// later takes ten times the variance.
-const FACTOR: f64 = 3.0;
+    /// A window is quiet where its spread is within this factor of the quietest so far: the detector that cuts the recording
+    /// later takes ten times the variance.
+    FACTOR: f64 = 3.0;
+}
+
 /// Limits of what counts as quiet whatever the quietest was: of the accelerometer in units of gravity, of the gyroscope
 /// in rad/s. The lower ones are below the noise of any hand-held device, the upper ones below a hand's tremor.
 const ACCELEROMETER: [f64; 2] = [0.002, 0.03];
 const GYROSCOPE: [f64; 2] = [0.002, 0.025];
 
-/// A mean rate that no bias explains is a turn, rad/s; as long as the bias is not known it may be as large as that of a
-/// cheap sensor.
-const LEVEL: f64 = 0.02;
-const ANY_BIAS: f64 = 0.1;
+findings::tuning! {
+    /// A mean rate that no bias explains is a turn, rad/s.
+    LEVEL: f64 = 0.02;
+    /// The same as long as the bias is not known: it may be as large as that.
+    ANY_BIAS: f64 = 0.1;
 
-/// A hand that holds still turns slower and wavers less than this, rad/s.
-const SLOW: f64 = 0.2;
-const WAVERING: f64 = 0.25;
+    /// A hand that holds still turns slower than this, rad/s.
+    SLOW: f64 = 0.2;
+    /// It wavers less than this, rad/s.
+    WAVERING: f64 = 0.25;
+}
 
 /// State of motion of the device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -69,7 +75,7 @@ impl Default for Detector {
 impl Detector {
     /// Classifies the motion in a window: specific force in units of gravity, angular rate in rad/s.
     pub(crate) fn judge(&mut self, force: &[Vector3<f64>], rate: &[Vector3<f64>]) -> Motion {
-        if force.len() < FEWEST || rate.len() < FEWEST {
+        if force.len() < FEWEST.get() || rate.len() < FEWEST.get() {
             return Motion::Unknown;
         }
         let window = Window {
@@ -81,12 +87,12 @@ impl Detector {
         let mut within = [false; 2];
         for (k, limits) in [ACCELEROMETER, GYROSCOPE].into_iter().enumerate() {
             self.quietest[k] = self.quietest[k].min(spreads[k]);
-            within[k] = spreads[k] <= (FACTOR * self.quietest[k]).clamp(limits[0], limits[1]);
+            within[k] = spreads[k] <= (FACTOR.get() * self.quietest[k]).clamp(limits[0], limits[1]);
         }
         let turning = self.turning(&window.rate);
         match within {
             [true, true] if turning < self.level() => Motion::Still,
-            _ if turning > SLOW || window.rate_spread > WAVERING => Motion::Turning,
+            _ if turning > SLOW.get() || window.rate_spread > WAVERING.get() => Motion::Turning,
             [_, true] if turning >= self.level() => Motion::Turning,
             [_, false] => Motion::InHand,
             _ => Motion::Shaken,
@@ -100,9 +106,9 @@ impl Detector {
 
     fn level(&self) -> f64 {
         if self.biases.is_empty() {
-            ANY_BIAS
+            ANY_BIAS.get()
         } else {
-            LEVEL
+            LEVEL.get()
         }
     }
 

@@ -19,26 +19,31 @@ use crate::promise::{PROMISE, Shortfall};
 use crate::batch::{Batch, Event};
 use crate::running::Estimate;
 
-/// Time between two looks at the samples, s.
-const STEP: f64 = 0.1;
-/// The placement that is asked for is reached within this of it: cos 20°.
-const REACHED: f64 = 0.939_692_620_785_908_4;
-/// Another one is as good where it tells at least so much of what the wanted one would.
-const AS_GOOD: f64 = 0.5;
-/// Placements this near to each other are one, cos 8°.
-const SAME: f64 = 0.990_268_068_741_570_4;
-/// Efficiency relative to the plan at which the session is complete, once the planned number of placements is reached.
-const ENOUGH: f64 = 0.8;
-/// Placements beyond the plan, as a factor, after which the session ends with what is determined.
-const AT_MOST: f64 = 1.2;
-/// A hand, a shaken table or a rail is spoken of after so long and for so long, s.
-const PATIENCE: f64 = 1.5;
-const SPOKEN: f64 = 2.0;
-/// Cut off at the begin and the end of a placement, s: touch-down rings, and the hand comes before the motion is seen.
-const BEGIN: f64 = 0.15;
-const END: f64 = 0.3;
-/// Fewer placements are not calibrated.
-const FEWEST: usize = 6;
+findings::tuning! {
+    /// Time between two looks at the samples, s.
+    STEP: f64 = 0.1;
+    /// The placement that is asked for is reached within this of it: cos 20°.
+    REACHED: f64 = 0.939_692_620_785_908_4;
+    /// Another one is as good where it tells at least so much of what the wanted one would.
+    AS_GOOD: f64 = 0.5;
+    /// Placements this near to each other are one, cos 8°.
+    SAME: f64 = 0.990_268_068_741_570_4;
+    /// Efficiency relative to the plan at which the session is complete, once the planned number of placements is reached.
+    ENOUGH: f64 = 0.8;
+    /// Placements beyond the plan, as a factor, after which the session ends with what is determined.
+    AT_MOST: f64 = 1.2;
+    /// A hand, a shaken table or a rail is spoken of after so long, s.
+    PATIENCE: f64 = 1.5;
+    /// It is spoken of for so long, s.
+    SPOKEN: f64 = 2.0;
+    /// Cut off at the begin of a placement, s: touch-down rings.
+    BEGIN: f64 = 0.15;
+    /// Cut off at its end, s: the hand comes before the motion is seen.
+    END: f64 = 0.3;
+    /// Fewer placements are not calibrated.
+    FEWEST: usize = 6;
+}
+
 /// An accelerometer in m/s² reads this at rest.
 const SI: std::ops::Range<f64> = 5.0..15.0;
 /// Rough rate of one count of a gyroscope whose unit is not known, rad/s: that of ±1000 °/s in 16 bits.
@@ -288,7 +293,7 @@ impl Session {
             .t
             .first()
             .zip(stream.t.last())
-            .is_none_or(|(a, b)| b - a < WINDOW)
+            .is_none_or(|(a, b)| b - a < WINDOW.get())
         {
             return;
         }
@@ -315,7 +320,7 @@ impl Session {
         ) else {
             return false;
         };
-        let at = self.at.map_or(first + WINDOW, |at| at + STEP);
+        let at = self.at.map_or(first + WINDOW.get(), |at| at + STEP.get());
         if at > last {
             return false;
         }
@@ -366,7 +371,7 @@ impl Session {
                         axis,
                         at: reading[axis],
                     },
-                    at + SPOKEN,
+                    at + SPOKEN.get(),
                 ));
             }
         }
@@ -381,13 +386,13 @@ impl Session {
             && let Some(placement) = self.placements.last_mut()
             && placement.span.from >= self.since
         {
-            placement.span.to = (at - END).max(placement.span.from);
+            placement.span.to = (at - END.get()).max(placement.span.from);
         }
         self.motion = motion;
         self.counted = false;
         // A window that is still was so from its begin.
         self.since = if motion == Motion::Still {
-            at - WINDOW
+            at - WINDOW.get()
         } else {
             at
         };
@@ -407,8 +412,8 @@ impl Session {
             }
             _ => return,
         };
-        if at - self.since >= PATIENCE {
-            self.spoken = Some((instruction, at + STEP / 2.0));
+        if at - self.since >= PATIENCE.get() {
+            self.spoken = Some((instruction, at + STEP.get() / 2.0));
         }
     }
 
@@ -417,7 +422,7 @@ impl Session {
         self.counted = true;
         self.detector.learn(rate);
         let span = Span {
-            from: self.since + BEGIN,
+            from: self.since + BEGIN.get(),
             to: at,
         };
         let Some(up) = self.mean_direction(span) else {
@@ -425,7 +430,7 @@ impl Session {
         };
         let ups: Vec<_> = self.placements.iter().map(|p| p.up).collect();
         if let Some(last) = self.placements.last_mut()
-            && last.up.dot(&up) > SAME
+            && last.up.dot(&up) > SAME.get()
         {
             // Touched, not turned: the longer of the two stands for it.
             if span.length() > last.span.length() {
@@ -434,8 +439,8 @@ impl Session {
             return;
         }
         let verdict = match self.wanted {
-            Some(wanted) if wanted.unit().dot(&up) < REACHED => {
-                if worth(&ups, &up, &wanted.unit()) >= AS_GOOD {
+            Some(wanted) if wanted.unit().dot(&up) < REACHED.get() => {
+                if worth(&ups, &up, &wanted.unit()) >= AS_GOOD.get() {
                     Verdict::GoodToo
                 } else {
                     Verdict::Repeated
@@ -446,7 +451,7 @@ impl Session {
         self.placements.push(Placement { span, up, verdict });
         let ups: Vec<_> = self.placements.iter().map(|p| p.up).collect();
         self.wanted = Some(Direction::nearest(&next_placement(&ups, Some(&up))));
-        if self.placements.len() >= FEWEST {
+        if self.placements.len() >= FEWEST.get() {
             let spans: Vec<Span> = self.placements.iter().map(|p| p.span).collect();
             self.estimate = Estimate::of(&self.recording, &spans, &self.aim.request);
         }
@@ -457,8 +462,8 @@ impl Session {
     /// both cases only where everything is determined.
     fn is_enough(&self, ups: &[Vector3<f64>]) -> bool {
         let planned = self.aim.placements;
-        let told = ups.len() >= planned && session_efficiency(ups, planned) >= ENOUGH;
-        let at_most = (AT_MOST * planned as f64).floor() as usize;
+        let told = ups.len() >= planned && session_efficiency(ups, planned) >= ENOUGH.get();
+        let at_most = (AT_MOST.get() * planned as f64).floor() as usize;
         let reached = told && self.shortfall().is_none();
         self.estimate.is_complete() && (reached || ups.len() >= at_most)
     }
@@ -471,14 +476,17 @@ impl Session {
     }
 }
 
-/// Beyond these a step of time or a square of a reading is lost in rounding.
-const LATEST: f64 = 1e11;
-const LARGEST: f64 = 1e30;
+findings::tuning! {
+    /// Beyond this a step of time is lost in rounding, s.
+    LATEST: f64 = 1e11;
+    /// Beyond this the square of a reading is lost in rounding.
+    LARGEST: f64 = 1e30;
+}
 
 /// Appends samples that are later than all before. What no clock and no sensor says is left out.
 fn append(stream: &mut Option<Stream>, more: &Stream) {
     let stream = stream.get_or_insert_default();
-    let is_sample = |t: f64, v: &Vector3<f64>| t.abs() <= LATEST && v.amax() <= LARGEST;
+    let is_sample = |t: f64, v: &Vector3<f64>| t.abs() <= LATEST.get() && v.amax() <= LARGEST.get();
     for (t, v) in more.t.iter().zip(&more.values) {
         if is_sample(*t, v) && stream.t.last().is_none_or(|last| t > last) {
             stream.t.push(*t);
@@ -489,7 +497,7 @@ fn append(stream: &mut Option<Stream>, more: &Stream) {
 
 /// The samples of the window before `at`, in `unit`.
 fn within(stream: &Stream, at: f64, unit: f64) -> Vec<Vector3<f64>> {
-    let range = stream.between(at - WINDOW, at);
+    let range = stream.between(at - WINDOW.get(), at);
     stream.values[range].iter().map(|v| v * unit).collect()
 }
 

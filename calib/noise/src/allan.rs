@@ -14,8 +14,10 @@ const LEVELS: usize = 14;
 /// for the other.
 const LANES: usize = 16;
 
-/// Averaging factors per octave.
-const PER_OCTAVE: usize = 4;
+findings::tuning! {
+    /// Averaging factors per octave.
+    PER_OCTAVE: usize = 4;
+}
 
 /// Phase values collected before a level works on them.
 const BLOCK: usize = 4 * LONGEST_LAG;
@@ -264,9 +266,9 @@ fn quarter_octaves() -> impl Iterator<Item = usize> {
     (0..)
         .map_while(|k: usize| {
             let octave = 1_usize
-                .checked_shl((k / PER_OCTAVE) as u32)
+                .checked_shl((k / PER_OCTAVE.get()) as u32)
                 .filter(|&m| (m as u64) < 1 << 40)?;
-            let part = (k % PER_OCTAVE) as f64 / PER_OCTAVE as f64;
+            let part = (k % PER_OCTAVE.get()) as f64 / PER_OCTAVE.get() as f64;
             Some((octave as f64 * part.exp2()).round() as usize)
         })
         .filter(move |&m| std::mem::replace(&mut last, m) != m)

@@ -9,14 +9,16 @@ use super::samples::changes::{Drift, Step};
 use super::terms::identify::NoiseTerms;
 use super::terms::term::NoiseTerm;
 
-/// Steps named in a sentence.
-const LISTED: usize = 3;
+findings::tuning! {
+    /// Steps named in a sentence.
+    LISTED: usize = 3;
 
-/// Share of missing samples from which it is said what they do.
-const MANY_MISSING: f64 = 0.02;
+    /// Share of missing samples from which it is said what they do.
+    MANY_MISSING: f64 = 0.02;
 
-/// Share of held readings below which they are stretches, and above which the sensor is slower than the rows.
-const FEW_HELD: f64 = 0.2;
+    /// Share of held readings below which they are stretches, and above which the sensor is slower than the rows.
+    FEW_HELD: f64 = 0.2;
+}
 
 /// Names of the axes.
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -189,7 +191,7 @@ impl Of<'_> {
                 .count("samples", samples)
                 .number("share", share, "share");
             // A bridge adds at most 1.5 times the variance of the samples in whose place it is.
-            all.push(match share > MANY_MISSING {
+            all.push(match share > MANY_MISSING.get() {
                 true => missing
                     .number("excess", 0.75 * share, "share")
                     .at_level(Level::Care),
@@ -217,7 +219,7 @@ impl Of<'_> {
                 step.t
             )
         };
-        let listed: Vec<String> = steps.iter().take(LISTED).map(one).collect();
+        let listed: Vec<String> = steps.iter().take(LISTED.get()).map(one).collect();
         let squares: f64 = steps.iter().map(|step| step.size * step.size).sum();
         let longest = longest_between(steps, whole);
         let beside = format!("{:.0},{:.0}", longest.from.ceil(), longest.to.floor());
@@ -227,7 +229,7 @@ impl Of<'_> {
             .number("walk", (squares / whole.length()).sqrt(), self.unit.walk)
             .detail("listed", listed.join(", "))
             .only_remedies([Remedy::set_to(OptionName::Rest, beside)]);
-        Some(match steps.len().saturating_sub(LISTED) {
+        Some(match steps.len().saturating_sub(LISTED.get()) {
             0 => found,
             more => found.count("more", more),
         })
@@ -257,10 +259,10 @@ impl Of<'_> {
 
     fn held(&self) -> Option<Finding> {
         let held = &self.curves.held;
-        if !held.stretches.is_empty() && held.share < FEW_HELD {
+        if !held.stretches.is_empty() && held.share < FEW_HELD.get() {
             let one = |s: &Span| format!("{:.1} to {:.1} s", s.from, s.to);
-            let listed: Vec<String> = held.stretches.iter().take(LISTED).map(one).collect();
-            let more = match held.stretches.len() > LISTED {
+            let listed: Vec<String> = held.stretches.iter().take(LISTED.get()).map(one).collect();
+            let more = match held.stretches.len() > LISTED.get() {
                 true => " and more",
                 false => "",
             };
@@ -275,20 +277,22 @@ impl Of<'_> {
 /// The longest stretch without a step.
 fn longest_between(steps: &[Step], whole: Span) -> Span {
     let times = steps.iter().map(|step| step.t);
-    let edges: Vec<f64> = std::iter::once(whole.from - BESIDE)
+    let edges: Vec<f64> = std::iter::once(whole.from - BESIDE.get())
         .chain(times)
-        .chain([whole.to + BESIDE])
+        .chain([whole.to + BESIDE.get()])
         .collect();
     let between = edges.windows(2).map(|pair| Span {
-        from: pair[0] + BESIDE,
-        to: pair[1] - BESIDE,
+        from: pair[0] + BESIDE.get(),
+        to: pair[1] - BESIDE.get(),
     });
     let longest = between.max_by(|a, b| a.length().total_cmp(&b.length()));
     longest.unwrap_or(whole)
 }
 
-/// Time beside a step that is left out with it, s.
-const BESIDE: f64 = 3.0;
+findings::tuning! {
+    /// Time beside a step that is left out with it, s.
+    BESIDE: f64 = 3.0;
+}
 
 #[cfg(test)]
 mod tests {

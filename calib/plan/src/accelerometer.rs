@@ -68,11 +68,13 @@ pub fn force_covariance(information: &ForceMatrix) -> Option<ForceMatrix> {
     let largest = information.diagonal().max();
     let factor = information.cholesky()?;
     let least = factor.l_dirty().diagonal().min();
-    (least * least > OPEN * largest).then(|| factor.inverse())
+    (least * least > OPEN.get() * largest).then(|| factor.inverse())
 }
 
-/// A pivot below this share of the largest information is rounding.
-const OPEN: f64 = 1e-9;
+findings::tuning! {
+    /// A pivot below this share of the largest information is rounding.
+    OPEN: f64 = 1e-9;
+}
 
 /// [`reading_error`] of placements, `None` where they leave a parameter open.
 ///

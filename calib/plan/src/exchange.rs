@@ -18,12 +18,14 @@ pub enum Criterion {
     Volume,
 }
 
-/// Rounds of exchanges of one start.
-const ROUNDS: usize = 40;
-/// Ridge on the diagonal that keeps the information matrix of few placements invertible.
-const RIDGE: f64 = 1e-6;
-/// An exchange has to win by this share.
-const GAIN: f64 = 1e-9;
+findings::tuning! {
+    /// Rounds of exchanges of one start.
+    ROUNDS: usize = 40;
+    /// Ridge on the diagonal that keeps the information matrix of few placements invertible.
+    RIDGE: f64 = 1e-6;
+    /// An exchange has to win by this share.
+    GAIN: f64 = 1e-9;
+}
 
 /// The best `count` of `candidates` (repeats allowed) beside the information that is there already, by exchange from
 /// `starts` random designs; the places of the candidates and the criterion's value (a mean square, or `−ln det`).
@@ -47,7 +49,7 @@ pub fn exchange(
             .map(|_| random.random_range(0..rows.len()))
             .collect();
         let found = descend(&rows, start, known, criterion);
-        if found.1 < best.1 - GAIN * best.1.abs().min(1e9) {
+        if found.1 < best.1 - GAIN.get() * best.1.abs().min(1e9) {
             best = found;
         }
     }
@@ -63,10 +65,10 @@ pub(crate) fn descend(
     criterion: Criterion,
 ) -> (Vec<usize>, f64) {
     let outer = |k: usize| rows[k] * rows[k].transpose();
-    let mut information: ForceMatrix = known + ForceMatrix::identity() * RIDGE;
+    let mut information: ForceMatrix = known + ForceMatrix::identity() * RIDGE.get();
     information += chosen.iter().map(|k| outer(*k)).sum::<ForceMatrix>();
     let mut value = value_of(&information, criterion);
-    for _ in 0..ROUNDS {
+    for _ in 0..ROUNDS.get() {
         let before = value;
         for place in chosen.iter_mut() {
             let without = information - outer(*place);
@@ -79,7 +81,7 @@ pub(crate) fn descend(
             }
             let with = without + outer(best);
             let found = value_of(&with, criterion);
-            if found < value - GAIN * value.abs() {
+            if found < value - GAIN.get() * value.abs() {
                 (*place, information, value) = (best, with, found);
             }
         }

@@ -6,17 +6,19 @@ use crate::accelerometer::{ForceMatrix, force_information, force_row};
 use crate::direction::faces_edges_corners;
 use crate::exchange::{Criterion, gain};
 
-/// Prior information, in units of one placement. It keeps the first determinants from being zero and is negligible
-/// after nine placements.
-const BEFOREHAND: f64 = 1e-3;
+findings::tuning! {
+    /// Prior information, in units of one placement. It keeps the first determinants from being zero and is negligible
+    /// after nine placements.
+    BEFOREHAND: f64 = 1e-3;
 
-/// Placements that tell so much of the best are as good; of them the one whose turn is nearest to a right angle is wanted:
-/// a gyroscope sees the axis of a half turn badly and little of a small one.
-const AS_GOOD: f64 = 0.9;
+    /// Placements that tell so much of the best are as good; of them the one whose turn is nearest to a right angle is wanted:
+    /// a gyroscope sees the axis of a half turn badly and little of a small one.
+    AS_GOOD: f64 = 0.9;
+}
 
 /// Placements beside what is known beforehand, which favours no direction: `u_i u_j` counts twice off the diagonal of `u uᵀ`.
 fn information(covered: &[Vector3<f64>]) -> ForceMatrix {
-    let mut before = ForceMatrix::identity() * BEFOREHAND;
+    let mut before = ForceMatrix::identity() * BEFOREHAND.get();
     for k in 3..6 {
         before[(k, k)] *= 0.5;
     }
@@ -53,7 +55,7 @@ pub fn next_placement(covered: &[Vector3<f64>], now: Option<&Vector3<f64>>) -> V
     let good = all
         .iter()
         .zip(&gains)
-        .filter(|(_, gain)| **gain >= AS_GOOD * best)
+        .filter(|(_, gain)| **gain >= AS_GOOD.get() * best)
         .map(|(up, _)| *up);
     let order = |a: &Vector3<f64>, b: &Vector3<f64>| {
         let compared = ease(a).partial_cmp(&ease(b));

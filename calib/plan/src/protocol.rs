@@ -13,10 +13,14 @@ use crate::turn::{Speed, Turn, Way};
 
 /// Starts of the exchange over faces, edges and corners, and over tilts.
 const STARTS: [usize; 2] = [300, 100];
-/// Tilts are asked for only where they lower the error of a reading by more than this: they are harder to hold.
-const WORTH_TILTING: f64 = 0.02;
-/// Share of the best volume per placement (D-efficiency) that a plan keeps.
-const EFFICIENT: f64 = 0.97;
+
+findings::tuning! {
+    /// Tilts are asked for only where they lower the error of a reading by more than this: they are harder to hold.
+    WORTH_TILTING: f64 = 0.02;
+    /// Share of the best volume per placement (D-efficiency) that a plan keeps.
+    EFFICIENT: f64 = 0.97;
+}
+
 /// Static positions of imu_tk's protocol.
 ///
 /// Source: Tedaldi, Pretto, Menegatti, A robust and easy to implement method for IMU calibration without external
@@ -68,11 +72,11 @@ pub fn best(count: usize, known: &ForceMatrix) -> Vec<Vector3<f64>> {
         let share = Some(ups).filter(|_| *known == ForceMatrix::zeros());
         share
             .and_then(volume_efficiency)
-            .is_some_and(|share| share < EFFICIENT)
+            .is_some_and(|share| share < EFFICIENT.get())
     };
     let plain = of(faces_edges_corners(), STARTS[0]);
     let tilted = of(tilts(), STARTS[1]);
-    if tilted.1 >= plain.1 * (1.0 - WORTH_TILTING) && !wastes(&plain.0) {
+    if tilted.1 >= plain.1 * (1.0 - WORTH_TILTING.get()) && !wastes(&plain.0) {
         plain.0
     } else if wastes(&tilted.0) {
         finest(count, known, Criterion::Volume)

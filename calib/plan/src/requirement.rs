@@ -14,14 +14,16 @@ use crate::accelerometer::{
 use crate::direction::{Words, axes_up, faces, faces_edges_corners};
 use crate::exchange::{Criterion, exchange};
 
-/// Directions closer than this count as one, cos 20°.
-const SAME: f64 = 0.939_692_620_785_908_4;
-/// A face counts as recorded by a placement within 50° of it: those of the edges beside it, not those of corners.
-const FACE_REACHED: f64 = 0.642_787_609_686_539_3;
-/// Starts of an exchange that only adds placements.
-const STARTS: usize = 40;
-/// Placements that are added at most.
-const MOST_ADDED: usize = 30;
+findings::tuning! {
+    /// Directions closer than this count as one, cos 20°.
+    SAME: f64 = 0.939_692_620_785_908_4;
+    /// A face counts as recorded by a placement within 50° of it: those of the edges beside it, not those of corners.
+    FACE_REACHED: f64 = 0.642_787_609_686_539_3;
+    /// Starts of an exchange that only adds placements.
+    STARTS: usize = 40;
+    /// Placements that are added at most.
+    MOST_ADDED: usize = 30;
+}
 
 /// Requirement on the placements of a recording.
 ///
@@ -248,7 +250,7 @@ fn unknown(information: &ForceMatrix) -> Vec<&'static str> {
 pub fn coverage(directions: &[Vector3<f64>]) -> Coverage {
     let mut distinct: Vec<Vector3<f64>> = Vec::new();
     for u in directions {
-        if distinct.iter().all(|d| d.dot(u) < SAME) {
+        if distinct.iter().all(|d| d.dot(u) < SAME.get()) {
             distinct.push(*u);
         }
     }
@@ -273,7 +275,11 @@ pub fn coverage(directions: &[Vector3<f64>]) -> Coverage {
 /// Faces that no placement comes within 50° of.
 fn missing_faces(directions: &[Vector3<f64>]) -> Vec<usize> {
     let faces = faces();
-    let is_missing = |k: &usize| directions.iter().all(|u| faces[*k].dot(u) < FACE_REACHED);
+    let is_missing = |k: &usize| {
+        directions
+            .iter()
+            .all(|u| faces[*k].dot(u) < FACE_REACHED.get())
+    };
     (0..faces.len()).filter(is_missing).collect()
 }
 
@@ -290,7 +296,7 @@ pub fn fewest(directions: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
         return Vec::new();
     }
     let least = REQUIREMENT.placements.saturating_sub(directions.len());
-    for count in least.max(1)..=MOST_ADDED {
+    for count in least.max(1)..=MOST_ADDED.get() {
         let added = best_next(directions, count, &faces_edges_corners());
         if is_determined(&[directions, &added].concat()) {
             return added;
@@ -306,7 +312,7 @@ pub fn best_next(
     candidates: &[Vector3<f64>],
 ) -> Vec<Vector3<f64>> {
     let known = force_information(directions);
-    let (chosen, _) = exchange(candidates, count, &known, Criterion::Reading, STARTS);
+    let (chosen, _) = exchange(candidates, count, &known, Criterion::Reading, STARTS.get());
     chosen.iter().map(|k| candidates[*k]).collect()
 }
 

@@ -16,20 +16,24 @@ use crate::turn::{Turn, Way, ways};
 
 /// Sequences looked at, each an information matrix of both sensors: of placements that are given, and of ones to choose.
 const BUDGET: [usize; 2] = [9000, 90_000];
-/// Random orders to begin with.
-const STARTS: usize = 5;
-/// A sequence that is worse by about this share is taken at first, to come out of a hollow, and none in the last part.
-const WARMTH: f64 = 0.03;
-const WARM: f64 = 0.85;
-/// Weight of the imbalance between the errors of both sensors.
-const BALANCE: f64 = 0.5;
-/// The errors of both sensors are in balance where that of the gyroscope is so much of what a quarter turn misses, as in the
-/// sessions that are best by their product without regard to the hand.
-const IN_BALANCE: f64 = 0.49;
-/// What a session costs whose norms of gravity alone do not tell the accelerometer's parameters, in `ln` of the errors.
-const NOT_BY_NORMS: f64 = 1.0;
-/// Directions closer than this are one.
-const SAME: f64 = 1e-6;
+
+findings::tuning! {
+    /// Random orders to begin with.
+    STARTS: usize = 5;
+    /// A sequence that is worse by about this share is taken at first, to come out of a hollow.
+    WARMTH: f64 = 0.03;
+    /// Share of the steps after which none that is worse is taken.
+    WARM: f64 = 0.85;
+    /// Weight of the imbalance between the errors of both sensors.
+    BALANCE: f64 = 0.5;
+    /// The errors of both sensors are in balance where that of the gyroscope is so much of what a quarter turn misses, as in the
+    /// sessions that are best by their product without regard to the hand.
+    IN_BALANCE: f64 = 0.49;
+    /// What a session costs whose norms of gravity alone do not tell the accelerometer's parameters, in `ln` of the errors.
+    NOT_BY_NORMS: f64 = 1.0;
+    /// Directions closer than this are one.
+    SAME: f64 = 1e-6;
+}
 
 /// Placements in order with the turns between them.
 #[derive(Clone, Debug)]
@@ -110,7 +114,7 @@ pub fn session_of(count: usize, noise: &Noise, timing: &Timing) -> (Vec<Vector3<
 fn in_order_of_faces(ups: &[Vector3<f64>]) -> Vec<usize> {
     let faces = faces();
     let wanted = [4, 5, 0, 1, 2, 3].map(|k| faces[k]);
-    let place = |face: Vector3<f64>| ups.iter().position(|up| (up - face).norm() < SAME);
+    let place = |face: Vector3<f64>| ups.iter().position(|up| (up - face).norm() < SAME.get());
     wanted.into_iter().filter_map(place).collect()
 }
 
@@ -120,7 +124,7 @@ fn balance(noise: &Noise, timing: &Timing) -> f64 {
     let quarter = (FRAC_PI_2 / timing.pace.rate).max(timing.pace.shortest) + 2.0 * timing.cut;
     let directions = 2.0 * (force / noise.gravity).powi(2);
     let turn = (directions + noise.rate.powi(2) * quarter + noise.turn.powi(2)).sqrt();
-    IN_BALANCE * turn / force
+    IN_BALANCE.get() * turn / force
 }
 
 /// Returns the effort of a turn for a hand, as the relative reduction of the product of both sensors' errors that
@@ -136,7 +140,7 @@ fn effort(turn: &Turn) -> f64 {
 
 /// The same of a placement: corners are hard to hold.
 fn hold(up: &Vector3<f64>) -> f64 {
-    let parts = up.iter().filter(|c| c.abs() > SAME).count();
+    let parts = up.iter().filter(|c| c.abs() > SAME.get()).count();
     [0.0, 0.0, 0.002, 0.008][parts]
 }
 
@@ -220,7 +224,7 @@ impl<'a> Search<'a> {
     fn best(&self, fixed: &[usize], movable: Vec<usize>) -> Sequence {
         let mut random = ChaCha8Rng::seed_from_u64((fixed.len() + movable.len()) as u64);
         let mut best: Option<(f64, Path)> = None;
-        for _ in 0..STARTS {
+        for _ in 0..STARTS.get() {
             let mut order = [fixed, &movable].concat();
             for k in (fixed.len() + 1..order.len()).rev() {
                 order.swap(k, random.random_range(fixed.len()..=k));
@@ -284,14 +288,14 @@ impl<'a> Search<'a> {
         let holds = path.order.iter().map(|k| self.table.hold[*k]);
         let mut asked: f64 = efforts.chain(holds).sum();
         if self.told_by_norms && !self.table.tells_by_norms(&path.order) {
-            asked += NOT_BY_NORMS;
+            asked += NOT_BY_NORMS.get();
         }
         let information = last.map_or(*self.known, |chain| chain.clone().close());
         let ridge = Information::identity();
         let value = match variances(&information) {
             Some(c) => {
                 let [force, rate] = reading_errors(&c, self.noise.gravity);
-                (force * rate).ln() + BALANCE * (rate / force / self.balance).ln().abs()
+                (force * rate).ln() + BALANCE.get() * (rate / force / self.balance).ln().abs()
             }
             None => variances(&(information + ridge)).map_or(f64::INFINITY, |c| {
                 let [force, rate] = reading_errors(&c, self.noise.gravity);
@@ -318,7 +322,7 @@ impl<'a> Search<'a> {
             _ if self.others.is_empty() => 4,
             _ => 6,
         };
-        let steps = BUDGET[usize::from(!self.others.is_empty())] / STARTS;
+        let steps = BUDGET[usize::from(!self.others.is_empty())] / STARTS.get();
         let mut best = (value, path.clone());
         for step in 0..steps {
             let mut trial = path.clone();
@@ -353,8 +357,8 @@ impl<'a> Search<'a> {
             let before = changed.checked_sub(1).and_then(|k| chains.get(k));
             let told = self.follow(&trial, changed, before);
             let found = self.value(&trial, told.last());
-            let cooled = step as f64 / (WARM * steps as f64);
-            let warmth = WARMTH * (1.0 - cooled).max(0.0);
+            let cooled = step as f64 / (WARM.get() * steps as f64);
+            let warmth = WARMTH.get() * (1.0 - cooled).max(0.0);
             let luck: f64 = random.random_range(f64::EPSILON..1.0);
             if found < value - warmth * luck.ln() {
                 (path, value) = (trial, found);

@@ -283,8 +283,10 @@ impl Prediction {
     }
 }
 
-/// Below this share of the largest a scaled pivot is rounding.
-const OPEN: f64 = 1e-11;
+findings::tuning! {
+    /// Below this share of the largest a scaled pivot is rounding.
+    OPEN: f64 = 1e-11;
+}
 
 /// Variances by information with parameters of different units, from the columns of the inverted factor; `None` where a
 /// parameter is open.
@@ -299,7 +301,7 @@ pub(crate) fn variances(information: &Information) -> Option<[f64; PARAMETERS]> 
     let factor = scaled.cholesky()?;
     let l = factor.l_dirty();
     let least = l.diagonal().min();
-    if least * least < OPEN {
+    if least * least < OPEN.get() {
         return None;
     }
     let mut all = [0.0; PARAMETERS];

@@ -111,13 +111,15 @@ impl Pace {
     }
 }
 
-/// Directions closer than this to each other or to opposite are taken for that.
-const SAME: f64 = 1e-6;
+findings::tuning! {
+    /// Directions closer than this to each other or to opposite are taken for that.
+    SAME: f64 = 1e-6;
+}
 
 /// The ways from `from` up to `to` up that a hand can follow: about the body's own axes, through a face where no single one
 /// of them leads there. The easiest comes first.
 pub fn ways(from: &Vector3<f64>, to: &Vector3<f64>) -> Vec<Turn> {
-    if (from - to).norm() < SAME {
+    if (from - to).norm() < SAME.get() {
         // Only what ends where it began: once round about an axis that lies level.
         return level_axes(from)
             .into_iter()
@@ -129,7 +131,7 @@ pub fn ways(from: &Vector3<f64>, to: &Vector3<f64>) -> Vec<Turn> {
         let (mut all, mut harder) = (Vec::new(), Vec::new());
         for (axis, angle) in straight {
             all.push(turn(Way::Short, &[(axis, angle)]));
-            if (angle - 0.5 * PI).abs() < SAME {
+            if (angle - 0.5 * PI).abs() < SAME.get() {
                 harder.push(turn(Way::Long, &[(-axis, TAU - angle)]));
             }
             harder.push(turn(Way::Round, &[(axis, angle + TAU)]));
@@ -156,7 +158,7 @@ pub fn ways(from: &Vector3<f64>, to: &Vector3<f64>) -> Vec<Turn> {
         let angle = across.norm().atan2(from.dot(to));
         // Opposite directions that are neither faces nor edges.
         let axis = across
-            .try_normalize(SAME)
+            .try_normalize(SAME.get())
             .unwrap_or_else(|| level_axes(from)[0]);
         let short = (axis, angle);
         return vec![
@@ -174,7 +176,9 @@ fn about_own_axes(from: &Vector3<f64>, to: &Vector3<f64>) -> Vec<(Vector3<f64>, 
         let axis = Vector3::ith(k, 1.0);
         let level = |v: &Vector3<f64>| v - axis * v[k];
         let (a, b) = (level(from), level(to));
-        let leads = (from[k] - to[k]).abs() < SAME && a.norm() > SAME && (a - b).norm() > SAME;
+        let leads = (from[k] - to[k]).abs() < SAME.get()
+            && a.norm() > SAME.get()
+            && (a - b).norm() > SAME.get();
         // What points up turns in the body the other way than the body does.
         let angle = b.cross(&a)[k].atan2(a.dot(&b));
         leads.then(|| (axis * if angle < 0.0 { -1.0 } else { 1.0 }, angle.abs()))

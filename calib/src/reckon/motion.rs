@@ -130,7 +130,7 @@ const GAP_STEPS: f64 = 5.0;
 
 /// The longest gap of a stream within a motion: what happened in it is a guess.
 pub fn gap_in(stream: &Stream, motion: Span) -> Option<Span> {
-    let limit = GAP_STEPS * stream.median_step()? + INSTANT;
+    let limit = GAP_STEPS * stream.median_step()? + INSTANT.get();
     let steps = stream.t[stream.between(motion.from, motion.to)].windows(2);
     steps
         .map(|step| Span {

@@ -10,18 +10,20 @@ use nalgebra::{DMatrix, DVector};
 
 use super::restricted_likelihood::{Fit, Seen};
 
-/// Chance of a fleet of sound devices losing any.
-const OF_FLEET: f64 = 0.05;
-/// Chance of a device of the type, by the robust location and scatter, below which it is left out of the start.
-const OF_START: f64 = 1e-3;
-/// Change of the covariance, in units of the robust spread, at which a fit ends that is only to judge by; at which the last one
-/// does.
-const ROUGH: f64 = 1e-3;
-const SETTLED: f64 = 1e-6;
-/// Rounds of leaving out and fitting.
-const ROUNDS: usize = 12;
-/// A device that comes back so often stays: a fit without it has said so, and what left it out is an approximation.
-const RETURNS: usize = 2;
+findings::tuning! {
+    /// Chance of a fleet of sound devices losing any.
+    OF_FLEET: f64 = 0.05;
+    /// Chance of a device of the type, by the robust location and scatter, below which it is left out of the start.
+    OF_START: f64 = 1e-3;
+    /// Change of the covariance, in units of the robust spread, at which a fit ends that is only to judge by.
+    ROUGH: f64 = 1e-3;
+    /// The same for the last fit.
+    SETTLED: f64 = 1e-6;
+    /// Rounds of leaving out and fitting.
+    ROUNDS: usize = 12;
+    /// A device that comes back so often stays: a fit without it has said so, and what left it out is an approximation.
+    RETURNS: usize = 2;
+}
 
 /// A type and its devices.
 pub(super) struct Members {
@@ -39,11 +41,11 @@ pub(super) fn members(devices: &[Seen], scatter: &DMatrix<f64>) -> Option<Member
     };
     let of_type = start(devices, scatter);
     let mut found = Members {
-        fit: fit(&of_type, None, ROUGH)?,
+        fit: fit(&of_type, None, ROUGH.get())?,
         of_type,
     };
     let mut returns = vec![0; devices.len()];
-    for _ in 1..ROUNDS {
+    for _ in 1..ROUNDS.get() {
         let of_type = found.judged(devices, &returns);
         if of_type == found.of_type {
             break;
@@ -51,12 +53,12 @@ pub(super) fn members(devices: &[Seen], scatter: &DMatrix<f64>) -> Option<Member
         for ((count, now), before) in returns.iter_mut().zip(&of_type).zip(&found.of_type) {
             *count += usize::from(*now && !before);
         }
-        let Some(next) = fit(&of_type, Some(&found.fit), ROUGH) else {
+        let Some(next) = fit(&of_type, Some(&found.fit), ROUGH.get()) else {
             break;
         };
         found = Members { fit: next, of_type };
     }
-    found.fit = fit(&found.of_type, Some(&found.fit), SETTLED)?;
+    found.fit = fit(&found.of_type, Some(&found.fit), SETTLED.get())?;
     Some(found)
 }
 
@@ -68,7 +70,10 @@ fn start(devices: &[Seen], scatter: &DMatrix<f64>) -> Vec<bool> {
     let mut nearest: Vec<(f64, usize)> = devices.iter().map(distance).zip(0..).collect();
     nearest.sort_by(|a, b| a.0.total_cmp(&b.0));
     let half = (devices.len() + scatter.nrows()).div_ceil(2);
-    let mut of_type: Vec<bool> = devices.iter().map(|d| chance(d) >= OF_START).collect();
+    let mut of_type: Vec<bool> = devices
+        .iter()
+        .map(|d| chance(d) >= OF_START.get())
+        .collect();
     for (_, k) in nearest.into_iter().take(half) {
         of_type[k] = true;
     }
@@ -84,7 +89,7 @@ impl Members {
             sigma: self.fit.sigma.clone(),
             of_mu: self.fit.of_mu.clone(),
         };
-        let limit = OF_FLEET / devices.len() as f64;
+        let limit = OF_FLEET.get() / devices.len() as f64;
         let precision = of_type.of_mu.clone().cholesky().map(|l| l.inverse());
         let judge = |((device, own), count): ((&Seen, &bool), &usize)| {
             let judged = match own {
@@ -94,7 +99,7 @@ impl Members {
                 }
                 false => of_type.judge(device),
             };
-            *count >= RETURNS || judged.is_some_and(|found| found.p_value >= limit)
+            *count >= RETURNS.get() || judged.is_some_and(|found| found.p_value >= limit)
         };
         let all = devices.iter().zip(&self.of_type).zip(returns);
         all.map(judge).collect()
@@ -163,7 +168,7 @@ mod tests {
         };
         let devices: Vec<Seen> = (0..41).map(device).collect();
         let all: Vec<&Seen> = devices.iter().collect();
-        let fit = Fit::maximised(&all, None, SETTLED).unwrap();
+        let fit = Fit::maximised(&all, None, SETTLED.get()).unwrap();
         let whole = Type {
             count: 41,
             mu: fit.mu,
@@ -172,7 +177,7 @@ mod tests {
         };
         let precision = whole.of_mu.clone().try_inverse().unwrap();
         let without = whole.without(&devices[0], &precision).unwrap();
-        let others = Fit::maximised(&all[1..], None, SETTLED).unwrap();
+        let others = Fit::maximised(&all[1..], None, SETTLED.get()).unwrap();
         assert!((without.mu - others.mu).amax() < 1e-8);
         assert!((without.sigma - others.sigma).amax() < 1e-6);
         assert!((without.of_mu - others.of_mu).amax() < 1e-7);

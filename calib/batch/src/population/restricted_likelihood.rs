@@ -16,13 +16,16 @@
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use rayon::prelude::*;
 
-/// Steps of a fit.
-const STEPS: usize = 200;
-/// Variance of the type that a fit has at least, in every direction, against the sessions' mean one. At 2e-3 intervals of 95 %
-/// hold in 89 to 92 of 100 devices of tight types, at 1e-2 in 91 to 93; the more it is, the less a tight type gives.
-const LEAST: f64 = 1e-2;
-/// A step may fall below the last likelihood, not below the least of so many: the way is a winding one.
-const REMEMBERED: usize = 4;
+findings::tuning! {
+    /// Steps of a fit.
+    STEPS: usize = 200;
+    /// Variance of the type that a fit has at least, in every direction, against the sessions' mean one. At 2e-3 intervals of 95 %
+    /// hold in 89 to 92 of 100 devices of tight types, at 1e-2 in 91 to 93; the more it is, the less a tight type gives.
+    LEAST: f64 = 1e-2;
+    /// A step may fall below the last likelihood, not below the least of so many: the way is a winding one.
+    REMEMBERED: usize = 4;
+}
+
 /// Lengths of a step; one that is shorter and still no better ends the fit.
 const LENGTHS: (f64, f64) = (0.1, 10.0);
 /// Devices whose sums are made together: the order of sums does not depend on the number of threads.
@@ -54,13 +57,13 @@ impl Fit {
         near: Option<DMatrix<f64>>,
         settled: f64,
     ) -> Option<Self> {
-        let least = mean_error(kept) * LEAST;
+        let least = mean_error(kept) * LEAST.get();
         let start = near.or_else(|| of_moments(kept, &least))?;
         let mut fit = Self::at(start, kept)?;
         let mut seen = vec![fit.likelihood];
         let mut length = 1.0;
-        for _ in 0..STEPS {
-            let recent = seen.iter().rev().take(REMEMBERED).copied();
+        for _ in 0..STEPS.get() {
+            let recent = seen.iter().rev().take(REMEMBERED.get()).copied();
             let enough = recent.fold(f64::INFINITY, f64::min) - 1e-9 * fit.likelihood.abs();
             let Some(next) = fit.step(kept, &least, length, enough) else {
                 break;
@@ -249,7 +252,7 @@ mod tests {
         }
         let kept: Vec<&Seen> = sessions.iter().collect();
         let fit = Fit::maximised(&kept, None, 1e-6).unwrap();
-        let least = mean_error(&kept) * LEAST;
+        let least = mean_error(&kept) * LEAST.get();
         assert!((fit.sigma - least).amax() < 1e-9);
     }
 }

@@ -162,7 +162,7 @@ impl Fit<'_> {
     fn in_the_hand(&self, reason: Box<Finding>) -> Box<Finding> {
         let cause = self.recordings.recordings.iter().find_map(|r| {
             let rate = tremor(r)?;
-            Some(match rate < FASTEST_HAND {
+            Some(match rate < FASTEST_HAND.get() {
                 true => Symptom::HandHeld { rate }.in_recording(r),
                 false => Finding::of(Kind::NeverQuiet).number("rate", rate, "rad/s"),
             })

@@ -2,10 +2,12 @@
 
 use nalgebra::Vector3;
 
-/// So many equal readings in a row are a rail, not a peak.
-const RUN: usize = 4;
-/// Slower readings are equal for other reasons, rad/s.
-const FAST: f64 = 2.0;
+findings::tuning! {
+    /// So many equal readings in a row are a rail, not a peak.
+    RUN: usize = 4;
+    /// Slower readings are equal for other reasons, rad/s.
+    FAST: f64 = 2.0;
+}
 
 /// Runs of equal readings on each axis.
 #[derive(Clone, Copy, Debug, Default)]
@@ -18,11 +20,12 @@ impl Rails {
     /// The axis that is at its rail with this reading; `unit` is that of the reading in rad/s.
     pub(crate) fn look_at(&mut self, reading: &Vector3<f64>, unit: f64) -> Option<usize> {
         for axis in 0..3 {
-            let same = reading[axis] == self.last[axis] && (reading[axis] * unit).abs() > FAST;
+            let same =
+                reading[axis] == self.last[axis] && (reading[axis] * unit).abs() > FAST.get();
             self.runs[axis] = if same { self.runs[axis] + 1 } else { 1 };
         }
         self.last = *reading;
-        self.runs.iter().position(|run| *run >= RUN)
+        self.runs.iter().position(|run| *run >= RUN.get())
     }
 }
 

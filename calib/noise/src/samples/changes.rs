@@ -6,40 +6,47 @@ use recording::intervals::Span;
 /// Means on either side of a place that are compared, in blocks.
 const WINDOWS: [usize; 5] = [2, 8, 32, 128, 512];
 
-/// Windows that a record must hold for their usual difference to be known.
-const HELD: usize = 16;
+findings::tuning! {
+    /// Windows that a record must hold for their usual difference to be known.
+    HELD: usize = 16;
 
-/// A step is larger than so many times the usual difference.
-const EVIDENT: f64 = 8.0;
+    /// A step is larger than so many times the usual difference.
+    EVIDENT: f64 = 8.0;
 
-/// A step happens at once and lasts: nearer to it and farther from it the difference is the same up to this share.
-const SAME: f64 = 0.6;
-/// Nearer is this part of the window, farther so many blocks.
-const NEARER: usize = 8;
-const FARTHER: usize = 16;
+    /// A step happens at once and lasts: nearer to it and farther from it the difference is the same up to this share.
+    SAME: f64 = 0.6;
+    /// Nearer is this part of the window.
+    NEARER: usize = 8;
+    /// Farther is so many blocks.
+    FARTHER: usize = 16;
+}
 
 /// Standard deviation of a normal variable over its median absolute deviation.
 const MAD: f64 = 1.4826;
 
-/// Steps that are kept.
-const KEPT: usize = 20;
+findings::tuning! {
+    /// Steps that are kept.
+    KEPT: usize = 20;
 
-/// Means that the record is divided into where a drift is looked for.
-const PARTS: usize = 64;
+    /// Means that the record is divided into where a drift is looked for.
+    PARTS: usize = 64;
 
-/// A curve explains so much of them that no random walk goes so smoothly: one leaves 5 % of its own.
-const SMOOTH: f64 = 0.998;
+    /// A curve explains so much of them that no random walk goes so smoothly: one leaves 5 % of its own.
+    SMOOTH: f64 = 0.998;
 
-/// The same where what is left is white, as a random walk never leaves it: its neighbours differ by this share of twice its variance.
-const EXPLAINED: f64 = 0.9;
-const WHITE: f64 = 0.7;
+    /// The same where what is left is white, as a random walk never leaves it.
+    EXPLAINED: f64 = 0.9;
+    /// The neighbours of what is left differ by this share of twice its variance.
+    WHITE: f64 = 0.7;
 
-/// Slow cosines of the differences between parts, in half periods of the record, and the next ones that they are compared with.
-const SLOW: usize = 6;
-const NEXT: usize = 15;
+    /// Slow cosines of the differences between parts, in half periods of the record.
+    SLOW: usize = 6;
+    /// The next ones that these are compared with.
+    NEXT: usize = 15;
 
-/// The slow ones have so many times the power of the next. Of a random walk all have the same: one record of ten thousand has 10.
-const MORE_POWER: f64 = 11.0;
+    /// The slow ones have so many times the power of the next. Of a random walk all have the same: one record of ten thousand has 10.
+    MORE_POWER: f64 = 11.0;
+}
 
 /// Mean of a block of samples.
 pub(crate) type Mean = (Span, f64);
@@ -69,7 +76,10 @@ pub struct Drift {
 pub(crate) fn steps(means: &[Mean]) -> Vec<Step> {
     let mut found: Vec<Step> = Vec::new();
     let prefix = prefix(means);
-    for width in WINDOWS.into_iter().take_while(|w| HELD * w <= means.len()) {
+    for width in WINDOWS
+        .into_iter()
+        .take_while(|w| HELD.get() * w <= means.len())
+    {
         let differences = differences(means, &prefix, width);
         let Some(usual) = median(differences.iter().map(|d| d.1)) else {
             continue;
@@ -79,7 +89,7 @@ pub(crate) fn steps(means: &[Mean]) -> Vec<Step> {
         let mut evident: Vec<(usize, f64)> = differences
             .into_iter()
             .map(|(k, d)| (k, d - usual))
-            .filter(|(_, d)| scale > 0.0 && d.abs() > EVIDENT * scale)
+            .filter(|(_, d)| scale > 0.0 && d.abs() > EVIDENT.get() * scale)
             .collect();
         evident.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
         let reach = 2.0 * width as f64 * (means[1].0.from - means[0].0.from);
@@ -89,7 +99,7 @@ pub(crate) fn steps(means: &[Mean]) -> Vec<Step> {
                 size,
             };
             let is_known = found.iter().any(|s| (s.t - step.t).abs() <= reach);
-            if !is_known && found.len() < KEPT && is_abrupt(&prefix, k, width, size) {
+            if !is_known && found.len() < KEPT.get() && is_abrupt(&prefix, k, width, size) {
                 found.push(step);
             }
         }
@@ -121,9 +131,12 @@ fn difference(prefix: &[f64], k: usize, width: usize) -> f64 {
 /// Returns true if a step happens within a part of the window, and lasts.
 fn is_abrupt(prefix: &[f64], k: usize, width: usize, size: f64) -> bool {
     let room = k.min(prefix.len() - 2 - k);
-    let is_same =
-        |width: usize| (SAME..1.0 / SAME).contains(&(difference(prefix, k, width) / size));
-    room >= 2 && is_same((width / NEARER).max(2)) && is_same(room.min(FARTHER.max(width)))
+    let is_same = |width: usize| {
+        (SAME.get()..1.0 / SAME.get()).contains(&(difference(prefix, k, width) / size))
+    };
+    room >= 2
+        && is_same((width / NEARER.get()).max(2))
+        && is_same(room.min(FARTHER.get().max(width)))
 }
 
 fn prefix(means: &[Mean]) -> Vec<f64> {
@@ -138,12 +151,12 @@ fn prefix(means: &[Mean]) -> Vec<f64> {
 /// A drift of a mean that goes so smoothly that no noise explains it: a curve of third order through the means, or differences between
 /// parts that go together over a sixth of the record and more.
 pub(crate) fn drift(means: &[Mean]) -> Option<Drift> {
-    if means.len() < 2 * PARTS {
+    if means.len() < 2 * PARTS.get() {
         return None;
     }
     let prefix = prefix(means);
-    let edge = |k: usize| k * means.len() / PARTS;
-    let parts: Vec<f64> = (0..PARTS)
+    let edge = |k: usize| k * means.len() / PARTS.get();
+    let parts: Vec<f64> = (0..PARTS.get())
         .map(|k| (prefix[edge(k + 1)] - prefix[edge(k)]) / (edge(k + 1) - edge(k)) as f64)
         .collect();
     let left = without_polynomial(&parts, 3);
@@ -151,19 +164,19 @@ pub(crate) fn drift(means: &[Mean]) -> Option<Drift> {
     let total = square(&without_polynomial(&parts, 0));
     let neighbours: f64 = left.windows(2).map(|w| (w[1] - w[0]).powi(2)).sum();
     let explained = 1.0 - square(&left) / total;
-    let is_white = neighbours > 2.0 * WHITE * square(&left);
-    let is_curve = explained > SMOOTH || (explained > EXPLAINED && is_white);
-    if !is_curve && power_of_slow_differences(&parts) < MORE_POWER {
+    let is_white = neighbours > 2.0 * WHITE.get() * square(&left);
+    let is_curve = explained > SMOOTH.get() || (explained > EXPLAINED.get() && is_white);
+    if !is_curve && power_of_slow_differences(&parts) < MORE_POWER.get() {
         return None;
     }
-    let end = PARTS / 16;
+    let end = PARTS.get() / 16;
     let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
     Some(Drift {
         span: Span {
             from: means[0].0.from,
             to: means[means.len() - 1].0.to,
         },
-        change: mean(&parts[PARTS - end..]) - mean(&parts[..end]),
+        change: mean(&parts[PARTS.get() - end..]) - mean(&parts[..end]),
     })
 }
 
@@ -184,7 +197,7 @@ fn power_of_slow_differences(parts: &[f64]) -> f64 {
     };
     let mean =
         |from: usize, count: usize| (from..from + count).map(power).sum::<f64>() / count as f64;
-    mean(0, SLOW) / mean(SLOW, NEXT).max(f64::MIN_POSITIVE)
+    mean(0, SLOW.get()) / mean(SLOW.get(), NEXT.get()).max(f64::MIN_POSITIVE)
 }
 
 /// The values less the polynomial through them, by orthogonal polynomials of their place.

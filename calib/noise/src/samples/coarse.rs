@@ -4,8 +4,10 @@ use nalgebra::Vector3;
 use recording::averages::median;
 use recording::readings::COARSE;
 
-/// Readings of computed signals step by what rounding leaves: no step of a sensor is as small a share of them.
-const SMALLEST: f64 = 1e-6;
+findings::tuning! {
+    /// Readings of computed signals step by what rounding leaves: no step of a sensor is as small a share of them.
+    SMALLEST: f64 = 1e-6;
+}
 
 /// An axis that reads in steps wider than its noise.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,7 +28,8 @@ impl Coarse {
         let changes = means.windows(2).map(|pair| (pair[1] - pair[0]).abs());
         let change = median(changes).unwrap_or(0.0);
         let spread = median(spreads)?.hypot(change);
-        let is_coarse = step.is_finite() && step > SMALLEST * largest && COARSE * spread < step;
+        let is_coarse =
+            step.is_finite() && step > SMALLEST.get() * largest && COARSE.get() * spread < step;
         is_coarse.then_some(Self { step, spread })
     }
 }

@@ -3,23 +3,25 @@
 use nalgebra::Vector3;
 use recording::intervals::Span;
 
-/// Longest runs that are kept.
-const KEPT: usize = 4;
+findings::tuning! {
+    /// Longest runs that are kept.
+    KEPT: usize = 4;
 
-/// A run of equal readings is no chance where it would be met once in so many recordings.
-const NO_CHANCE: f64 = 1e-6;
+    /// A run of equal readings is no chance where it would be met once in so many recordings.
+    NO_CHANCE: f64 = 1e-6;
 
-/// Shortest run that is named, samples.
-const SHORTEST: usize = 5;
+    /// Shortest run that is named, samples.
+    SHORTEST: usize = 5;
 
-/// Share of the samples that repeat by something other than chance from which it is said.
-const SHARE: f64 = 0.02;
+    /// Share of the samples that repeat by something other than chance from which it is said.
+    SHARE: f64 = 0.02;
 
-/// The same repeat more often than chance by so many standard deviations of what chance gives.
-const EVIDENT: f64 = 6.0;
+    /// The same repeat more often than chance by so many standard deviations of what chance gives.
+    EVIDENT: f64 = 6.0;
 
-/// Rounds in which the share that is held settles.
-const ROUNDS: usize = 30;
+    /// Rounds in which the share that is held settles.
+    ROUNDS: usize = 30;
+}
 
 /// Readings that were held.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -68,7 +70,7 @@ impl Repeats {
         self.longest.push((length, Span { from, to }));
         self.longest
             .sort_by_key(|(length, _)| std::cmp::Reverse(*length));
-        self.longest.truncate(KEPT);
+        self.longest.truncate(KEPT.get());
     }
 
     /// Returns the held readings that chance does not explain: an axis with a resolution coarser than its noise repeats
@@ -95,9 +97,9 @@ impl Repeats {
         // Of an axis that hardly ever changes, nearly all readings repeat by chance, and the few others tell little.
         let by_chance: f64 = self.equal.iter().map(|&n| n as f64 / pairs).product();
         let more = self.all as f64 / pairs - by_chance;
-        let is_evident = more > EVIDENT * (by_chance * (1.0 - by_chance) / pairs).sqrt();
+        let is_evident = more > EVIDENT.get() * (by_chance * (1.0 - by_chance) / pairs).sqrt();
         let is_no_chance = |length: usize| {
-            length >= SHORTEST && pairs * chance.powi(length as i32 - 1) < NO_CHANCE
+            length >= SHORTEST.get() && pairs * chance.powi(length as i32 - 1) < NO_CHANCE.get()
         };
         let stretches = self
             .longest
@@ -105,7 +107,7 @@ impl Repeats {
             .filter(|(length, _)| is_no_chance(*length));
         Held {
             stretches: stretches.map(|(_, span)| *span).collect(),
-            share: if share > SHARE && is_evident {
+            share: if share > SHARE.get() && is_evident {
                 share
             } else {
                 0.0
@@ -117,7 +119,7 @@ impl Repeats {
 /// The share that is held, and the chance that all axes repeat where nothing is: `all = h + (1 − h) Π (equalᵢ − h)/(1 − h)`.
 fn held_and_chance(equal: [f64; 3], all: f64) -> (f64, f64) {
     let (mut held, mut chance) = (0.0, 1.0);
-    for _ in 0..ROUNDS {
+    for _ in 0..ROUNDS.get() {
         let by_chance = equal.map(|q| ((q - held) / (1.0 - held)).clamp(0.0, 1.0));
         chance = by_chance.iter().product();
         held = ((all - chance) / (1.0 - chance).max(1e-9)).clamp(0.0, 1.0 - 1e-9);

@@ -11,18 +11,21 @@ use nalgebra::Vector3;
 /// Samples looked at before the sampling interval is known.
 const HEAD: usize = 256;
 
-/// Steps that the sampling interval is taken over: stamps that come in packets have no usual single step.
-const LAG: usize = 16;
+findings::tuning! {
+    /// Steps that the sampling interval is taken over: stamps that come in packets have no usual single step.
+    LAG: usize = 16;
 
-/// Steps are whole multiples of the sampling interval to within this share of it, for all but this share of them.
-const WHOLE: f64 = 0.1;
-const MOSTLY: f64 = 0.95;
+    /// Steps are whole multiples of the sampling interval to within this share of it ...
+    WHOLE: f64 = 0.1;
+    /// ... for this share of them.
+    MOSTLY: f64 = 0.95;
 
-/// Samples looked ahead: one that is late is told from one that follows a loss by those after it.
-const AHEAD: usize = 16;
+    /// Samples looked ahead: one that is late is told from one that follows a loss by those after it.
+    AHEAD: usize = 16;
 
-/// Longest loss that is bridged, samples.
-const BRIDGED: u64 = 32;
+    /// Longest loss that is bridged, samples.
+    BRIDGED: u64 = 32;
+}
 
 /// Element of a stream: a sample, a bridged sample or an interruption.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,7 +64,7 @@ impl Regular {
         if self.step.is_none() && self.queue.len() == HEAD {
             self.step = Some(self.usual_step());
         }
-        while self.step.is_some() && self.queue.len() > AHEAD {
+        while self.step.is_some() && self.queue.len() > AHEAD.get() {
             self.next(out);
         }
     }
@@ -84,10 +87,14 @@ impl Regular {
     fn usual_step(&self) -> f64 {
         let t: Vec<f64> = self.queue.iter().map(|(t, _)| *t).collect();
         let single = median_step(&t, 1);
-        let is_whole = |step: f64| (step / single - (step / single).round()).abs() < WHOLE;
+        let is_whole = |step: f64| (step / single - (step / single).round()).abs() < WHOLE.get();
         let whole = t.windows(2).filter(|w| is_whole(w[1] - w[0])).count();
-        let lag = if t.len() > 4 * LAG { LAG } else { 1 };
-        match whole as f64 > MOSTLY * t.len().saturating_sub(1) as f64 {
+        let lag = if t.len() > 4 * LAG.get() {
+            LAG.get()
+        } else {
+            1
+        };
+        match whole as f64 > MOSTLY.get() * t.len().saturating_sub(1) as f64 {
             true => single,
             false => median_step(&t, lag),
         }
@@ -96,7 +103,7 @@ impl Regular {
     /// Hands on the first sample of the queue, after what is missing before it.
     fn next(&mut self, out: &mut impl FnMut(Piece)) {
         let step = self.step.unwrap_or(f64::INFINITY);
-        let ahead = self.queue.iter().take(AHEAD).zip(0..);
+        let ahead = self.queue.iter().take(AHEAD.get()).zip(0..);
         let envelope = ahead
             .map(|((t, _), j)| if j == 0 { *t } else { t - f64::from(j) * step })
             .fold(f64::INFINITY, f64::min);
@@ -105,9 +112,9 @@ impl Regular {
             .map(|(_, last)| ((envelope - last) / step).round());
         let missing = passed.map_or(0.0, |ticks| (ticks - 1.0).max(0.0)) as u64;
         // With few samples left a late one looks like one that follows a loss.
-        let is_known = self.queue.len() >= AHEAD || missing > BRIDGED;
+        let is_known = self.queue.len() >= AHEAD.get() || missing > BRIDGED.get();
         let missing = if is_known { missing } else { 0 };
-        if missing > BRIDGED {
+        if missing > BRIDGED.get() {
             self.close();
             self.past.clear();
             out(Piece::Gap);
@@ -124,7 +131,7 @@ impl Regular {
         }
         self.last = Some((t, envelope));
         self.past.push_back(value);
-        if self.past.len() > AHEAD {
+        if self.past.len() > AHEAD.get() {
             self.past.pop_front();
         }
         out(Piece::Read(value));
@@ -133,7 +140,12 @@ impl Regular {
     fn bridge(&self, missing: u64, out: &mut impl FnMut(Piece)) {
         let count = missing as usize;
         let before = mean(self.past.iter().rev().take(count));
-        let after = mean(self.queue.iter().take(count.min(AHEAD)).map(|(_, v)| v));
+        let after = mean(
+            self.queue
+                .iter()
+                .take(count.min(AHEAD.get()))
+                .map(|(_, v)| v),
+        );
         for k in 1..=missing {
             let along = k as f64 / (missing + 1) as f64;
             out(Piece::Bridge(before + (after - before) * along));

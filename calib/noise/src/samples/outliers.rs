@@ -5,29 +5,34 @@ use std::collections::VecDeque;
 use nalgebra::Vector3;
 use recording::averages::median;
 
-/// Samples on each side that show what is usual around one.
-const AROUND: usize = 50;
-/// Fewest of them at the ends of a recording.
-const FEWEST_AROUND: usize = 20;
+findings::tuning! {
+    /// Samples on each side that show what is usual around one.
+    AROUND: usize = 50;
+    /// Fewest of them at the ends of a recording.
+    FEWEST_AROUND: usize = 20;
 
-/// An outlier leaves its neighbours by so many standard deviations of the samples around it ...
-const BEYOND: f64 = 15.0;
-/// ... which stay within so many themselves, but for this share: where the device moves, nothing is an outlier ...
-const QUIET: f64 = 8.0;
-const RESTLESS: f64 = 0.06;
-/// ... and its neighbours differ by less than this share of it.
-const NEIGHBOURS: f64 = 0.25;
+    /// An outlier leaves its neighbours by so many standard deviations of the samples around it ...
+    BEYOND: f64 = 15.0;
+    /// ... which stay within so many themselves ...
+    QUIET: f64 = 8.0;
+    /// ... but for this share: where the device moves, nothing is an outlier ...
+    RESTLESS: f64 = 0.06;
+    /// ... and its neighbours differ by less than this share of it.
+    NEIGHBOURS: f64 = 0.25;
 
-/// Only a sample that leaves its neighbours by so many times the usual change is looked at closely, and it is usual over so
-/// many samples.
-const LOOK: f64 = 4.0;
-const MEMORY: f64 = 64.0;
+    /// Only a sample that leaves its neighbours by so many times the usual change is looked at closely.
+    LOOK: f64 = 4.0;
+    /// The usual change is that of so many samples.
+    MEMORY: f64 = 64.0;
+}
 
 /// Standard deviation of a normal variable over its median absolute deviation.
 const MAD: f64 = 1.4826;
 
-/// Times that are kept.
-const KEPT: usize = 4;
+findings::tuning! {
+    /// Times that are kept.
+    KEPT: usize = 4;
+}
 
 /// Samples that were left out.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -45,7 +50,7 @@ pub struct Outliers {
 impl Outliers {
     fn add(&mut self, t: f64, sizes: &[f64; 3]) {
         self.count += 1;
-        if self.times.len() < KEPT {
+        if self.times.len() < KEPT.get() {
             self.times.push(t);
         }
         for (axis, size) in self.axes.iter_mut().zip(sizes) {
@@ -100,7 +105,7 @@ impl WithoutOutliers {
             }
         }
         self.window.push_back((t, value));
-        if self.window.len() > self.next + AROUND {
+        if self.window.len() > self.next + AROUND.get() {
             self.judge(out);
         }
     }
@@ -133,13 +138,13 @@ impl WithoutOutliers {
                 }
                 let change = (value[axis] - before[axis]).abs();
                 if let Some(usual) = &mut self.usual[axis].change {
-                    *usual += (change - *usual) / MEMORY;
+                    *usual += (change - *usual) / MEMORY.get();
                 }
             }
             self.window[k].1 = value;
         }
         out(t, value);
-        if self.next == AROUND {
+        if self.next == AROUND.get() {
             self.window.pop_front();
         } else {
             self.next += 1;
@@ -162,8 +167,8 @@ impl WithoutOutliers {
         };
         let (left, right) = (at - before, at - after);
         let size = left.abs().min(right.abs());
-        let is_alone = left * right > 0.0 && (after - before).abs() < NEIGHBOURS * size;
-        match is_alone && size > LOOK * usual && self.stands_out(axis, k, size) {
+        let is_alone = left * right > 0.0 && (after - before).abs() < NEIGHBOURS.get() * size;
+        match is_alone && size > LOOK.get() * usual && self.stands_out(axis, k, size) {
             true => size,
             false => 0.0,
         }
@@ -175,7 +180,7 @@ impl WithoutOutliers {
         let others = self.window.iter().enumerate();
         let others = others.filter(|(place, _)| !near.contains(place));
         let around: Vec<f64> = others.map(|(_, (_, value))| value[axis]).collect();
-        if around.len() < FEWEST_AROUND {
+        if around.len() < FEWEST_AROUND.get() {
             return false;
         }
         let middle = median(around.iter().copied()).unwrap_or(0.0);
@@ -191,8 +196,8 @@ impl WithoutOutliers {
             step
         };
         let spread = (MAD * median(away.clone()).unwrap_or(0.0)).max(least);
-        let restless = away.filter(|v| *v > QUIET * spread).count();
-        size > BEYOND * spread && restless as f64 <= RESTLESS * around.len() as f64
+        let restless = away.filter(|v| *v > QUIET.get() * spread).count();
+        size > BEYOND.get() * spread && restless as f64 <= RESTLESS.get() * around.len() as f64
     }
 }
 

@@ -10,20 +10,22 @@ use super::coarse::{Coarse, LeastSteps};
 /// Length of a block in which the spread is measured, s.
 const BLOCK: f64 = 1.0;
 
-/// Fewest samples in a block, where a second holds fewer.
-const FEWEST: usize = 10;
+findings::tuning! {
+    /// Fewest samples in a block, where a second holds fewer.
+    FEWEST: usize = 10;
 
-/// Share of the blocks that is taken to be at rest.
-const QUIET_SHARE: f64 = 0.1;
+    /// Share of the blocks that is taken to be at rest.
+    QUIET_SHARE: f64 = 0.1;
 
-/// A block whose spread is this many times that at rest moves. A hand shakes a phone by a hundred
-/// times its noise; the noise of one second repeats to a tenth.
-const MOVING: f64 = 10.0;
+    /// A block whose spread is this many times that at rest moves. A hand shakes a phone by a hundred
+    /// times its noise; the noise of one second repeats to a tenth.
+    MOVING: f64 = 10.0;
 
-/// An accelerometer moves throughout where even its quiet blocks spread by this share of gravity, and neighbours differ by that one in the
-/// mean: white noise averages out within a block.
-const SHAKEN: f64 = 0.03;
-const TILTED: f64 = 0.01;
+    /// An accelerometer moves throughout where even its quiet blocks spread by this share of gravity ...
+    SHAKEN: f64 = 0.03;
+    /// ... and neighbours differ by this share of it.
+    TILTED: f64 = 0.01;
+}
 
 /// The spread and the mean of one sensor's readings, block by block: a few numbers a second, however long the
 /// recording.
@@ -72,7 +74,7 @@ impl Block {
     }
 
     fn is_full(&self) -> bool {
-        self.count >= FEWEST && self.span.lasts(BLOCK)
+        self.count >= FEWEST.get() && self.span.lasts(BLOCK)
     }
 
     fn closed(&self) -> Closed {
@@ -132,21 +134,22 @@ impl Spreads {
     pub(crate) fn never_rest(&self) -> bool {
         let shares = self.closed.iter().map(|b| b.spread.norm() / b.mean.norm());
         let mut shares: Vec<f64> = shares.collect();
-        if shares.len() < FEWEST {
+        if shares.len() < FEWEST.get() {
             return false;
         }
-        let rank = (QUIET_SHARE * (shares.len() - 1) as f64) as usize;
+        let rank = (QUIET_SHARE.get() * (shares.len() - 1) as f64) as usize;
         let quiet = *shares.select_nth_unstable_by(rank, f64::total_cmp).1;
         let neighbours = self.closed.windows(2);
         let differ = neighbours.map(|w| (w[1].mean - w[0].mean).norm() / w[0].mean.norm());
         // What has no gravity in it is no accelerometer.
-        (SHAKEN..0.5).contains(&quiet) && median(differ).is_some_and(|usual| usual > TILTED)
+        (SHAKEN.get()..0.5).contains(&quiet)
+            && median(differ).is_some_and(|usual| usual > TILTED.get())
     }
 
     /// The time covered, and the blocks that move. The level at rest is that of the quietest tenth,
     /// and at least a step of the readings: a coarse sensor at rest shows the same number for seconds.
     fn motions(mut self) -> (Option<Span>, Vec<Span>) {
-        if let Some(block) = self.open.take().filter(|block| block.count >= FEWEST) {
+        if let Some(block) = self.open.take().filter(|block| block.count >= FEWEST.get()) {
             self.closed.push(block.closed());
         }
         let whole = self.closed.first().zip(self.closed.last());
@@ -162,9 +165,9 @@ impl Spreads {
         if spreads.is_empty() {
             return (whole, Vec::new());
         }
-        let rank = (QUIET_SHARE * (spreads.len() - 1) as f64) as usize;
+        let rank = (QUIET_SHARE.get() * (spreads.len() - 1) as f64) as usize;
         let quiet = *spreads.select_nth_unstable_by(rank, f64::total_cmp).1;
-        let limit = MOVING * quiet.max(self.least_steps.least().unwrap_or(0.0));
+        let limit = MOVING.get() * quiet.max(self.least_steps.least().unwrap_or(0.0));
         let moving = self
             .closed
             .iter()
@@ -193,8 +196,10 @@ pub enum AtRest {
     TooShort(Option<Span>),
 }
 
-/// A shorter stretch at rest in a recording that also moves is not worth analysing, s.
-const SHORTEST_REST: f64 = 60.0;
+findings::tuning! {
+    /// A shorter stretch at rest in a recording that also moves is not worth analysing, s.
+    SHORTEST_REST: f64 = 60.0;
+}
 
 impl Stillness {
     /// That of a recording in motion from beginning to end.
@@ -208,7 +213,7 @@ impl Stillness {
     /// Returns the part that may be analysed.
     pub fn at_rest(&self) -> AtRest {
         let longest = self.longest_rest();
-        match longest.filter(|rest| rest.length() >= SHORTEST_REST) {
+        match longest.filter(|rest| rest.length() >= SHORTEST_REST.get()) {
             _ if self.motions.is_empty() => AtRest::Throughout,
             Some(rest) => AtRest::For(rest),
             None => AtRest::TooShort(longest),

@@ -6,17 +6,19 @@ use super::octaves::{FEWEST_POINTS, Octaves};
 use super::term::NoiseTerm;
 use crate::allan::{AllanCurve, AllanPoint};
 
-/// Octaves in which the memory of the readings shows by itself.
-const NEAR: usize = 7;
+findings::tuning! {
+    /// Octaves in which the memory of the readings shows by itself.
+    NEAR: usize = 7;
 
-/// Octaves further on, beyond which it is the long times that the terms miss.
-const APART: usize = 2;
+    /// Octaves further on, beyond which it is the long times that the terms miss.
+    APART: usize = 2;
 
-/// Octaves left out beyond those that a memory evidently shapes.
-const MARGIN: usize = 1;
+    /// Octaves left out beyond those that a memory evidently shapes.
+    MARGIN: usize = 1;
 
-/// Confidence of the interval of one measured point.
-const POINT_CONFIDENCE: f64 = 0.95;
+    /// Confidence of the interval of one measured point.
+    POINT_CONFIDENCE: f64 = 0.95;
+}
 
 /// A noise coefficient with its interval, in the unit of [`NoiseTerm::unit`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -118,9 +120,11 @@ impl NoiseTerms {
         let implied = variance(point.tau, &theta);
         let scatter = PairCovariance::new([point.factor; 2], self.samples, self.step).at(&theta);
         let relative = scatter / (implied * implied);
-        let squares = invert(POINT_CONFIDENCE, point.deviation.powi(2), |v| Scatter {
-            variance: relative * v * v,
-            third: 2.0 * (relative * v * v).powi(2) / v.max(f64::MIN_POSITIVE),
+        let squares = invert(POINT_CONFIDENCE.get(), point.deviation.powi(2), |v| {
+            Scatter {
+                variance: relative * v * v,
+                third: 2.0 * (relative * v * v).powi(2) / v.max(f64::MIN_POSITIVE),
+            }
         });
         Interval {
             lower: squares.lower.sqrt(),
@@ -198,7 +202,7 @@ fn hides(octaves: &Octaves, term: NoiseTerm) -> bool {
 /// after the first alone decide.
 fn without_memory(all: &Octaves) -> Option<Octaves> {
     let count = all.points.len();
-    let last = count - FEWEST_POINTS;
+    let last = count - FEWEST_POINTS.get();
     let first = |octaves: usize| {
         let is_explained = |start: &usize| {
             let to = count.min(start + octaves);
@@ -206,13 +210,13 @@ fn without_memory(all: &Octaves) -> Option<Octaves> {
         };
         (0..=last).find(is_explained)
     };
-    let start = match (first(count), first(NEAR)) {
-        (Some(whole), Some(near)) if whole > near + APART => near,
+    let start = match (first(count), first(NEAR.get())) {
+        (Some(whole), Some(near)) if whole > near + APART.get() => near,
         (whole, near) => whole.or(near)?,
     };
     match start {
         0 => Some(all.clone()),
-        start => (start + MARGIN <= last).then(|| all.part(start + MARGIN..count)),
+        start => (start + MARGIN.get() <= last).then(|| all.part(start + MARGIN.get()..count)),
     }
 }
 

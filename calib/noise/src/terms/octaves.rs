@@ -10,11 +10,13 @@ use super::interval::{Interval, Scatter, invert};
 use super::term::NoiseTerm;
 use crate::allan::{AllanCurve, AllanPoint};
 
-/// Rounds of weighting by the scatter that the last fit implies.
-const ROUNDS: usize = 8;
+findings::tuning! {
+    /// Rounds of weighting by the scatter that the last fit implies.
+    ROUNDS: usize = 8;
 
-/// Level at which the five terms are taken to miss the curve.
-const MISFIT_LEVEL: f64 = 0.01;
+    /// Level at which the five terms are taken to miss the curve.
+    MISFIT_LEVEL: f64 = 0.01;
+}
 
 /// Search range of the relative model error.
 const MODEL_ERRORS: (f64, f64) = (1e-4, 3.0);
@@ -22,25 +24,29 @@ const MODEL_ERRORS: (f64, f64) = (1e-4, 3.0);
 /// Bisections for it, on its logarithm.
 const BISECTIONS: usize = 20;
 
-/// Octaves below which five terms cannot be told apart.
-pub(crate) const FEWEST_POINTS: usize = 6;
+findings::tuning! {
+    /// Octaves below which five terms cannot be told apart.
+    pub(crate) FEWEST_POINTS: usize = 6;
 
-/// A point needs this many times its averaging time in the recording: fewer, and its χ² has less
-/// than two degrees of freedom.
-const SPANS: usize = 4;
+    /// A point needs this many times its averaging time in the recording: fewer, and its χ² has less
+    /// than two degrees of freedom.
+    SPANS: usize = 4;
 
-/// Confidence of the five intervals of an axis together: each is stated at 99 %.
-const JOINT_CONFIDENCE: f64 = 0.95;
+    /// Confidence of the five intervals of an axis together: each is stated at 99 %.
+    JOINT_CONFIDENCE: f64 = 0.95;
 
-/// Where a memory counts, at least this share of `σ²` is left of the other terms at the shortest time.
-const LEFT_BY_MEMORY: f64 = 0.4;
+    /// Where a memory counts, at least this share of `σ²` is left of the other terms at the shortest time.
+    LEFT_BY_MEMORY: f64 = 0.4;
 
-/// Where no memory counts, less than this share of `σ²` at the shortest time is bias instability, walk and ramp.
-const MOST_BY_WALKS: f64 = 0.5;
+    /// Where no memory counts, less than this share of `σ²` at the shortest time is bias instability, walk and ramp.
+    MOST_BY_WALKS: f64 = 0.5;
+}
 
 /// The χ² above which a misfit is no accident.
 fn limit(freedom: f64) -> f64 {
-    ChiSquared::new(freedom).map_or(f64::INFINITY, |law| law.inverse_cdf(1.0 - MISFIT_LEVEL))
+    ChiSquared::new(freedom).map_or(f64::INFINITY, |law| {
+        law.inverse_cdf(1.0 - MISFIT_LEVEL.get())
+    })
 }
 
 /// The points fitted, and how they scatter together.
@@ -60,13 +66,13 @@ impl Octaves {
         let points: Vec<AllanPoint> = curve
             .points
             .iter()
-            .filter(|p| p.factor.is_power_of_two() && SPANS * p.factor <= curve.samples)
+            .filter(|p| p.factor.is_power_of_two() && SPANS.get() * p.factor <= curve.samples)
             .copied()
             .collect();
         let varied = points
             .iter()
             .all(|p| p.deviation > 0.0 && p.deviation.is_finite());
-        if points.len() < FEWEST_POINTS || !varied {
+        if points.len() < FEWEST_POINTS.get() || !varied {
             return None;
         }
         let covariance = (0..points.len())
@@ -117,7 +123,7 @@ impl Octaves {
         let share = |p: &AllanPoint| variance(p.tau, &slow) / variance(p.tau, theta);
         self.points
             .first()
-            .is_some_and(|p| share(p) < MOST_BY_WALKS)
+            .is_some_and(|p| share(p) < MOST_BY_WALKS.get())
     }
 
     /// White noise through the first point: a start that every sensor is near at short times.
@@ -133,7 +139,7 @@ impl Octaves {
     /// The squared coefficients, weighted by the scatter that they imply.
     pub fn settle(&self) -> Option<[f64; 5]> {
         let mut theta = self.first_guess();
-        for _ in 0..ROUNDS {
+        for _ in 0..ROUNDS.get() {
             theta = self.weighted(&theta)?.nonnegative(None);
         }
         Some(theta)
@@ -175,7 +181,7 @@ impl Octaves {
         }
         let left = |p: &AllanPoint| {
             let whole = variance(p.tau, &[0.0, theta[1], theta[2], theta[3], theta[4]]);
-            variance(p.tau, theta) >= LEFT_BY_MEMORY * whole
+            variance(p.tau, theta) >= LEFT_BY_MEMORY.get() * whole
         };
         self.points.first().is_none_or(left)
     }
@@ -283,7 +289,7 @@ impl Weighted<'_> {
         let weights = self.root.l().transpose().solve_upper_triangular(&row)?;
         let scatter = |value: f64| self.scatter(&weights, &self.nonnegative(Some((k, value))));
         Some(invert(
-            1.0 - (1.0 - JOINT_CONFIDENCE) / 5.0,
+            1.0 - (1.0 - JOINT_CONFIDENCE.get()) / 5.0,
             estimate,
             scatter,
         ))

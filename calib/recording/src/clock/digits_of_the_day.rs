@@ -4,10 +4,12 @@ use crate::clock::even::usual_step;
 use crate::rows::table::Table;
 use crate::units::TimeUnit;
 
-/// Seconds that the digits leap over from minute to minute.
-const LEAP: f64 = 40.0;
-/// Steps that may be lost where a minute begins.
-const LOST: f64 = 10.0;
+findings::tuning! {
+    /// Seconds that the digits leap over from minute to minute.
+    LEAP: f64 = 40.0;
+    /// Steps that may be lost where a minute begins.
+    LOST: f64 = 10.0;
+}
 
 /// Counts the stamps of `tables` in seconds, or in milliseconds of the day, where their digits are hours, minutes and seconds.
 pub(crate) fn count_on(tables: &mut [Table]) {
@@ -62,7 +64,7 @@ fn leap(t: &[f64], unit: TimeUnit) -> bool {
     let goes_on = |pair: &[f64]| {
         let [before, after] = [pair[0], pair[1]];
         let step = counted(after, unit) - counted(before, unit);
-        after - before > LEAP * unit.per_second() && step > 0.0 && step <= LOST * usual
+        after - before > LEAP.get() * unit.per_second() && step > 0.0 && step <= LOST.get() * usual
     };
     let mut new = t.windows(2).filter(is_new).peekable();
     new.peek().is_some() && new.all(goes_on)

@@ -16,34 +16,44 @@ use super::offset::{common, offsets_of_halves};
 use super::robust_line::{Line, Offset, line_through, quantile};
 use crate::recording::Stream;
 
-/// Bins in which the two are compared, s.
-const BIN: f64 = 0.04;
-/// Longest time that is looked at, s.
-const LONGEST: f64 = 20_000.0;
-/// Seconds left out at either end.
-const EDGE: f64 = 0.5;
+findings::tuning! {
+    /// Bins in which the two are compared, s.
+    BIN: f64 = 0.04;
+    /// Longest time that is looked at, s.
+    LONGEST: f64 = 20_000.0;
+    /// Seconds left out at either end.
+    EDGE: f64 = 0.5;
 
-/// A turn is faster than so many times a rest, and than this share of the fastest.
-const FASTER: f64 = 6.0;
-const SHARE: f64 = 0.05;
-/// Bins that a rest between two turns lasts, that a turn lasts at least and at most, and that are taken on either side.
-const REST: usize = 12;
-const SHORTEST: usize = 8;
-const TURN: usize = 250;
-const BESIDE: usize = 4;
+    /// A turn is faster than so many times a rest ...
+    FASTER: f64 = 6.0;
+    /// ... and than this share of the fastest.
+    SHARE: f64 = 0.05;
+    /// Bins that a rest between two turns lasts.
+    REST: usize = 12;
+    /// Bins that a turn lasts at least.
+    SHORTEST: usize = 8;
+    /// Bins that a turn lasts at most.
+    TURN: usize = 250;
+    /// Bins that are taken on either side of a turn.
+    BESIDE: usize = 4;
+}
 
 /// Unknowns of a turn: `δ`, `e`, `c`, `l`.
 const UNKNOWNS: usize = 10;
-/// A turn explains this share of what its force changes, or does not count.
-const EXPLAINED: f64 = 0.75;
 
-/// A drift is so many times its standard error, and no smaller than this.
-const EVIDENT: f64 = 5.0;
-const LEAST: f64 = 1e-4;
-/// A drift beyond this may not be seen from the halves.
-const STEEP: f64 = 3e-3;
-/// Rounds at most.
-const ROUNDS: usize = 6;
+findings::tuning! {
+    /// A turn explains this share of what its force changes, or does not count.
+    EXPLAINED: f64 = 0.75;
+
+    /// A drift is so many times its standard error ...
+    EVIDENT: f64 = 5.0;
+    /// ... and no smaller than this.
+    LEAST: f64 = 1e-4;
+    /// A drift beyond this may not be seen from the halves.
+    STEEP: f64 = 3e-3;
+    /// Rounds at most.
+    ROUNDS: usize = 6;
+}
 
 /// The drift of one clock against another.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,7 +70,7 @@ pub struct ClockDrift {
 /// they share their stamps, where the two do not move alike, and where the turns do not show it.
 pub fn clock_drift(force: &Stream, rate: &Stream) -> Option<ClockDrift> {
     let found = measured(force, rate)?;
-    let is_evident = found.value.abs() > (EVIDENT * found.error).max(LEAST);
+    let is_evident = found.value.abs() > (EVIDENT.get() * found.error).max(LEAST.get());
     is_evident.then_some(found)
 }
 
@@ -101,7 +111,7 @@ fn of_ends(force: &Stream, rate: &Stream) -> Option<Line> {
         middle: from,
         at_middle: begin,
     };
-    (slope.abs() > STEEP).then_some(line)
+    (slope.abs() > STEEP.get()).then_some(line)
 }
 
 /// The line of stamps that need no change: where turns follow one another like clockwork, halves slip by whole turns.
@@ -116,18 +126,21 @@ fn as_stamped(force: &Stream) -> Line {
 /// The line through the offsets that the turns show, begun with `line`.
 fn refined(force: &Stream, rate: &Stream, mut line: Line) -> Option<ClockDrift> {
     let (from, to) = common(force, rate)?;
-    let (from, to) = (from + EDGE, (to - EDGE).min(from + LONGEST));
-    let count = ((to - from) / BIN) as usize;
+    let (from, to) = (
+        from + EDGE.get(),
+        (to - EDGE.get()).min(from + LONGEST.get()),
+    );
+    let count = ((to - from) / BIN.get()) as usize;
     let middle = 0.5 * (from + to);
     line = Line {
         middle,
         at_middle: line.at(middle),
         ..line
     };
-    let edges: Vec<f64> = (0..=count).map(|k| from + k as f64 * BIN).collect();
+    let edges: Vec<f64> = (0..=count).map(|k| from + k as f64 * BIN.get()).collect();
     let forces = binned(force, &edges)?;
     let mut found = None;
-    for _ in 0..ROUNDS {
+    for _ in 0..ROUNDS.get() {
         let late: Vec<f64> = edges.iter().map(|t| t + line.at(*t)).collect();
         let rates = still_is_zero(binned(rate, &late)?);
         let offsets = offsets(&forces, &rates, &edges)?;
@@ -188,8 +201,8 @@ fn offsets(forces: &[Vector3<f64>], rates: &[Vector3<f64>], edges: &[f64]) -> Op
     let scale = to_the_frame_of_the_force(forces, rates, &turns)?;
     let rates: Vec<Vector3<f64>> = rates.iter().map(|rate| scale * rate).collect();
     let of = |turn: &std::ops::Range<usize>| {
-        let from = turn.start.saturating_sub(BESIDE).max(1);
-        let to = (turn.end + BESIDE).min(forces.len() - 1);
+        let from = turn.start.saturating_sub(BESIDE.get()).max(1);
+        let to = (turn.end + BESIDE.get()).min(forces.len() - 1);
         let (value, error) = offset(forces, &rates, from..to)?;
         let t = 0.5 * (edges[from] + edges[to]);
         Some(Offset { t, value, error })
@@ -201,11 +214,11 @@ fn offsets(forces: &[Vector3<f64>], rates: &[Vector3<f64>], edges: &[f64]) -> Op
 fn turns(rates: &[Vector3<f64>]) -> Vec<std::ops::Range<usize>> {
     let norms: Vec<f64> = rates.iter().map(|rate| rate.norm()).collect();
     let of = |share: f64| quantile(&mut norms.clone(), share);
-    let least = (FASTER * of(0.3)).max(SHARE * of(0.995));
+    let least = (FASTER.get() * of(0.3)).max(SHARE.get() * of(0.995));
     let moving: Vec<usize> = (0..norms.len()).filter(|&k| norms[k] > least).collect();
-    let runs = moving.chunk_by(|a, b| b - a <= REST);
+    let runs = moving.chunk_by(|a, b| b - a <= REST.get());
     let runs = runs.filter_map(|run| Some(*run.first()?..*run.last()? + 1));
-    runs.filter(|run| (SHORTEST..=TURN).contains(&run.len()))
+    runs.filter(|run| (SHORTEST.get()..=TURN.get()).contains(&run.len()))
         .collect()
 }
 
@@ -220,7 +233,7 @@ fn to_the_frame_of_the_force(
     for turn in turns {
         let (from, to) = (turn.start.max(2), turn.end.min(forces.len() - 2));
         for k in from..to {
-            let change = (forces[k + 1] - forces[k - 1]) / (2.0 * BIN);
+            let change = (forces[k + 1] - forces[k - 1]) / (2.0 * BIN.get());
             // The mean over the bins that the difference is over.
             let weighted = [(k - 1, 0.25), (k, 0.5), (k + 1, 0.25)];
             let rows = SMatrix::<f64, 3, 9>::from_fn(|row, column| {
@@ -252,12 +265,12 @@ fn offset(
     let (mut square, mut change, mut count) = (0.0, 0.0, 0.0);
     for (k, angle) in turn.clone().zip(&angles) {
         if k > turn.start {
-            let turned = (rates[k - 1] + rates[k]) * (-0.5 * BIN);
+            let turned = (rates[k - 1] + rates[k]) * (-0.5 * BIN.get());
             gravity = nalgebra::Rotation3::new(turned) * gravity;
         }
         passed += angle;
         let rate = rates[k];
-        let speeding = (rates[k + 1] - rates[k - 1]) / (2.0 * BIN);
+        let speeding = (rates[k + 1] - rates[k - 1]) / (2.0 * BIN.get());
         let unit = |q: usize| Vector3::ith(q, 1.0);
         let rows = SMatrix::<f64, 3, UNKNOWNS>::from_fn(|row, column| {
             let q = column.wrapping_sub(1) % 3;
@@ -280,7 +293,7 @@ fn offset(
     let solution = inverse * right;
     let left = (square - right.dot(&solution)).max(0.0);
     let error = (inverse[(0, 0)] * left / f64::max(count - UNKNOWNS as f64, 1.0)).sqrt();
-    let is_explained = left < (1.0 - EXPLAINED) * change && error > 0.0;
+    let is_explained = left < (1.0 - EXPLAINED.get()) * change && error > 0.0;
     is_explained.then_some((solution[0], error))
 }
 

@@ -5,14 +5,16 @@ use sensor::Sensor;
 
 use crate::recording::Stream;
 
-/// Rows in a run of equal values, on average, that make a slower clock.
-const SLOWER: f64 = 1.4;
+findings::tuning! {
+    /// Rows in a run of equal values, on average, that make a slower clock.
+    SLOWER: f64 = 1.4;
+}
 
 /// Returns the first index of each run of equal values, if the runs are those of a slower sensor.
 pub(crate) fn held_runs(stream: &Stream) -> Option<Vec<usize>> {
     let changes = |&i: &usize| i == 0 || stream.values[i] != stream.values[i - 1];
     let mean = stream.len() as f64 / (0..stream.len()).filter(changes).count() as f64;
-    if mean < SLOWER {
+    if mean < SLOWER.get() {
         return None;
     }
     let starts: Vec<usize> = (0..stream.len()).filter(changes).collect();
@@ -25,7 +27,7 @@ pub(crate) fn held_runs(stream: &Stream) -> Option<Vec<usize>> {
     // A sensor that stopped makes one long run, and the others are of one row each.
     let of_regular = regular.iter().sum::<usize>() as f64 / regular.len().max(1) as f64;
     let is_regular = regular.len() * 100 >= (starts.len() - 1) * 98;
-    (is_regular && of_regular >= SLOWER).then_some(starts)
+    (is_regular && of_regular >= SLOWER.get()).then_some(starts)
 }
 
 /// The stream with the first of every run of equal values, if the runs are those of a slower clock:

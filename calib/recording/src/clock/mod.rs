@@ -77,7 +77,7 @@ impl Clock {
     fn number(&mut self, cell: &[u8], decimal_comma: bool) -> Result<f64, Fault> {
         let parse = |cell| {
             let stamp = number::parse(cell, decimal_comma, &mut Dialects::default())?;
-            let possible = stamp.abs() < LATEST;
+            let possible = stamp.abs() < LATEST.get();
             possible.then_some(stamp).ok_or(Fault::Absurd)
         };
         if let Some(whole) = hexadecimal(cell) {

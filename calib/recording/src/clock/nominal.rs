@@ -6,13 +6,15 @@ const NOMINAL: [f64; 24] = [
     128.0, 200.0, 208.0, 250.0, 256.0, 400.0, 416.0, 500.0, 1000.0,
 ];
 
-/// A rate on the clock of the stamps is as near to its nominal one as this ...
-const SAME: f64 = 2e-4;
-/// ... and a sensor's own clock is off by as much.
-const NEAR: f64 = 4e-3;
+findings::tuning! {
+    /// A rate on the clock of the stamps is as near to its nominal one as this ...
+    SAME: f64 = 2e-4;
+    /// ... and a sensor's own clock is off by as much.
+    NEAR: f64 = 4e-3;
 
-/// Fewest stamps that tell a rate.
-const FEWEST: usize = 500;
+    /// Fewest stamps that tell a rate.
+    FEWEST: usize = 500;
+}
 
 /// Ticks in a second of the crystal of a watch, by 32.
 const TICKS: f64 = 1024.0;
@@ -24,14 +26,14 @@ pub(super) fn ticked(stamps: &[f64]) -> Option<f64> {
     let step = (last - first) / count;
     // Steps that differ by more than one are those of a clock that scatters, or of lost samples.
     let is_even = |pair: &[f64]| (pair[1] - pair[0] - step).abs() < 1.0;
-    if stamps.len() < FEWEST || !stamps.windows(2).all(is_even) {
+    if stamps.len() < FEWEST.get() || !stamps.windows(2).all(is_even) {
         return None;
     }
     let is_near = |rate: f64, within: f64| {
         let near = |nominal: &&f64| (rate / **nominal - 1.0).abs() < within;
         NOMINAL.iter().find(near).copied()
     };
-    is_near(TICKS / step, SAME).filter(|_| is_near(1e3 / step, NEAR).is_none())
+    is_near(TICKS / step, SAME.get()).filter(|_| is_near(1e3 / step, NEAR.get()).is_none())
 }
 
 #[cfg(test)]

@@ -3,16 +3,18 @@
 use crate::clock::wraps::usual_step;
 use crate::rows::table::Table;
 
-/// Rows that make a recording of their own.
-const FEWEST: usize = 20;
-/// Steps that time goes back by rows that are out of order.
-const SHUFFLED: f64 = 50.0;
-/// Steps by which a clock is set back; two rows may change places.
-const SET_BACK: f64 = 5.0;
-/// Steps without a row before a header: ten seconds at 100 Hz.
-const PAUSE: f64 = 1000.0;
-/// More often no device begins again in one file.
-const MOST: usize = 100;
+findings::tuning! {
+    /// Rows that make a recording of their own.
+    FEWEST: usize = 20;
+    /// Steps that time goes back by rows that are out of order.
+    SHUFFLED: f64 = 50.0;
+    /// Steps by which a clock is set back; two rows may change places.
+    SET_BACK: f64 = 5.0;
+    /// Steps without a row before a header: ten seconds at 100 Hz.
+    PAUSE: f64 = 1000.0;
+    /// More often no device begins again in one file.
+    MOST: usize = 100;
+}
 
 /// One recording of a file.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,14 +73,15 @@ fn restarts(rows: &[(u64, f64)]) -> Vec<usize> {
         let back = latest - t(at);
         let to_the_start = back > 2.0 * usual
             && (t(at) <= t(start) + 2.0 * usual
-                || (t(at) <= t(start) + SHUFFLED * usual && goes_on(&rows[at..], latest, usual)));
+                || (t(at) <= t(start) + SHUFFLED.get() * usual
+                    && goes_on(&rows[at..], latest, usual)));
         let set_back = || {
-            back > SET_BACK * usual
+            back > SET_BACK.get() * usual
                 && covers(&rows[start..at], t(at), usual)
                 && goes_on(&rows[at..], latest, usual)
         };
-        if t(at) < t(at - 1) && (back > SHUFFLED * usual || to_the_start || set_back()) {
-            if at - start < FEWEST || found.len() == MOST {
+        if t(at) < t(at - 1) && (back > SHUFFLED.get() * usual || to_the_start || set_back()) {
+            if at - start < FEWEST.get() || found.len() == MOST.get() {
                 return Vec::new();
             }
             found.push(at);
@@ -90,14 +93,14 @@ fn restarts(rows: &[(u64, f64)]) -> Vec<usize> {
             && last == start
         {
             let ended = t(last - 1);
-            let lands = |stamp: f64| (stamp - ended).abs() <= SHUFFLED * usual;
-            if t(at) - t(at - 1) > SHUFFLED * usual && t(at - 1) < ended && lands(t(at)) {
+            let lands = |stamp: f64| (stamp - ended).abs() <= SHUFFLED.get() * usual;
+            if t(at) - t(at - 1) > SHUFFLED.get() * usual && t(at - 1) < ended && lands(t(at)) {
                 return Vec::new();
             }
         }
         latest = latest.max(t(at));
     }
-    match rows.len() - start < FEWEST {
+    match rows.len() - start < FEWEST.get() {
         true => Vec::new(),
         false => found,
     }
@@ -108,7 +111,7 @@ fn begun_again(rows: &[(u64, f64)], headers: &[u64]) -> Vec<usize> {
     let Some(usual) = usual_step(rows) else {
         return Vec::new();
     };
-    let is_late = |at: &usize| *at > 0 && rows[*at].1 - rows[at - 1].1 > PAUSE * usual;
+    let is_late = |at: &usize| *at > 0 && rows[*at].1 - rows[at - 1].1 > PAUSE.get() * usual;
     let below = headers
         .iter()
         .map(|line| rows.partition_point(|(row, _)| row < line));
@@ -118,7 +121,9 @@ fn begun_again(rows: &[(u64, f64)], headers: &[u64]) -> Vec<usize> {
         .collect();
     let starts = [0].into_iter().chain(found.iter().copied());
     let ends = found.iter().copied().chain([rows.len()]);
-    let are_whole = starts.zip(ends).all(|(start, end)| end >= start + FEWEST);
+    let are_whole = starts
+        .zip(ends)
+        .all(|(start, end)| end >= start + FEWEST.get());
     match are_whole {
         true => found,
         false => Vec::new(),

@@ -1,13 +1,15 @@
 //! A line through the offsets of turns that outliers do not bend.
 
-/// Turns that a drift takes.
-const FEWEST: usize = 8;
-/// Turns whose offset is known better than this share of the usual count no more.
-const NO_BETTER: f64 = 0.3;
-/// Turns that miss the line by so many times the usual count half.
-const OUTLIER: f64 = 2.5;
-/// Rounds of the weights.
-const ROUNDS_OF_WEIGHTS: usize = 30;
+findings::tuning! {
+    /// Turns that a drift takes.
+    FEWEST: usize = 8;
+    /// Turns whose offset is known better than this share of the usual count no more.
+    NO_BETTER: f64 = 0.3;
+    /// Turns that miss the line by so many times the usual count half.
+    OUTLIER: f64 = 2.5;
+    /// Rounds of the weights.
+    ROUNDS_OF_WEIGHTS: usize = 30;
+}
 
 /// An offset that changes with time.
 #[derive(Clone, Copy, Debug)]
@@ -49,7 +51,7 @@ pub(super) fn quantile(values: &mut [f64], share: f64) -> f64 {
 /// The robust line through the offsets, and the standard error of its slope by how they scatter about it, each as if
 /// the line had been drawn without it (MacKinnon and White 1985, HC3).
 pub(super) fn line_through(offsets: &[Offset], middle: f64) -> Option<(Line, f64)> {
-    if offsets.len() < FEWEST {
+    if offsets.len() < FEWEST.get() {
         return None;
     }
     let usual = quantile(
@@ -58,14 +60,14 @@ pub(super) fn line_through(offsets: &[Offset], middle: f64) -> Option<(Line, f64
     );
     let errors: Vec<f64> = offsets
         .iter()
-        .map(|o| o.error.hypot(NO_BETTER * usual))
+        .map(|o| o.error.hypot(NO_BETTER.get() * usual))
         .collect();
     let mut weights: Vec<f64> = errors.iter().map(|e| e.powi(-2)).collect();
     let sum = |weights: &[f64], of: &dyn Fn(&Offset) -> f64| -> f64 {
         weights.iter().zip(offsets).map(|(w, o)| w * of(o)).sum()
     };
     let mut fitted = None;
-    for _ in 0..ROUNDS_OF_WEIGHTS {
+    for _ in 0..ROUNDS_OF_WEIGHTS.get() {
         let whole = sum(&weights, &|_| 1.0);
         let t = sum(&weights, &|o| o.t) / whole;
         let mean = sum(&weights, &|o| o.value) / whole;
@@ -96,7 +98,7 @@ pub(super) fn line_through(offsets: &[Offset], middle: f64) -> Option<(Line, f64
             .map(|(o, e)| left(o) / e)
             .collect();
         let mut sizes: Vec<f64> = ratios.iter().map(|z| z.abs()).collect();
-        let scale = OUTLIER * (1.4826 * quantile(&mut sizes, 0.5)).max(1e-6);
+        let scale = OUTLIER.get() * (1.4826 * quantile(&mut sizes, 0.5)).max(1e-6);
         for ((weight, error), z) in weights.iter_mut().zip(&errors).zip(&ratios) {
             *weight = error.powi(-2) / (1.0 + (z / scale).powi(2));
         }

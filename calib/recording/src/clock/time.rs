@@ -40,8 +40,10 @@ const TICKED: std::ops::Range<f64> = 5.0..2000.0;
 /// Units that people convert stamps to, and no clock counts in.
 const LONG: [TimeUnit; 3] = [TimeUnit::Days, TimeUnit::Hours, TimeUnit::Minutes];
 
-/// A recording of turns is no shorter, s.
-const SHORTEST: f64 = 10.0;
+findings::tuning! {
+    /// A recording of turns is no shorter, s.
+    SHORTEST: f64 = 10.0;
+}
 
 fn is_usual(unit: &TimeUnit, step: f64) -> bool {
     USUAL.contains(&(unit.per_second() / step))
@@ -52,7 +54,7 @@ fn is_usual(unit: &TimeUnit, step: f64) -> bool {
 fn may_be_minutes(table: &Table, step: f64) -> bool {
     let span = |t: &Vec<f64>| Some(t.last()? - t.first()?);
     let spans = [&table.accel.t, &table.gyro.t].into_iter().filter_map(span);
-    let is_short = spans.fold(0.0, f64::max) < SHORTEST;
+    let is_short = spans.fold(0.0, f64::max) < SHORTEST.get();
     let is_fast = 1.0 / step >= USUAL.end;
     !table.plain_time && is_fast && is_short && LONG.iter().any(|unit| is_usual(unit, step))
 }
@@ -227,7 +229,7 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
     if step == 1.0 {
         // Whole seconds, which several rows share.
         let rate = rows_per_stamp(table);
-        if rate >= SHARED {
+        if rate >= SHARED.get() {
             let seconds = decided(table, TimeUnit::Seconds);
             warnings.push(seconds.number("rate", rate.round(), "Hz"));
             return Ok(TimeUnit::Seconds);
@@ -315,9 +317,11 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
     }
 }
 
-/// Rows with one stamp, on average, from which stamps that go up by 1 are seconds: in milliseconds the rate would be that of no
-/// recording by hand.
-const SHARED: f64 = 5.0;
+findings::tuning! {
+    /// Rows with one stamp, on average, from which stamps that go up by 1 are seconds: in milliseconds the rate would be that of no
+    /// recording by hand.
+    SHARED: f64 = 5.0;
+}
 
 /// The unit of stamps that go up by 1: milliseconds, seconds by contract, or none where they count the rows.
 fn unit_of_ones(table: &Table, warnings: &mut Findings) -> Result<TimeUnit, Error> {

@@ -7,8 +7,12 @@ use super::twelve_hours;
 const WRAPS: [f64; 4] = [60.0, 3600.0, HALF_A_DAY, DAY];
 /// A day, s.
 pub(crate) const DAY: f64 = 86_400.0;
-/// A step over a start is no longer, s.
-const STEP: f64 = 5.0;
+
+findings::tuning! {
+    /// A step over a start is no longer, s.
+    STEP: f64 = 5.0;
+}
+
 /// A time of day that goes back by more has passed midnight, s.
 const HALF_A_DAY: f64 = 43_200.0;
 
@@ -61,7 +65,7 @@ impl TimeOfDay {
     /// The seconds since the first midnight of what is `seconds` since the last.
     pub fn count_on(&mut self, seconds: f64) -> f64 {
         let now = self.before + seconds;
-        let onwards = |wrap: &f64| (0.0..=STEP).contains(&(now + wrap - self.last));
+        let onwards = |wrap: &f64| (0.0..=STEP.get()).contains(&(now + wrap - self.last));
         let midnight = || (now + HALF_A_DAY < self.last).then_some(DAY);
         let wrap = WRAPS.into_iter().find(onwards).or_else(midnight);
         let wrap = wrap.filter(|_| now < self.last).unwrap_or_default();

@@ -11,10 +11,13 @@ const PERIODS: [f64; 2] = [86_400.0, 604_800.0];
 const FIELDS: [f64; 2] = [60.0, 3_600.0];
 /// Ratios of units that are tried: the same unit, and ms and µs to seconds.
 const UNITS: [f64; 3] = [1.0, 1e-3, 1e-6];
-/// Steps that may be lost where a counter starts again.
-const LOST: f64 = 10.0;
-/// A counter goes on by less than this part of its range from row to row.
-const PART: f64 = 0.35;
+
+findings::tuning! {
+    /// Steps that may be lost where a counter starts again.
+    LOST: f64 = 10.0;
+    /// A counter goes on by less than this part of its range from row to row.
+    PART: f64 = 0.35;
+}
 
 /// Returns the ranges after which counters start again, in the file's unit.
 pub(crate) fn moduli() -> impl Iterator<Item = f64> {
@@ -73,16 +76,16 @@ fn wraps(rows: &[(u64, f64)], origin: f64) -> Vec<(u64, f64)> {
     let fields = UNITS
         .into_iter()
         .flat_map(|unit| FIELDS.map(|field| field / unit))
-        .filter(|_| first > LOST * usual);
+        .filter(|_| first > LOST.get() * usual);
     let ranges: Vec<f64> = moduli()
         .chain(fields)
-        .filter(|modulus| usual < PART * modulus && fits(*modulus))
+        .filter(|modulus| usual < PART.get() * modulus && fits(*modulus))
         .collect();
     let jumps = rows.windows(2).filter(|pair| pair[1].1 < pair[0].1);
     let wrap = |pair: &[(u64, f64)]| {
         let is_over = |modulus: &&f64| {
             let forward = pair[1].1 + **modulus - pair[0].1;
-            forward > 0.0 && forward <= (LOST * usual).min(0.5 * **modulus)
+            forward > 0.0 && forward <= (LOST.get() * usual).min(0.5 * **modulus)
         };
         ranges
             .iter()

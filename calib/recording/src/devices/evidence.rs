@@ -4,12 +4,14 @@ use nalgebra::Vector3;
 
 use crate::averages::median;
 
-/// Changes of label below which a comparison of neighbours says nothing.
-const CHANGES: usize = 20;
-/// Rows that are compared: half an hour's at 100 Hz.
-const LOOKED_AT: usize = 200_000;
-/// Rows of one label that may follow one another where devices send by turns.
-const RUN: usize = 20;
+findings::tuning! {
+    /// Changes of label below which a comparison of neighbours says nothing.
+    CHANGES: usize = 20;
+    /// Rows that are compared: half an hour's at 100 Hz.
+    LOOKED_AT: usize = 200_000;
+    /// Rows of one label that may follow one another where devices send by turns.
+    RUN: usize = 20;
+}
 
 /// The rows of one sensor: stamps in the order of the text, readings, and labels.
 #[derive(Clone, Copy, Debug)]
@@ -41,7 +43,7 @@ impl Rows<'_> {
     /// The period, in rows, in which nearly all labels come again.
     fn period(&self) -> Option<usize> {
         let rows = self.labels.len();
-        (2..=RUN).find(|period| {
+        (2..=RUN.get()).find(|period| {
             let again = (*period..rows).filter(|i| self.labels[*i] == self.labels[i - period]);
             10 * again.count() >= 9 * rows
         })
@@ -57,7 +59,7 @@ impl Rows<'_> {
         let at_changes = changes.iter().filter(|&&i| stands(i)).count();
         let in_all = (1..rows).filter(|&i| stands(i)).count();
         let in_blocks = changes.len() + 1 == count;
-        let mixed = changes.len() * RUN >= rows;
+        let mixed = changes.len() * RUN.get() >= rows;
         Order {
             mixed,
             in_turn: mixed && self.period().is_some(),
@@ -83,7 +85,7 @@ impl Rows<'_> {
     }
 
     fn differences(&self) -> (f64, f64) {
-        let rows = self.labels.len().min(LOOKED_AT);
+        let rows = self.labels.len().min(LOOKED_AT.get());
         let mut last: [Option<usize>; 256] = [None; 256];
         let (mut to_other, mut to_own) = (Vec::new(), Vec::new());
         let mut steps: Vec<(bool, Vector3<f64>)> = Vec::new();
@@ -103,7 +105,7 @@ impl Rows<'_> {
             }
             last[usize::from(label)] = Some(i);
         }
-        if to_other.len() < CHANGES {
+        if to_other.len() < CHANGES.get() {
             return (0.0, 0.0);
         }
         let (Some(other), Some(own)) = (median(to_other), median(to_own)) else {
@@ -124,15 +126,15 @@ impl Rows<'_> {
     pub fn difference_at_rest(&self, count: usize) -> f64 {
         let mut means: Vec<Vec<Vector3<f64>>> = vec![Vec::new(); count];
         let mut windows: Vec<(usize, f64, Vector3<f64>)> = Vec::new();
-        let rows = self.labels.len().min(LOOKED_AT);
-        for from in (0..rows.saturating_sub(WINDOW)).step_by(WINDOW) {
+        let rows = self.labels.len().min(LOOKED_AT.get());
+        for from in (0..rows.saturating_sub(WINDOW.get())).step_by(WINDOW.get()) {
             let label = self.labels[from];
-            let window = from..from + WINDOW;
+            let window = from..from + WINDOW.get();
             if self.labels[window.clone()].iter().any(|l| *l != label) {
                 continue;
             }
             let values = &self.values[window];
-            let mean = values.iter().sum::<Vector3<f64>>() / WINDOW as f64;
+            let mean = values.iter().sum::<Vector3<f64>>() / WINDOW.get() as f64;
             let spread: f64 = values.iter().map(|v| (v - mean).norm_squared()).sum();
             windows.push((usize::from(label), spread, mean));
         }
@@ -165,11 +167,13 @@ impl Rows<'_> {
     }
 }
 
-/// Rows of a window of rest.
-const WINDOW: usize = 40;
+findings::tuning! {
+    /// Rows of a window of rest.
+    WINDOW: usize = 40;
 
-/// Steps over which an offset has to last.
-const LASTS: usize = 100;
+    /// Steps over which an offset has to last.
+    LASTS: usize = 100;
+}
 
 /// The usual offset between labels, of means over some seconds.
 fn lasting(steps: &[(bool, Vector3<f64>)]) -> f64 {
@@ -180,7 +184,7 @@ fn lasting(steps: &[(bool, Vector3<f64>)]) -> f64 {
         };
         0.5 * (mean(false) - mean(true)).norm()
     };
-    let length = LASTS.min(steps.len() / 2).max(1);
+    let length = LASTS.get().min(steps.len() / 2).max(1);
     median(steps.chunks_exact(length).map(offset)).unwrap_or_default()
 }
 
@@ -206,7 +210,7 @@ fn offset(steps: &[(bool, Vector3<f64>)], noise: f64) -> f64 {
         };
         let scatter = deviation(&there, there_mid).max(deviation(&back, back_mid));
         let offset = 0.5 * (there_mid - back_mid).abs();
-        if count < 10 * CHANGES || offset < 0.1 * noise || scatter == 0.0 {
+        if count < 10 * CHANGES.get() || offset < 0.1 * noise || scatter == 0.0 {
             return 0.0;
         }
         // Of a normal distribution the error of the median is 1.25 σ/√n, and the median deviation 0.67 σ.

@@ -11,10 +11,12 @@ use crate::recording::options::{ReadOptions, Role};
 /// The name of a device that takes the rows for those of one.
 pub(crate) const ALL: &str = "all";
 
-/// Columns that are looked at.
-const COLUMNS: usize = 8;
-/// Nobody reads more devices into one table.
-const MOST: usize = 64;
+findings::tuning! {
+    /// Columns that are looked at.
+    COLUMNS: usize = 8;
+    /// Nobody reads more devices into one table.
+    MOST: usize = 64;
+}
 
 /// The columns that may say which device a row is of.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -73,7 +75,7 @@ pub(crate) fn columns(
         .map(class)
         .collect();
     found.sort_by_key(|(_, class)| *class);
-    found.truncate(COLUMNS);
+    found.truncate(COLUMNS.get());
     found
 }
 
@@ -93,7 +95,7 @@ fn has_few_values(at: usize, rows: &[&Kept], dialect: Dialect) -> bool {
         }
     }
     let filled = values.iter().any(|value| !value.is_empty());
-    filled && values.len() <= MOST
+    filled && values.len() <= MOST.get()
 }
 
 /// True for a number that is not whole.
@@ -124,7 +126,7 @@ impl Labels {
         self.rows += 1;
         for (k, column) in self.columns.iter_mut().enumerate() {
             // One that has more values than there are devices is none; its rows are not counted on.
-            if column.values.len() <= MOST {
+            if column.values.len() <= MOST.get() {
                 column.push(cell(k));
             }
         }
@@ -132,7 +134,8 @@ impl Labels {
 
     /// Leaves out the columns that have too many values.
     pub fn finish(&mut self) {
-        self.columns.retain(|column| column.values.len() <= MOST);
+        self.columns
+            .retain(|column| column.values.len() <= MOST.get());
     }
 
     /// The row on `line`.

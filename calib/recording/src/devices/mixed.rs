@@ -12,19 +12,22 @@ use crate::recording::stream::least_steps;
 use crate::shown::figure;
 use crate::source::place::at_line;
 
-/// Most devices that are looked for in rows by turns.
-const DEVICES: usize = 4;
-/// Rows looked at.
-const LOOKED_AT: usize = 100_000;
-/// Parts of the rows, in each of which devices have to show.
-const PARTS: usize = 4;
-/// Rows of each device in a row whose means are compared, and how many such places together.
-const IN_A_ROW: usize = 4;
-const CHUNK: usize = 50;
-/// Of what is between devices their mean over these places keeps more than this share of the square; of a beat less.
-const KEPT: f64 = 0.4;
-/// Readings that far apart are those of different devices, in units of what those of one are apart.
-const APART: f64 = 3.0;
+findings::tuning! {
+    /// Most devices that are looked for in rows by turns.
+    DEVICES: usize = 4;
+    /// Rows looked at.
+    LOOKED_AT: usize = 100_000;
+    /// Parts of the rows, in each of which devices have to show.
+    PARTS: usize = 4;
+    /// Rows of each device in a row whose means are compared.
+    IN_A_ROW: usize = 4;
+    /// Places that are compared together.
+    CHUNK: usize = 50;
+    /// Of what is between devices their mean over these places keeps more than this share of the square; of a beat less.
+    KEPT: f64 = 0.4;
+    /// Readings that far apart are those of different devices, in units of what those of one are apart.
+    APART: f64 = 3.0;
+}
 
 /// Refuses samples in which rows of several devices stand by turns, or have one stamp.
 ///
@@ -90,15 +93,15 @@ fn twins(samples: &Samples) -> Option<Twins> {
             .values
             .windows(2)
             .map(|w| (w[1] - w[0]).norm())
-            .take(LOOKED_AT),
+            .take(LOOKED_AT.get()),
     )?;
     let usual = usual.max(in_all).max(least_step(&samples.values));
     let middle = median(apart.iter().copied())?;
     // Of few pairs the noise alone makes some large.
     let factor = match apart.len() {
-        0..5 => 3.0 * APART,
-        5..20 => 1.5 * APART,
-        _ => 0.67 * APART,
+        0..5 => 3.0 * APART.get(),
+        5..20 => 1.5 * APART.get(),
+        _ => 0.67 * APART.get(),
     };
     (middle > factor * usual).then_some(Twins {
         line: first.line,
@@ -110,7 +113,7 @@ fn twins(samples: &Samples) -> Option<Twins> {
 
 /// The smallest change of a reading; 0 where there is none.
 fn least_step(values: &[Vector3<f64>]) -> f64 {
-    let steps = least_steps(&values[..values.len().min(LOOKED_AT)]);
+    let steps = least_steps(&values[..values.len().min(LOOKED_AT.get())]);
     let least = steps.into_iter().fold(f64::INFINITY, f64::min);
     if least.is_finite() { least } else { 0.0 }
 }
@@ -119,9 +122,9 @@ fn least_step(values: &[Vector3<f64>]) -> f64 {
 pub fn in_turn(values: &[Vector3<f64>]) -> Option<usize> {
     // A device that is there all the time reads no zero on all axes; where reads fail, zeros stand by turns with readings.
     let read = values.iter().filter(|value| **value != Vector3::zeros());
-    let values: &[Vector3<f64>] = &read.copied().take(LOOKED_AT).collect::<Vec<_>>();
-    let part = values.len() / PARTS;
-    if part < 25 * DEVICES {
+    let values: &[Vector3<f64>] = &read.copied().take(LOOKED_AT.get()).collect::<Vec<_>>();
+    let part = values.len() / PARTS.get();
+    if part < 25 * DEVICES.get() {
         return None;
     }
     let step = least_step(values);
@@ -133,39 +136,39 @@ pub fn in_turn(values: &[Vector3<f64>]) -> Option<usize> {
                 values,
                 labels: &labels,
             };
-            rows.ratio() >= APART && is_coarse(values, devices, step)
+            rows.ratio() >= APART.get() && is_coarse(values, devices, step)
         })
     };
-    let devices = (2..=DEVICES).find(|devices| shows(*devices))?;
+    let devices = (2..=DEVICES.get()).find(|devices| shows(*devices))?;
     (!is_vibration(values, devices)).then_some(devices)
 }
 
 /// True where what is between rows by turns points another way all the time: a vibration near a half, a third or a fourth of the rate beats
 /// with it. Between devices it is the same while they rest.
 fn is_vibration(values: &[Vector3<f64>], devices: usize) -> bool {
-    let rows = IN_A_ROW * devices;
+    let rows = IN_A_ROW.get() * devices;
     let between = |rows: &[Vector3<f64>]| -> Vec<Vector3<f64>> {
         let whole = rows.iter().sum::<Vector3<f64>>() / rows.len() as f64;
         let of = |device: usize| {
             let own = rows.iter().skip(device).step_by(devices);
-            own.sum::<Vector3<f64>>() / IN_A_ROW as f64 - whole
+            own.sum::<Vector3<f64>>() / IN_A_ROW.get() as f64 - whole
         };
         (0..devices).map(of).collect()
     };
     let turns = |rows: &[Vector3<f64>]| {
         let mut sums = vec![Vector3::zeros(); devices];
         let mut squares = 0.0;
-        let count = rows.len() / (IN_A_ROW * devices);
-        for part in rows.chunks_exact(IN_A_ROW * devices) {
+        let count = rows.len() / (IN_A_ROW.get() * devices);
+        for part in rows.chunks_exact(IN_A_ROW.get() * devices) {
             for (sum, own) in sums.iter_mut().zip(between(part)) {
                 *sum += own;
                 squares += own.norm_squared();
             }
         }
         let kept = sums.iter().map(|sum| sum.norm_squared()).sum::<f64>() / count as f64;
-        kept < KEPT * squares
+        kept < KEPT.get() * squares
     };
-    let chunks: Vec<bool> = values.chunks_exact(rows * CHUNK).map(turns).collect();
+    let chunks: Vec<bool> = values.chunks_exact(rows * CHUNK.get()).map(turns).collect();
     2 * chunks.iter().filter(|turns| **turns).count() > chunks.len()
 }
 

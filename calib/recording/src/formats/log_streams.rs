@@ -40,8 +40,10 @@ pub struct LogStream {
     pub settings: Vec<Setting>,
 }
 
-/// Fewer samples a second show no turn, Hz.
-const SLOWEST: f64 = 5.0;
+findings::tuning! {
+    /// Fewer samples a second show no turn, Hz.
+    SLOWEST: f64 = 5.0;
+}
 
 impl LogContents {
     /// True where a sensor that is calibrated is there more than once.
@@ -53,7 +55,7 @@ impl LogContents {
     /// The options that choose the first of them that a calibration can use, as a front writes them: with enough samples, and as the sensor
     /// read it where there is one.
     pub fn first_option(&self, front: Front) -> Option<String> {
-        let use_of = |s: &LogStream| (s.is_calibrated(), s.rate >= SLOWEST, !s.processed);
+        let use_of = |s: &LogStream| (s.is_calibrated(), s.rate >= SLOWEST.get(), !s.processed);
         let several = self.streams.iter().filter(|s| s.is_one_of_several());
         // Of equals the first.
         let first = several.rev().max_by_key(|s| use_of(s));

@@ -26,8 +26,11 @@ pub(crate) struct Measured(pub &'static str);
 
 /// Stamps from here on are epochs, ns: what is before their first whole second is subtracted.
 const EPOCH: i64 = 1_000_000_000_000_000;
-/// Slower streams are no recording of turns, Hz.
-const SLOW: f64 = 10.0;
+
+findings::tuning! {
+    /// Slower streams are no recording of turns, Hz.
+    SLOW: f64 = 10.0;
+}
 
 impl Format for Measured {
     fn name(&self) -> &'static str {
@@ -341,10 +344,10 @@ impl Chooser<'_> {
     /// Refuses a log that holds the sensor a few times a second only.
     fn refuse_slow(&self, stream: &Stream, processed: Option<&Stream>) -> Result<(), Error> {
         let rate = stream.rate();
-        if !stream.source.starts_with("sensor_") || rate >= SLOW {
+        if !stream.source.starts_with("sensor_") || rate >= SLOW.get() {
             return Ok(());
         }
-        let instead = processed.filter(|stream| stream.rate() >= SLOW);
+        let instead = processed.filter(|stream| stream.rate() >= SLOW.get());
         let found = Finding::of(Kind::LoggedSlowly)
             .in_file(self.name)
             .detail("stream", shown(&stream.source))

@@ -62,8 +62,10 @@ const DIALECTS: [Dialect; 8] = [
     },
 ];
 
-/// Rows that one separator splits, so that one line more is none for another.
-const ENOUGH: usize = 10;
+findings::tuning! {
+    /// Rows that one separator splits, so that one line more is none for another.
+    ENOUGH: usize = 10;
+}
 
 impl Dialect {
     /// The decimal mark.
@@ -80,7 +82,8 @@ impl Dialect {
             let reads = |line: &&&[u8]| dialect.reads(line, &mut cells);
             let score = lines.iter().filter(reads).count();
             // Of names such as `Channel 1` blanks make numbers, where another separator splits all rows.
-            let names = usize::from(dialect.separator == Separator::Blanks && best.0 >= ENOUGH);
+            let names =
+                usize::from(dialect.separator == Separator::Blanks && best.0 >= ENOUGH.get());
             if score > best.0 + names {
                 best = (score, dialect);
             }

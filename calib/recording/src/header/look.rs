@@ -4,10 +4,12 @@ use super::names::role_of;
 use super::preface::{is_comment, without_comment_mark};
 use crate::recording::options::Role;
 
-/// Lines looked at.
-const LINES: usize = 60;
-/// Lines looked at for a header below a list of settings.
-const FAR: usize = 1000;
+findings::tuning! {
+    /// Lines looked at.
+    LINES: usize = 60;
+    /// Lines looked at for a header below a list of settings.
+    FAR: usize = 1000;
+}
 
 /// The first lines of a text.
 #[derive(Debug)]
@@ -22,13 +24,13 @@ impl Look {
         let lines = text
             .split(['\n', '\r'])
             .filter(|line| !line.trim().is_empty());
-        let lines: Vec<String> = lines.take(FAR).map(str::to_owned).collect();
+        let lines: Vec<String> = lines.take(FAR.get()).map(str::to_owned).collect();
         Self { lines }
     }
 
     /// The lines that are not blank.
     pub fn lines(&self) -> impl Iterator<Item = &str> {
-        self.far_lines().take(LINES)
+        self.far_lines().take(LINES.get())
     }
 
     /// The same, and as many more as a list of settings may have above the rows.

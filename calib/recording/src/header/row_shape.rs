@@ -68,7 +68,7 @@ pub(super) fn is_empty(rows: &[&Kept], dialect: Dialect, column: usize) -> bool 
         );
         matches!(read, Err(Fault::Missing | Fault::NotFinite))
     };
-    rows.len() >= FEWEST_STANDING && rows.iter().all(is_missing)
+    rows.len() >= FEWEST_STANDING.get() && rows.iter().all(is_missing)
 }
 
 /// True if no row has a decimal point.
@@ -76,8 +76,10 @@ pub(super) fn only_integers(rows: &[&Kept]) -> bool {
     rows.iter().all(|row| !row.bytes.contains(&b'.'))
 }
 
-/// Fewest rows that show that a column stands still.
-const FEWEST_STANDING: usize = 5;
+findings::tuning! {
+    /// Fewest rows that show that a column stands still.
+    FEWEST_STANDING: usize = 5;
+}
 
 /// True if the cells of a column are the same in all rows.
 pub(super) fn stands_still(rows: &[&Kept], dialect: Dialect, column: usize) -> bool {
@@ -86,7 +88,7 @@ pub(super) fn stands_still(rows: &[&Kept], dialect: Dialect, column: usize) -> b
         Some(row.bytes[own].to_vec())
     };
     let first = rows.first().and_then(cell);
-    rows.len() >= FEWEST_STANDING && rows.iter().all(|row| cell(row) == first)
+    rows.len() >= FEWEST_STANDING.get() && rows.iter().all(|row| cell(row) == first)
 }
 
 /// True if most rows have the cell of the row before them in the column `time`, which changes, and a larger number than that row in

@@ -28,11 +28,13 @@ use crate::source::cut::usual_tail;
 use crate::source::lines::lines;
 use crate::source::place::{at_column, at_line, in_file};
 
-/// Rows looked at.
-const SAMPLE: usize = 200;
+findings::tuning! {
+    /// Rows looked at.
+    SAMPLE: usize = 200;
 
-/// Comments that are looked at for a header.
-const COMMENTS: usize = 1000;
+    /// Comments that are looked at for a header.
+    COMMENTS: usize = 1000;
+}
 
 /// Format of a text's rows, found from its beginning.
 #[derive(Clone, Debug)]
@@ -411,8 +413,8 @@ fn sample(name: &str, head: &[u8]) -> Result<Vec<Kept>, Error> {
         let line = &head.bytes[range];
         if !line.trim_ascii().is_empty() {
             let comment = is_comment(line);
-            if rows == 0 && kept.len() == 2 * COMMENTS {
-                kept.drain(..COMMENTS);
+            if rows == 0 && kept.len() == 2 * COMMENTS.get() {
+                kept.drain(..COMMENTS.get());
             }
             rows += usize::from(!comment && begins_like_a_row(line));
             kept.push(Kept {
@@ -421,7 +423,7 @@ fn sample(name: &str, head: &[u8]) -> Result<Vec<Kept>, Error> {
                 bytes: line.to_vec(),
             });
         }
-        if rows == SAMPLE {
+        if rows == SAMPLE.get() {
             break;
         }
     }

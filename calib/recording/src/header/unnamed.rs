@@ -109,10 +109,12 @@ pub(super) fn number_in(row: &Kept, cell: &Cell, dialect: Dialect) -> Option<f64
     number::parse(bytes, dialect.decimal_comma, &mut Dialects::default()).ok()
 }
 
-/// Whole numbers below this may say which device a row is of.
-const DEVICES: f64 = 16.0;
-/// Words of which more than one in so many rows is another are no names of devices but stamps.
-const ROWS_PER_WORD: usize = 3;
+findings::tuning! {
+    /// Whole numbers below this may say which device a row is of.
+    DEVICES: f64 = 16.0;
+    /// Words of which more than one in so many rows is another are no names of devices but stamps.
+    ROWS_PER_WORD: usize = 3;
+}
 
 /// A number without decimals, or as tables of floating numbers write whole ones: `1.0`; not `0.000`.
 fn is_whole(cell: &[u8]) -> bool {
@@ -140,14 +142,14 @@ fn without_labels(rows: &[&Kept], dialect: Dialect, width: usize) -> Vec<usize> 
                     !row.bytes[cell.clone()].is_empty()
                 }
                 Some(number) => {
-                    (0.0..DEVICES).contains(&number) && is_whole(&row.bytes[cell.clone()])
+                    (0.0..DEVICES.get()).contains(&number) && is_whole(&row.bytes[cell.clone()])
                 }
             })
         });
         let labels: Vec<bool> = labels.collect();
         labels.iter().all(|is_label| *is_label)
             && !goes_up
-            && (words.len() <= 2 || ROWS_PER_WORD * words.len() <= rows.len())
+            && (words.len() <= 2 || ROWS_PER_WORD.get() * words.len() <= rows.len())
     };
     let ends = [0, 1, width.wrapping_sub(2), width.wrapping_sub(1)];
     let may_be = |at: &usize| ends.contains(at) && is_label(*at);

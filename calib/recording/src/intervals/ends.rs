@@ -7,59 +7,63 @@ use super::stamps::Stamps;
 use crate::averages::median;
 use crate::recording::Stream;
 
-/// Rotation that may remain at an end, rad (0.04°): that of a direction after a good turn.
-const REMAINDER: f64 = 7e-4;
+findings::tuning! {
+    /// Rotation that may remain at an end, rad (0.04°): that of a direction after a good turn.
+    REMAINDER: f64 = 7e-4;
 
-/// Length of the stretches whose rotation by noise and tremor is taken as usual, s.
-const STRETCH: f64 = 1.0;
+    /// Length of the stretches whose rotation by noise and tremor is taken as usual, s.
+    STRETCH: f64 = 1.0;
 
-/// An end turns where it turns so many times as far as the stretches usually do.
-const BEYOND_USUAL: f64 = 3.0;
+    /// An end turns where it turns so many times as far as the stretches usually do.
+    BEYOND_USUAL: f64 = 3.0;
 
-/// The limit of an end that was cut before, as a share of it.
-const AGAIN: f64 = 0.5;
+    /// The limit of an end that was cut before, as a share of it.
+    AGAIN: f64 = 0.5;
 
-/// A turn has begun at this share of the limit: what begins slowly turns far before it stands out.
-const BEGUN: f64 = 0.25;
+    /// A turn has begun at this share of the limit: what begins slowly turns far before it stands out.
+    BEGUN: f64 = 0.25;
 
-/// Length at either end of an interval that is searched for a turn, s.
-const REACH: f64 = 2.0;
+    /// Length at either end of an interval that is searched for a turn, s.
+    REACH: f64 = 2.0;
 
-/// Length next to an end that the end is compared with, s. A bias that drifts for hours differs between both ends, and the limit
-/// bounds the cost for a long interval.
-const NEAR: f64 = 60.0;
+    /// Length next to an end that the end is compared with, s. A bias that drifts for hours differs between both ends, and the limit
+    /// bounds the cost for a long interval.
+    NEAR: f64 = 60.0;
 
-/// A bias drifts steadily over as long, s, and by no more than this, rad/s² (20 °/h in a second): a gyroscope that warms up. What begins
-/// to turn does so within less.
-const DRIFTS: f64 = 20.0;
-const FASTEST_DRIFT: f64 = 1e-4;
+    /// A bias drifts steadily over as long, s. What begins to turn does so within less.
+    DRIFTS: f64 = 20.0;
+    /// It drifts by no more than this, rad/s² (20 °/h in a second): a gyroscope that warms up.
+    FASTEST_DRIFT: f64 = 1e-4;
 
-/// Most looks at the ends of one interval.
-const MOST_LOOKS: usize = 1000;
+    /// Most looks at the ends of one interval.
+    MOST_LOOKS: usize = 1000;
 
-/// Fewest samples whose middle can be told from their ends.
-const FEWEST: usize = 12;
+    /// Fewest samples whose middle can be told from their ends.
+    FEWEST: usize = 12;
 
-/// Pieces whose median rate is that of the middle, whatever the ends do.
-const PIECES: usize = 9;
+    /// Pieces whose median rate is that of the middle, whatever the ends do.
+    PIECES: usize = 9;
 
-/// Rotation within one stretch that is a turn and no tremor, rad (2°), and so many times what stretches usually turn by.
-const TURN: f64 = 0.035;
-const TURN_BEYOND_USUAL: f64 = 10.0;
+    /// Rotation within one stretch that is a turn and no tremor, rad (2°) ...
+    TURN: f64 = 0.035;
+    /// ... where it is so many times what stretches usually turn by.
+    TURN_BEYOND_USUAL: f64 = 10.0;
 
-/// Length of the stretches in which a slow turn is looked for, s, and the rotation that is one, rad (1°).
-const SLOW: f64 = 4.0;
-const SLOW_TURN: f64 = 0.0175;
+    /// Length of the stretches in which a slow turn is looked for, s.
+    SLOW: f64 = 4.0;
+    /// Rotation over them that is one, rad (1°).
+    SLOW_TURN: f64 = 0.0175;
 
-/// Steps from one stretch to the next, as a share of it.
-const PER_STRETCH: usize = 4;
+    /// Steps from one stretch to the next, as a share of it.
+    PER_STRETCH: usize = 4;
 
-/// A device whose rate differs by so much from that of the interval's middle for half of the time is in motion, rad/s (3 °/s) ...
-const MOVES: f64 = 0.052;
-/// ... and one whose rate differs by so much swings, as no hand at rest does, rad/s (6 °/s). Both of rates over ...
-const SWINGS: f64 = 0.105;
-/// ... so long, s: a hand's tremor of 6 Hz and more has turned back within it.
-const SMOOTH: f64 = 0.25;
+    /// A device whose rate differs by so much from that of the interval's middle for half of the time is in motion, rad/s (3 °/s) ...
+    MOVES: f64 = 0.052;
+    /// ... and one whose rate differs by so much swings, as no hand at rest does, rad/s (6 °/s). Both of rates over ...
+    SWINGS: f64 = 0.105;
+    /// ... so long, s: a hand's tremor of 6 Hz and more has turned back within it.
+    SMOOTH: f64 = 0.25;
+}
 
 /// A gyroscope with what is looked up for each interval.
 #[derive(Clone, Debug)]
@@ -89,12 +93,12 @@ impl<'a> Ends<'a> {
     /// part.
     pub fn trimmed(&self, span: Span) -> Span {
         let (mut span, mut shares) = (span, [1.0; 2]);
-        for _ in 0..MOST_LOOKS {
+        for _ in 0..MOST_LOOKS.get() {
             if shares == [0.0; 2] {
                 break;
             }
             let cut = self.cut(span, shares);
-            let again = |moved: bool| if moved { AGAIN } else { 0.0 };
+            let again = |moved: bool| if moved { AGAIN.get() } else { 0.0 };
             shares = [again(cut.from > span.from), again(cut.to < span.to)];
             span = cut;
         }
@@ -110,14 +114,14 @@ impl<'a> Ends<'a> {
             &self.stream.values[samples],
         );
         let n = values.len();
-        if n < FEWEST || self.step <= 0.0 {
+        if n < FEWEST.get() || self.step <= 0.0 {
             return vec![span];
         }
         let factor = self.step * self.scale;
         let bias = middle_rate(values);
-        let stretch = ((STRETCH / self.step) as usize).clamp(3, n / 3);
+        let stretch = ((STRETCH.get() / self.step) as usize).clamp(3, n / 3);
         let usual = usual_turn(values, &bias, stretch);
-        let limit = (TURN / factor).max(TURN_BEYOND_USUAL * usual);
+        let limit = (TURN.get() / factor).max(TURN_BEYOND_USUAL.get() * usual);
         let mut turning = turning_stretches(t, values, &bias, stretch, limit);
         turning.extend(self.slow_turns(t, values));
         complement(span, &union(turning))
@@ -126,8 +130,8 @@ impl<'a> Ends<'a> {
     /// The stretches of four seconds in which the device turns by more than 1° beyond what the rate on both sides makes it: a bias that
     /// drifts does so on both. Two in a row, for one may end within a knock that turns back.
     fn slow_turns(&self, t: &[f64], values: &[Vector3<f64>]) -> Vec<Span> {
-        let length = (SLOW / self.step) as usize;
-        let step = length / PER_STRETCH;
+        let length = (SLOW.get() / self.step) as usize;
+        let step = length / PER_STRETCH.get();
         if step == 0 || values.len() < 3 * length {
             return Vec::new();
         }
@@ -141,11 +145,11 @@ impl<'a> Ends<'a> {
                 (k, excess * length as f64 * self.step * self.scale)
             })
             .collect();
-        let second = ((STRETCH / self.step) as usize).clamp(3, length);
+        let second = ((STRETCH.get() / self.step) as usize).clamp(3, length);
         let usual = usual_turn(values, &middle_rate(values), second) * self.step * self.scale;
         // White noise adds up with the root of time.
         let usual = usual * (length as f64 / second as f64).sqrt();
-        let limit = SLOW_TURN.max(TURN_BEYOND_USUAL * usual);
+        let limit = SLOW_TURN.get().max(TURN_BEYOND_USUAL.get() * usual);
         let twice = turned
             .windows(2)
             .filter(|pair| pair.iter().all(|(_, angle)| *angle > limit));
@@ -160,16 +164,16 @@ impl<'a> Ends<'a> {
     /// the middle by more than 3 °/s. No bias changes by as much.
     pub fn moves(&self, span: Span) -> bool {
         let values = &self.stream.values[self.stamps.between(span.from, span.to)];
-        if values.len() < FEWEST || self.step <= 0.0 {
+        if values.len() < FEWEST.get() || self.step <= 0.0 {
             return false;
         }
         let bias = middle_rate(values);
-        let stretch = ((SMOOTH / self.step).round() as usize).clamp(3, values.len() / 3);
+        let stretch = ((SMOOTH.get() / self.step).round() as usize).clamp(3, values.len() / 3);
         let means = values.chunks_exact(stretch).map(|part| {
             let sum: Vector3<f64> = part.iter().sum();
             (sum / stretch as f64 - bias).norm() * self.scale
         });
-        median(means).is_some_and(|usual| usual > MOVES)
+        median(means).is_some_and(|usual| usual > MOVES.get())
     }
 
     /// Returns the parts of the interval in which the device swings: its rate, smoothed over a quarter of a second, differs from that
@@ -180,12 +184,12 @@ impl<'a> Ends<'a> {
             &self.stream.t[samples.clone()],
             &self.stream.values[samples],
         );
-        if values.len() < FEWEST || self.step <= 0.0 {
+        if values.len() < FEWEST.get() || self.step <= 0.0 {
             return Vec::new();
         }
         let bias = middle_rate(values);
-        let stretch = ((SMOOTH / self.step).round() as usize).clamp(3, values.len() / 3);
-        let limit = SWINGS / self.scale * stretch as f64;
+        let stretch = ((SMOOTH.get() / self.step).round() as usize).clamp(3, values.len() / 3);
+        let limit = SWINGS.get() / self.scale * stretch as f64;
         turning_stretches(t, values, &bias, stretch, limit)
     }
 
@@ -195,12 +199,12 @@ impl<'a> Ends<'a> {
         let samples = self.stamps.between(span.from, span.to);
         let values = &self.stream.values[samples.clone()];
         let n = values.len();
-        if n < FEWEST || self.step <= 0.0 {
+        if n < FEWEST.get() || self.step <= 0.0 {
             return span;
         }
         let factor = self.step * self.scale;
-        let reach = ((REACH / self.step) as usize).min(n / 2);
-        let near = ((NEAR / self.step) as usize).clamp(FEWEST, n);
+        let reach = ((REACH.get() / self.step) as usize).min(n / 2);
+        let near = ((NEAR.get() / self.step) as usize).clamp(FEWEST.get(), n);
         // From the middle of what is near to that of the reach, in samples.
         let away = 0.5 * (near as f64 - reach as f64);
         let turned = |share: f64,
@@ -211,9 +215,9 @@ impl<'a> Ends<'a> {
                 return 0;
             }
             let middle = middle_rate(near);
-            let per_stretch = ((STRETCH / self.step) as usize).clamp(3, near.len() / 3);
+            let per_stretch = ((STRETCH.get() / self.step) as usize).clamp(3, near.len() / 3);
             let usual = usual_turn(near, &middle, per_stretch) * factor;
-            let limit = REMAINDER.max(BEYOND_USUAL * usual) / factor;
+            let limit = REMAINDER.get().max(BEYOND_USUAL.get() * usual) / factor;
             turned(end, &(middle + self.drift(near) * away), share * limit)
         };
         let (first, last) = (&values[..near], &values[n - near..]);
@@ -231,11 +235,11 @@ impl Ends<'_> {
     /// The steady change of the rate from one sample to the next: the median of the slopes between pieces, by axis. Zero of a short
     /// interval.
     fn drift(&self, values: &[Vector3<f64>]) -> Vector3<f64> {
-        if (values.len() as f64) * self.step < DRIFTS {
+        if (values.len() as f64) * self.step < DRIFTS.get() {
             return Vector3::zeros();
         }
         let (length, means) = pieces(values);
-        let most = FASTEST_DRIFT * self.step / self.scale;
+        let most = FASTEST_DRIFT.get() * self.step / self.scale;
         Vector3::from_fn(|axis, _| {
             let slope =
                 |i: usize, k: usize| (means[k][axis] - means[i][axis]) / ((k - i) * length) as f64;
@@ -261,7 +265,7 @@ fn turning_stretches(
         sum += w - bias;
         sum
     }));
-    let firsts = (0..values.len() - stretch).step_by((stretch / PER_STRETCH).max(1));
+    let firsts = (0..values.len() - stretch).step_by((stretch / PER_STRETCH.get()).max(1));
     let turning = firsts.filter(|&k| (sums[k + stretch] - sums[k]).norm() > limit);
     let turning = turning.map(|k| Span {
         from: t[k],
@@ -272,7 +276,7 @@ fn turning_stretches(
 
 /// The length of the pieces of an interval in samples, and the mean rate in each.
 fn pieces(values: &[Vector3<f64>]) -> (usize, Vec<Vector3<f64>>) {
-    let length = values.len().div_ceil(PIECES);
+    let length = values.len().div_ceil(PIECES.get());
     let means = values
         .chunks(length)
         .map(|piece| piece.iter().sum::<Vector3<f64>>() / piece.len() as f64);
@@ -313,7 +317,7 @@ fn turned<'a>(
         sum += value - bias;
         let turned = sum.norm();
         beyond = if turned > limit { beyond + 1 } else { 0 };
-        leaving = if turned > BEGUN * limit {
+        leaving = if turned > BEGUN.get() * limit {
             leaving + 1
         } else {
             0

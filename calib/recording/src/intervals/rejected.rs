@@ -7,8 +7,10 @@ use findings::{Finding, Kind};
 
 use super::spans::Span;
 
-/// Stretches that are named one by one; more are counted.
-const NAMED: usize = 4;
+findings::tuning! {
+    /// Stretches that are named one by one; more are counted.
+    NAMED: usize = 4;
+}
 
 /// A quiet stretch that is not used.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,9 +103,13 @@ impl Rejected {
 
 /// Some stretches of one reason in a finding.
 fn several(all: &[&Rejected]) -> Finding {
-    let mut named: Vec<String> = all.iter().take(NAMED).map(|one| one.place()).collect();
-    if all.len() > NAMED {
-        named.push(format!("{} more", all.len() - NAMED));
+    let mut named: Vec<String> = all
+        .iter()
+        .take(NAMED.get())
+        .map(|one| one.place())
+        .collect();
+    if all.len() > NAMED.get() {
+        named.push(format!("{} more", all.len() - NAMED.get()));
     }
     all[0]
         .of_reason()

@@ -6,20 +6,23 @@ use nalgebra::Vector3;
 
 use crate::readings::Excursion;
 
-/// So many equal readings in a row at the extreme of an axis are its rail, not a peak: noise alone
-/// keeps a peak from repeating to the last digit.
-const RUN_AT_RAIL: usize = 5;
+findings::tuning! {
+    /// So many equal readings in a row at the extreme of an axis are its rail, not a peak: noise alone
+    /// keeps a peak from repeating to the last digit.
+    RUN_AT_RAIL: usize = 5;
 
-/// A run that readings in steps make by chance as often as this is none.
-const CHANCE: f64 = 0.01;
+    /// A run that readings in steps make by chance as often as this is none.
+    CHANCE: f64 = 0.01;
 
-/// Readings beside such a run, within a step of it, that a rail has at most, as a share of the run: the top of a
-/// parabola that is read in steps has a fifth of it on either side.
-const BESIDE: f64 = 0.2;
+    /// Readings beside such a run, within a step of it, that a rail has at most, as a share of the run: the top of a
+    /// parabola that is read in steps has a fifth of it on either side.
+    BESIDE: f64 = 0.2;
 
-/// The axes of a sensor have one range: a shorter run at the same reading as the rail of another, to this share, is cut off.
-const SAME: f64 = 1e-4;
-const RUN_AT_KNOWN_RAIL: usize = 2;
+    /// The axes of a sensor have one range: a shorter run at the same reading as the rail of another, to this share, is cut off.
+    SAME: f64 = 1e-4;
+    /// Length of such a shorter run.
+    RUN_AT_KNOWN_RAIL: usize = 2;
+}
 
 /// The readings at which each axis is cut off; infinite where the recording does not show it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,8 +80,8 @@ fn longest_by_chance(values: &[f64]) -> usize {
     let pairs = values.windows(2);
     let equal = pairs.filter(|pair| pair[0] == pair[1]).count() as f64;
     let repeats = equal / values.len().max(2) as f64;
-    let runs = (values.len() as f64 / CHANCE).ln() / -repeats.ln();
-    RUN_AT_RAIL.max(runs.ceil() as usize + 1)
+    let runs = (values.len() as f64 / CHANCE.get()).ln() / -repeats.ln();
+    RUN_AT_RAIL.get().max(runs.ceil() as usize + 1)
 }
 
 /// The largest reading, where a long run of it begins and ends with a leap.
@@ -94,7 +97,7 @@ fn rail(values: &[f64], step: f64, longest: usize) -> Option<f64> {
         }
         let before = values[..begin].iter().rev().take_while(is_beside).count();
         let after = values[end..].iter().take_while(is_beside).count();
-        if ((before + after) as f64) < BESIDE * run.len() as f64 {
+        if ((before + after) as f64) < BESIDE.get() * run.len() as f64 {
             return Some(top);
         }
     }
@@ -105,8 +108,8 @@ fn rail(values: &[f64], step: f64, longest: usize) -> Option<f64> {
 fn same_rail(values: &[f64], known: f64) -> Option<f64> {
     let top = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let mut runs = values.chunk_by(|a, b| (*a == top) == (*b == top));
-    let repeats = runs.any(|run| run[0] == top && run.len() >= RUN_AT_KNOWN_RAIL);
-    (repeats && (top - known).abs() <= SAME * known).then_some(top)
+    let repeats = runs.any(|run| run[0] == top && run.len() >= RUN_AT_KNOWN_RAIL.get());
+    (repeats && (top - known).abs() <= SAME.get() * known).then_some(top)
 }
 
 #[cfg(test)]

@@ -13,9 +13,11 @@ use crate::error::Error;
 use crate::recording::{INSTANT, Recording, Stream};
 use crate::shown::figure;
 
-/// A step between gyroscope samples longer than this many median steps is a gap: the rotation in it
-/// is unknown.
-const GAP_STEPS: f64 = 5.0;
+findings::tuning! {
+    /// A step between gyroscope samples longer than this many median steps is a gap: the rotation in it
+    /// is unknown.
+    GAP_STEPS: f64 = 5.0;
+}
 
 /// A rest of the device.
 #[derive(Clone, Debug, PartialEq)]
@@ -317,7 +319,7 @@ fn fault(
     let widest = stamps
         .windows(2)
         .max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))?;
-    if widest[1] - widest[0] > GAP_STEPS * step + INSTANT {
+    if widest[1] - widest[0] > GAP_STEPS.get() * step + INSTANT.get() {
         return Some(TurnFault::Gap(Span {
             from: widest[0],
             to: widest[1],

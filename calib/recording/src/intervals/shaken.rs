@@ -7,15 +7,17 @@ use super::spans::Span;
 use crate::averages::median;
 use crate::recording::Stream;
 
-/// Length of the stretches whose means are compared, s.
-const STRETCH: f64 = 0.5;
+findings::tuning! {
+    /// Length of the stretches whose means are compared, s.
+    STRETCH: f64 = 0.5;
 
-/// Means of stretches may vary by so many times what independent samples of the same spread would: a hand
-/// that carries the device moves them by far more.
-const STEADY: f64 = 4.0;
+    /// Means of stretches may vary by so many times what independent samples of the same spread would: a hand
+    /// that carries the device moves them by far more.
+    STEADY: f64 = 4.0;
 
-/// A machine shakes evenly: the loudest stretch varies by no more than so many times the middle one (variances). A knock does.
-const EVEN: f64 = 10.0;
+    /// A machine shakes evenly: the loudest stretch varies by no more than so many times the middle one (variances). A knock does.
+    EVEN: f64 = 10.0;
+}
 
 /// Selects static intervals on a vibrating table from `turned`, the spans in which the gyroscope shows no motion: none of `quiet`
 /// touches them, and the mean of specific force is constant.
@@ -29,15 +31,15 @@ pub(super) fn shaken(accelerometer: &Stream, turned: &[Span], quiet: &[Span]) ->
 }
 
 fn is_steady(stream: &Stream, span: Span) -> bool {
-    let stretches: Vec<Moments> = (0..span.stretches(STRETCH))
+    let stretches: Vec<Moments> = (0..span.stretches(STRETCH.get()))
         .filter_map(|k| {
-            let from = span.from + STRETCH * k as f64;
-            Moments::of(&stream.values[stream.between(from, from + STRETCH)])
+            let from = span.from + STRETCH.get() * k as f64;
+            Moments::of(&stream.values[stream.between(from, from + STRETCH.get())])
         })
         .collect();
     let variances = || stretches.iter().map(|m| m.covariance.trace());
     let loudest = variances().fold(0.0, f64::max);
-    if median(variances()).is_none_or(|middle| loudest > EVEN * middle) {
+    if median(variances()).is_none_or(|middle| loudest > EVEN.get() * middle) {
         return false;
     }
     let means: Vec<Vector3<f64>> = stretches.iter().map(|m| m.mean).collect();
@@ -48,7 +50,7 @@ fn is_steady(stream: &Stream, span: Span) -> bool {
     (0..3).all(|i| {
         let expected = |m: &Moments| m.covariance[(i, i)] / m.count as f64;
         let of_samples = share * stretches.iter().map(expected).sum::<f64>();
-        between.covariance[(i, i)] <= STEADY * of_samples
+        between.covariance[(i, i)] <= STEADY.get() * of_samples
     })
 }
 

@@ -23,12 +23,12 @@ impl Span {
 
     /// Returns true if the span lasts at least `length`, s, within the rounding of stamps.
     pub fn lasts(&self, length: f64) -> bool {
-        self.length() > length - INSTANT
+        self.length() > length - INSTANT.get()
     }
 
     /// Returns the number of stretches of `length`, s, that fit into the span.
     pub fn stretches(&self, length: f64) -> usize {
-        ((self.length() + INSTANT) / length).floor() as usize
+        ((self.length() + INSTANT.get()) / length).floor() as usize
     }
 
     /// Returns true if the two spans share an instant.

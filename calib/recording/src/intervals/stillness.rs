@@ -11,8 +11,10 @@ use super::unexplained_turn::{MeanRate, turning};
 use crate::readings::Range;
 use crate::recording::{Recording, Stream};
 
-/// Pieces whose scatter gives the standard error of a mean rate.
-const PIECES: usize = 10;
+findings::tuning! {
+    /// Pieces whose scatter gives the standard error of a mean rate.
+    PIECES: usize = 10;
+}
 
 /// Parts the quiet stretches into static intervals and those in which the device turns about the vertical,
 /// is turned over slowly or, where `no_tilt` asks for it, tilts steadily. `base` carries the accelerometer's readings to m/s²,
@@ -98,7 +100,7 @@ fn mean_and_error(values: &[Vector3<f64>]) -> Option<(Vector3<f64>, f64)> {
         return None;
     }
     let mean = values.iter().sum::<Vector3<f64>>() / values.len() as f64;
-    let length = values.len().div_ceil(PIECES);
+    let length = values.len().div_ceil(PIECES.get());
     let pieces = values.chunks_exact(length);
     let count = pieces.len().max(2) as f64;
     let scatter: f64 = pieces

@@ -19,10 +19,13 @@ use crate::recording::{Recording, Stream};
 
 /// A median norm of specific force in m/s² lies here.
 const SI_NORM: std::ops::Range<f64> = 4.0..16.0;
-/// Faster turns than this are degrees per second or counts, rad/s.
-const FASTEST: f64 = 40.0;
-/// A hundredth of the samples of a recording turned by hand are faster than about this, rad/s.
-const BY_HAND: f64 = 3.0;
+
+findings::tuning! {
+    /// Faster turns than this are degrees per second or counts, rad/s.
+    FASTEST: f64 = 40.0;
+    /// A hundredth of the samples of a recording turned by hand are faster than about this, rad/s.
+    BY_HAND: f64 = 3.0;
+}
 
 /// A recording that can be cut at one multiplier after another without a look at its samples.
 #[derive(Debug)]
@@ -210,9 +213,9 @@ fn rate_scale(recording: &Recording) -> f64 {
     };
     let force = recording.accelerometer.as_ref().and_then(|s| size(s, 0.5));
     let fast = recording.gyroscope.as_ref().and_then(|s| size(s, 0.99));
-    let si = force.is_none_or(|f| SI_NORM.contains(&f)) && fast.is_none_or(|w| w < FASTEST);
+    let si = force.is_none_or(|f| SI_NORM.contains(&f)) && fast.is_none_or(|w| w < FASTEST.get());
     match fast {
-        Some(fast) if !si && fast > 0.0 => BY_HAND / fast,
+        Some(fast) if !si && fast > 0.0 => BY_HAND.get() / fast,
         _ => 1.0,
     }
 }

@@ -5,17 +5,19 @@ use sensor::Base;
 
 use crate::recording::Stream;
 
-/// Pieces whose means show the slope.
-const PIECES: usize = 12;
+findings::tuning! {
+    /// Pieces whose means show the slope.
+    PIECES: usize = 12;
 
-/// Smaller tilts from begin to end are a table that gives way, rad (0.15°).
-const LEAST: f64 = 2.6e-3;
+    /// Smaller tilts from begin to end are a table that gives way, rad (0.15°).
+    LEAST: f64 = 2.6e-3;
 
-/// A slope stands out by so many of its standard errors: a hand sways, and does not go one way.
-const BEYOND: f64 = 8.0;
+    /// A slope stands out by so many of its standard errors: a hand sways, and does not go one way.
+    BEYOND: f64 = 8.0;
 
-/// Between two pieces of a rest the direction of specific force differs by less, rad (4°): a boat rolls by it, a hand sways by it.
-const MOST: f64 = 0.07;
+    /// Between two pieces of a rest the direction of specific force differs by less, rad (4°): a boat rolls by it, a hand sways by it.
+    MOST: f64 = 0.07;
+}
 
 /// The largest angle between the mean specific forces of the pieces of a stretch that is no rest whatever it is for, rad: a slow turn.
 pub(super) fn turned_over(means: &[Vector3<f64>]) -> Option<f64> {
@@ -24,7 +26,7 @@ pub(super) fn turned_over(means: &[Vector3<f64>]) -> Option<f64> {
         others.map(move |b| a.angle(b))
     });
     let largest = angles.fold(0.0, f64::max);
-    (largest > MOST).then_some(largest)
+    (largest > MOST.get()).then_some(largest)
 }
 
 /// The means of [`PIECES`] of the samples, m/s²; `None` of fewer than two each.
@@ -34,14 +36,20 @@ pub(super) fn means(
     base: &Base<f64>,
 ) -> Option<Vec<Vector3<f64>>> {
     let values = stream.values.get(samples)?;
-    let length = values.len() / PIECES;
+    let length = values.len() / PIECES.get();
     if length < 2 {
         return None;
     }
     let mean = |piece: &[Vector3<f64>]| {
         base.correct(&(piece.iter().sum::<Vector3<f64>>() / length as f64))
     };
-    Some(values.chunks_exact(length).take(PIECES).map(mean).collect())
+    Some(
+        values
+            .chunks_exact(length)
+            .take(PIECES.get())
+            .map(mean)
+            .collect(),
+    )
 }
 
 /// The tilt of specific force from begin to end, rad, where it is a steady one: a slope of
@@ -61,7 +69,7 @@ pub(super) fn tilt(means: &[Vector3<f64>]) -> Option<f64> {
     let up = mean.normalize();
     let across = (slope - up * slope.dot(&up)).norm();
     let tilt = across / mean.norm();
-    (tilt > LEAST && across > BEYOND * error).then_some(tilt)
+    (tilt > LEAST.get() && across > BEYOND.get() * error).then_some(tilt)
 }
 
 #[cfg(test)]

@@ -8,36 +8,38 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::averages::median;
 
-/// Turns about the vertical below this are left to bias and its drift, rad/s (0.06 °/s).
-const LEAST: f64 = 1.05e-3;
+findings::tuning! {
+    /// Turns about the vertical below this are left to bias and its drift, rad/s (0.06 °/s).
+    LEAST: f64 = 1.05e-3;
 
-/// A rate along the vertical is no bias where it exceeds so many times what is left across it, and its
-/// own standard error.
-const BEYOND: f64 = 6.0;
+    /// A rate along the vertical is no bias where it exceeds so many times what is left across it, and its
+    /// own standard error.
+    BEYOND: f64 = 6.0;
 
-/// Least share of the deviating intervals whose rate points along the vertical, for all of these to count as turns.
-const MOST: f64 = 0.6;
-/// Least ratio of the rate along the vertical to that across it; below, it is a step, or a sensitivity to acceleration.
-const ALONG: f64 = 2.5;
+    /// Least share of the deviating intervals whose rate points along the vertical, for all of these to count as turns.
+    MOST: f64 = 0.6;
+    /// Least ratio of the rate along the vertical to that across it; below, it is a step, or a sensitivity to acceleration.
+    ALONG: f64 = 2.5;
 
-/// A turn at more than this is one whatever else deviates, rad/s (1 °/s).
-const CERTAIN: f64 = 1.7e-2;
+    /// A turn at more than this is one whatever else deviates, rad/s (1 °/s).
+    CERTAIN: f64 = 1.7e-2;
 
-/// A mean rate so far from the bias of the others is a turn about whatever axis, rad/s (3 °/s): so far no bias moves. Not
-/// where the force stays and more than this share of the rate is across it: the gyroscope's columns or unit are others.
-const NO_BIAS: f64 = 0.052;
-const ACROSS: f64 = 0.5;
+    /// A mean rate so far from the bias of the others is a turn about whatever axis, rad/s (3 °/s): so far no bias moves.
+    NO_BIAS: f64 = 0.052;
+    /// Not where the force stays and more than this share of the rate is across it: the gyroscope's columns or unit are others.
+    ACROSS: f64 = 0.5;
 
-/// The force stays where it spreads by less than this share of what the rate across it makes; more than this angle, rad,
-/// counts as this angle.
-const STAYS: f64 = 0.5;
-const FULL: f64 = 1.0;
+    /// The force stays where it spreads by less than this share of what the rate across it makes.
+    STAYS: f64 = 0.5;
+    /// More than this angle, rad, counts as this angle.
+    FULL: f64 = 1.0;
 
-/// Directions in which the intervals' own know the bias to less than this share of the best.
-const UNSEEN: f64 = 0.05;
+    /// Directions in which the intervals' own know the bias to less than this share of the best.
+    UNSEEN: f64 = 0.05;
 
-/// Rounds of weights.
-const ROUNDS: usize = 8;
+    /// Rounds of weights.
+    ROUNDS: usize = 8;
+}
 
 /// The mean rate of a static interval.
 #[derive(Clone, Copy, Debug)]
@@ -57,8 +59,8 @@ pub(super) struct MeanRate {
 impl MeanRate {
     /// Returns true if specific force varies less than a rotation at the rate `across`, rad/s, across it would make it vary.
     fn stays(&self, across: f64) -> bool {
-        let angle = (across * self.seconds).min(FULL);
-        self.spread < STAYS * angle / 12f64.sqrt()
+        let angle = (across * self.seconds).min(FULL.get());
+        self.spread < STAYS.get() * angle / 12f64.sqrt()
     }
 }
 
@@ -72,26 +74,26 @@ pub(super) fn turning(rates: &[MeanRate]) -> Vec<Option<f64>> {
     };
     let parts: Vec<(f64, f64)> = rates.iter().map(split).collect();
     let usual = median(parts.iter().map(|p| p.1)).unwrap_or(0.0);
-    let limit = |rate: &MeanRate| LEAST.max(BEYOND * usual.max(rate.error));
+    let limit = |rate: &MeanRate| LEAST.get().max(BEYOND.get() * usual.max(rate.error));
     let deviates =
         |(rate, &(along, across)): (&MeanRate, &(f64, f64))| along.hypot(across) > limit(rate);
     let turns = |(rate, &(along, across)): (&MeanRate, &(f64, f64))| {
-        along.abs() > limit(rate) && along.abs() > ALONG * across
+        along.abs() > limit(rate) && along.abs() > ALONG.get() * across
     };
     let pairs = || rates.iter().zip(&parts);
     let deviating = pairs().filter(|&p| deviates(p)).count();
     let vertical = pairs().filter(|&p| turns(p)).count();
-    let agreed = vertical as f64 >= MOST * deviating as f64;
+    let agreed = vertical as f64 >= MOST.get() * deviating as f64;
     pairs()
         .map(|p| {
             let (along, across) = *p.1;
-            let about_the_vertical = turns(p) && (agreed || along.abs() > CERTAIN);
+            let about_the_vertical = turns(p) && (agreed || along.abs() > CERTAIN.get());
             let any = along.hypot(across);
             match about_the_vertical {
                 true => Some(along),
                 false => {
-                    let is_no_rotation = across > ACROSS * any && p.0.stays(across);
-                    (any > NO_BIAS && !is_no_rotation).then_some(any)
+                    let is_no_rotation = across > ACROSS.get() * any && p.0.stays(across);
+                    (any > NO_BIAS.get() && !is_no_rotation).then_some(any)
                 }
             }
         })
@@ -105,7 +107,7 @@ fn bias(rates: &[MeanRate]) -> Vector3<f64> {
     let across = |rate: &MeanRate| Matrix3::identity() - rate.up * rate.up.transpose();
     let mut weights = vec![1.0; rates.len()];
     let mut bias = start;
-    for _ in 0..ROUNDS {
+    for _ in 0..ROUNDS.get() {
         let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
         for (rate, &weight) in rates.iter().zip(&weights) {
             let across: Matrix3<f64> = across(rate) * weight;
@@ -113,7 +115,7 @@ fn bias(rates: &[MeanRate]) -> Vector3<f64> {
             right += across * (rate.mean - start);
         }
         let eigen = normal.symmetric_eigen();
-        let least = UNSEEN * eigen.eigenvalues.max();
+        let least = UNSEEN.get() * eigen.eigenvalues.max();
         let mut step = Vector3::zeros();
         for (k, &value) in eigen.eigenvalues.iter().enumerate() {
             if value > least {
@@ -141,7 +143,7 @@ fn bias(rates: &[MeanRate]) -> Vector3<f64> {
 /// small beside its rates.
 fn usual_rate(rates: impl Iterator<Item = f64> + Clone) -> f64 {
     let middle = median(rates.clone()).unwrap_or(0.0);
-    let is_near = |rate: &f64| (rate - middle).abs() < NO_BIAS;
+    let is_near = |rate: &f64| (rate - middle).abs() < NO_BIAS.get();
     let (near, all) = (rates.clone().filter(is_near).count(), rates.clone().count());
     if 2 * near >= all {
         return middle;

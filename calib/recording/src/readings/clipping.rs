@@ -9,16 +9,18 @@ use super::of_sensor::{FIRST_ROW, least_step};
 use super::symptom::Symptom;
 use crate::recording::Stream;
 
-/// So many equal readings in a row at an extreme may be a peak that is cut off.
-const RUN: usize = 3;
-/// What is cut off is higher than this many least steps: rounding and noise make a round peak flat over less.
-const HIGHER: f64 = 4.0;
-/// Readings in such runs below which nothing is said.
-const FEWEST: usize = 6;
-/// An interval in which more than this share of the samples is cut off has no mean.
-const MOST_CLIPPED: f64 = 0.02;
-/// An axis whose readings repeat in more than this share elsewhere is coarse, and repeats at its peaks too.
-const REPEATS: f64 = 0.2;
+findings::tuning! {
+    /// So many equal readings in a row at an extreme may be a peak that is cut off.
+    RUN: usize = 3;
+    /// What is cut off is higher than this many least steps: rounding and noise make a round peak flat over less.
+    HIGHER: f64 = 4.0;
+    /// Readings in such runs below which nothing is said.
+    FEWEST: usize = 6;
+    /// An interval in which more than this share of the samples is cut off has no mean.
+    MOST_CLIPPED: f64 = 0.02;
+    /// An axis whose readings repeat in more than this share elsewhere is coarse, and repeats at its peaks too.
+    REPEATS: f64 = 0.2;
+}
 
 /// Lower and upper reading at which an axis is cut off; infinite where it is not.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,7 +52,7 @@ impl Range {
     pub fn spoils(&self, samples: &[Vector3<f64>]) -> Option<usize> {
         let is_spoilt = |axis: &usize| {
             let reached = samples.iter().filter(|v| self.0[*axis].reached(v[*axis]));
-            reached.count() as f64 > MOST_CLIPPED * samples.len() as f64
+            reached.count() as f64 > MOST_CLIPPED.get() * samples.len() as f64
         };
         (0..3).find(is_spoilt)
     }
@@ -70,11 +72,14 @@ fn limits(values: &[Vector3<f64>], axis: usize) -> Limits {
         all += 1;
         equal += usize::from(pair[0][axis] == pair[1][axis]);
     }
-    let coarse = equal as f64 > REPEATS * all as f64;
+    let coarse = equal as f64 > REPEATS.get() * all as f64;
     let is_far = |limit: f64| Excursion::of(values).reached(axis, limit);
     let step = least_step(values, axis).unwrap_or(0.0);
     let cut_off = |limit: f64| {
-        !coarse && low < high && cut_off_at(values, axis, step, limit) >= FEWEST && is_far(limit)
+        !coarse
+            && low < high
+            && cut_off_at(values, axis, step, limit) >= FEWEST.get()
+            && is_far(limit)
     };
     Limits {
         low: if cut_off(low) { low } else { f64::NEG_INFINITY },
@@ -88,7 +93,7 @@ fn limits(values: &[Vector3<f64>], axis: usize) -> Limits {
 /// repeats all axes of the one before was read too early, and counts for none.
 pub(crate) fn cut_off_at(values: &[Vector3<f64>], axis: usize, step: f64, limit: f64) -> usize {
     // Most recordings reach their extreme once or twice.
-    if values.iter().filter(|value| value[axis] == limit).count() < RUN {
+    if values.iter().filter(|value| value[axis] == limit).count() < RUN.get() {
         return 0;
     }
     let is_new = |k: &usize| {
@@ -103,7 +108,7 @@ pub(crate) fn cut_off_at(values: &[Vector3<f64>], axis: usize, step: f64, limit:
     for run in column.chunk_by(|a, b| (*a == limit) == (*b == limit)) {
         let (begin, end) = (first, first + run.len());
         first = end;
-        if run[0] != limit || run.len() < RUN {
+        if run[0] != limit || run.len() < RUN.get() {
             continue;
         }
         let beside = [begin.checked_sub(1), Some(end)].into_iter().flatten();
@@ -111,7 +116,7 @@ pub(crate) fn cut_off_at(values: &[Vector3<f64>], axis: usize, step: f64, limit:
             .filter_map(|k| Some(((column.get(k)? - limit).abs() - step).max(0.0)))
             .collect();
         let slope = leaps.iter().sum::<f64>() / leaps.len().max(1) as f64;
-        if 0.25 * run.len() as f64 * slope > HIGHER * step {
+        if 0.25 * run.len() as f64 * slope > HIGHER.get() * step {
             total += run.len();
         }
     }

@@ -9,24 +9,26 @@ use super::of_sensor::{OfSensor, least_beside_zero, least_step};
 use super::symptom::Symptom;
 use crate::recording::Stream;
 
-/// Share of zeros in static intervals that a working sensor of any noise does not give.
-const SHARE: f64 = 0.3;
+findings::tuning! {
+    /// Share of zeros in static intervals that a working sensor of any noise does not give.
+    SHARE: f64 = 0.3;
 
-/// The smallest reading beside zero is that of a dead zone where it is so many least steps wide.
-const WIDE: f64 = 3.0;
+    /// The smallest reading beside zero is that of a dead zone where it is so many least steps wide.
+    WIDE: f64 = 3.0;
 
-/// Steps finer than this part of the largest reading resolve any sensor's noise: zeros between them are
-/// made.
-const FINE: f64 = 1e-6;
+    /// Steps finer than this part of the largest reading resolve any sensor's noise: zeros between them are
+    /// made.
+    FINE: f64 = 1e-6;
 
-/// Zeros of an axis, at rest or while it turns, that are no chance ...
-const FEW: usize = 20;
-/// ... where so many readings lie within once the width of the zone beyond its edge: turns sweep over them. Beside the
-/// smallest reading of any other axis there are one or two.
-const SWEPT: usize = 10;
+    /// Zeros of an axis, at rest or while it turns, that are no chance ...
+    FEW: usize = 20;
+    /// ... where so many readings lie within once the width of the zone beyond its edge: turns sweep over them. Beside the
+    /// smallest reading of any other axis there are one or two.
+    SWEPT: usize = 10;
 
-/// A zone is narrower than this part of the largest reading.
-const NARROW: f64 = 0.2;
+    /// A zone is narrower than this part of the largest reading.
+    NARROW: f64 = 0.2;
+}
 
 /// The axes of a gyroscope that read zero at rest though their steps are finer than what lies around zero.
 pub(super) fn found(of: &OfSensor<'_>) -> Option<Symptom> {
@@ -93,8 +95,8 @@ impl DeadZone {
     ) -> Option<Self> {
         let share = share_of_zeros(at_rest);
         let gap = Gap::of(values, axis)?;
-        let is_wide = gap.is_wide() || gap.step < FINE * gap.largest;
-        let is_shown = share >= SHARE && is_wide || gap.is_swept(values, axis);
+        let is_wide = gap.is_wide() || gap.step < FINE.get() * gap.largest;
+        let is_shown = share >= SHARE.get() && is_wide || gap.is_swept(values, axis);
         is_shown.then_some(Self {
             share,
             edge: gap.edge,
@@ -103,7 +105,7 @@ impl DeadZone {
 
     /// Returns true if so many readings in static intervals are zero that they do not show the bias.
     pub fn hides_the_bias(&self) -> bool {
-        self.share >= SHARE
+        self.share >= SHARE.get()
     }
 
     /// Standard error of the mean of any number of readings at rest, in the unit of the zone: a bias within the zone lies
@@ -138,15 +140,15 @@ impl Gap {
     }
 
     fn is_wide(&self) -> bool {
-        self.edge > WIDE * self.step
+        self.edge > WIDE.get() * self.step
     }
 
     /// Returns true if the axis often reads zero and turns sweep over the edge.
     fn is_swept(&self, values: &[Vector3<f64>], axis: usize) -> bool {
         let zeros = values.iter().filter(|v| v[axis] == 0.0).count();
         let near = |v: &&Vector3<f64>| v[axis] != 0.0 && v[axis].abs() < 2.0 * self.edge;
-        let is_a_zone = self.is_wide() && self.edge < NARROW * self.largest;
-        zeros >= FEW && is_a_zone && values.iter().filter(near).count() >= SWEPT
+        let is_a_zone = self.is_wide() && self.edge < NARROW.get() * self.largest;
+        zeros >= FEW.get() && is_a_zone && values.iter().filter(near).count() >= SWEPT.get()
     }
 }
 

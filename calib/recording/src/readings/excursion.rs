@@ -5,11 +5,13 @@ use nalgebra::Vector3;
 use crate::order_statistic::nth_smallest;
 use crate::recording::stream::least_steps;
 
-/// The end of a range lies at least this share of the sensor's largest excursion from an axis's usual reading, which lies
-/// nearer to an end that is reached often ...
-const FAR: f64 = 1.0 / 3.0;
-/// ... and so many of its least steps.
-const STEPS: f64 = 4.0;
+findings::tuning! {
+    /// The end of a range lies at least this share of the sensor's largest excursion from an axis's usual reading, which lies
+    /// nearer to an end that is reached often ...
+    FAR: f64 = 1.0 / 3.0;
+    /// ... and so many of its least steps.
+    STEPS: f64 = 4.0;
+}
 
 /// Least distance from the usual reading at which an axis can be cut off. Nearer, a reading repeats because the device rests.
 #[derive(Clone, Copy, Debug)]
@@ -29,10 +31,10 @@ impl Excursion {
             .iter()
             .map(|v| (v - usual).amax())
             .fold(0.0, f64::max);
-        let steps = least_steps(values).map(|step| STEPS * step);
+        let steps = least_steps(values).map(|step| STEPS.get() * step);
         Self {
             usual,
-            least: Vector3::from_fn(|axis, _| f64::max(FAR * largest, steps[axis])),
+            least: Vector3::from_fn(|axis, _| f64::max(FAR.get() * largest, steps[axis])),
         }
     }
 

@@ -4,25 +4,29 @@ use nalgebra::Vector3;
 
 use crate::averages::median;
 
-/// Windows whose mean norm is looked at, at most.
-const WINDOWS: usize = 2000;
+findings::tuning! {
+    /// Windows whose mean norm is looked at, at most.
+    WINDOWS: usize = 2000;
 
-/// Shortest window, samples.
-const SHORTEST: usize = 50;
+    /// Shortest window, samples.
+    SHORTEST: usize = 50;
 
-/// Fewest windows on either side of a change, and one in so many of all.
-const SIDE: usize = 5;
-const PART: usize = 20;
+    /// Fewest windows on either side of a change.
+    SIDE: usize = 5;
+    /// The same as one in so many of all.
+    PART: usize = 20;
 
-/// Norms of one level lie within this share of their median: a hand does not add more on average.
-const WITHIN: f64 = 0.25;
+    /// Norms of one level lie within this share of their median: a hand does not add more on average.
+    WITHIN: f64 = 0.25;
 
-/// Share of the windows that lie there, on the side that has a level, and that leave it on the other.
-const ON_LEVEL: f64 = 0.97;
-const OFF_LEVEL: f64 = 0.9;
+    /// Share of the windows that lie there on the side that has a level.
+    ON_LEVEL: f64 = 0.97;
+    /// Share of the windows that leave it on the other side.
+    OFF_LEVEL: f64 = 0.9;
 
-/// Levels that differ by less than this factor may be of one unit.
-const FACTOR: f64 = 1.5;
+    /// Levels that differ by less than this factor may be of one unit.
+    FACTOR: f64 = 1.5;
+}
 
 /// Lasting change in the norm of a sensor's readings.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +42,7 @@ pub(crate) struct LevelChange {
 /// The change of level of an accelerometer, whose norm is about that of gravity throughout; `None`
 /// where there is none or where neither side has a level.
 pub(crate) fn level_change(values: &[Vector3<f64>]) -> Option<LevelChange> {
-    let length = (values.len() / WINDOWS).max(SHORTEST);
+    let length = (values.len() / WINDOWS.get()).max(SHORTEST.get());
     let mean = |window: &[Vector3<f64>]| {
         window.iter().map(Vector3::norm).sum::<f64>() / window.len() as f64
     };
@@ -48,11 +52,13 @@ pub(crate) fn level_change(values: &[Vector3<f64>]) -> Option<LevelChange> {
         median(levels[..split].iter().copied())?,
         median(levels[split..].iter().copied())?,
     );
-    let apart = after > FACTOR * before || before > FACTOR * after;
-    let leaves =
-        |side: &[f64], level: f64| share(side, |v| !near(v, level, FACTOR - 1.0)) >= OFF_LEVEL;
+    let apart = after > FACTOR.get() * before || before > FACTOR.get() * after;
+    let leaves = |side: &[f64], level: f64| {
+        share(side, |v| !near(v, level, FACTOR.get() - 1.0)) >= OFF_LEVEL.get()
+    };
     let (first, last) = levels.split_at(split);
-    let of_one_level = |side: &[f64], level| share(side, |v| near(v, level, WITHIN)) >= ON_LEVEL;
+    let of_one_level =
+        |side: &[f64], level| share(side, |v| near(v, level, WITHIN.get())) >= ON_LEVEL.get();
     let changes = of_one_level(first, before) && leaves(last, before)
         || of_one_level(last, after) && leaves(first, after);
     (apart && changes).then(|| LevelChange {
@@ -78,7 +84,7 @@ fn split(levels: &[f64]) -> Option<usize> {
         .collect();
     let total: f64 = logs.iter().sum();
     let n = logs.len();
-    let side = SIDE.max(n / PART);
+    let side = SIDE.get().max(n / PART.get());
     let mut before = 0.0;
     let mut best = None;
     for (k, log) in logs.iter().enumerate() {

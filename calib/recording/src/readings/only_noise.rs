@@ -5,27 +5,29 @@ use nalgebra::Vector3;
 use crate::averages::median;
 use crate::order_statistic::nth_smallest;
 
-/// Readings that are looked at.
-const LOOKED_AT: usize = 100_000;
+findings::tuning! {
+    /// Readings that are looked at.
+    LOOKED_AT: usize = 100_000;
 
-/// Share of the readings below and above those whose range counts.
-const TAIL: f64 = 0.01;
+    /// Share of the readings below and above those whose range counts.
+    TAIL: f64 = 0.01;
 
-/// Range of noise, in standard deviations: 4.7 of white normal noise, and some for a bias that moves.
-const OF_NOISE: f64 = 8.0;
+    /// Range of noise, in standard deviations: 4.7 of white normal noise, and some for a bias that moves.
+    OF_NOISE: f64 = 8.0;
 
-/// Range of an axis that turns, in the same.
-const TURNS: f64 = 100.0;
+    /// Range of an axis that turns, in the same.
+    TURNS: f64 = 100.0;
 
-/// Median absolute deviation of a standard normal number.
-const MEDIAN_DEVIATION: f64 = 0.6745;
+    /// Median absolute deviation of a standard normal number.
+    MEDIAN_DEVIATION: f64 = 0.6745;
+}
 
 /// Returns the axis that reads only noise, if another one turns.
 pub fn only_noise(values: &[Vector3<f64>]) -> Option<usize> {
-    let stride = values.len().div_ceil(LOOKED_AT).max(1);
+    let stride = values.len().div_ceil(LOOKED_AT.get()).max(1);
     let ranges = [0, 1, 2].map(|axis| range(values, stride, axis));
-    let turns = ranges.iter().flatten().any(|range| *range > TURNS);
-    let is_noise = |axis: &usize| ranges[*axis].is_some_and(|range| range < OF_NOISE);
+    let turns = ranges.iter().flatten().any(|range| *range > TURNS.get());
+    let is_noise = |axis: &usize| ranges[*axis].is_some_and(|range| range < OF_NOISE.get());
     (0..3).find(is_noise).filter(|_| turns)
 }
 
@@ -33,10 +35,10 @@ pub fn only_noise(values: &[Vector3<f64>]) -> Option<usize> {
 fn range(values: &[Vector3<f64>], stride: usize, axis: usize) -> Option<f64> {
     let pairs = values.windows(2).step_by(stride);
     let steps = pairs.map(|pair| (pair[1][axis] - pair[0][axis]).abs());
-    let noise = median(steps)? / (MEDIAN_DEVIATION * std::f64::consts::SQRT_2);
+    let noise = median(steps)? / (MEDIAN_DEVIATION.get() * std::f64::consts::SQRT_2);
     let own = || values.iter().step_by(stride).map(|value| value[axis]);
     let count = own().count();
-    let tail = (TAIL * count as f64) as usize;
+    let tail = (TAIL.get() * count as f64) as usize;
     let low = nth_smallest(own(), tail)?;
     let high = nth_smallest(own(), count - 1 - tail)?;
     (noise > 0.0).then_some((high - low) / noise)

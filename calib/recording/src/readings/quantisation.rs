@@ -8,8 +8,10 @@ use super::symptom::Symptom;
 use crate::intervals::Segmentation;
 use crate::recording::Recording;
 
-/// Steps wider than so many standard deviations of the readings no longer average out.
-pub const COARSE: f64 = 1.7;
+findings::tuning! {
+    /// Steps wider than so many standard deviations of the readings no longer average out.
+    pub COARSE: f64 = 1.7;
+}
 
 /// `LSB/√12` of the axes on which a sensor's readings step by more than their noise, in their unit: that error of a mean stays, however
 /// many samples there are.
@@ -30,7 +32,7 @@ fn coarse_step(of: &OfSensor<'_>, axis: usize) -> Option<(f64, f64)> {
     // Simulated readings without noise step by what rounding leaves.
     let size = of.stream.values.iter().map(|v| v[axis].abs());
     let largest = size.fold(0.0, f64::max);
-    (COARSE * spread < step && step > 1e-6 * largest).then_some((step, spread))
+    (COARSE.get() * spread < step && step > 1e-6 * largest).then_some((step, spread))
 }
 
 /// The axes whose least step exceeds the spread by far within static intervals; those of a dead zone are named by

@@ -3,8 +3,10 @@
 use crate::intervals::{Moments, Span};
 use crate::recording::{Recording, Stream};
 
-/// Length of the stretches, s.
-const LENGTH: f64 = 1.0;
+findings::tuning! {
+    /// Length of the stretches, s.
+    LENGTH: f64 = 1.0;
+}
 
 /// A stretch and what moves in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,12 +38,12 @@ pub fn quietest(recording: &Recording, count: usize) -> Vec<Quiet> {
         from: first,
         to: last,
     };
-    let mut all: Vec<Quiet> = (0..whole.stretches(LENGTH).min(stream.len()))
+    let mut all: Vec<Quiet> = (0..whole.stretches(LENGTH.get()).min(stream.len()))
         .map(|k| {
-            let from = first + LENGTH * k as f64;
+            let from = first + LENGTH.get() * k as f64;
             let span = Span {
                 from,
-                to: from + LENGTH,
+                to: from + LENGTH.get(),
             };
             Quiet {
                 span,

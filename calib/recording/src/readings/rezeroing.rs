@@ -6,49 +6,52 @@ use super::of_sensor::OfSensor;
 use super::symptom::Symptom;
 use crate::averages::median;
 
-/// Readings are compared as means over so long, s.
-const BATCH: f64 = 0.25;
+findings::tuning! {
+    /// Readings are compared as means over so long, s.
+    BATCH: f64 = 0.25;
 
-/// So much of a static interval is looked at, s.
-const LOOKED_AT: f64 = 15.0;
+    /// So much of a static interval is looked at, s.
+    LOOKED_AT: f64 = 15.0;
 
-/// The square of the steps from reading to reading is twice the variance of white noise. Where it is less than this share of
-/// that, a hand trembles, and what is left of that in the means is slow and may begin with the rest.
-const WHITE: f64 = 0.35;
+    /// The square of the steps from reading to reading is twice the variance of white noise. Where it is less than this share of
+    /// that, a hand trembles, and what is left of that in the means is slow and may begin with the rest.
+    WHITE: f64 = 0.35;
 
-/// Means left out at the begin: what is left of the turn, and of the hand that lays the device down.
-const SETTLING: usize = 2;
+    /// Means left out at the begin: what is left of the turn, and of the hand that lays the device down.
+    SETTLING: usize = 2;
 
-/// Means on either side of a jump, at least.
-const BESIDE: usize = 4;
+    /// Means on either side of a jump, at least.
+    BESIDE: usize = 4;
 
-/// Fewest static intervals that show a jump.
-const FEWEST: usize = 5;
+    /// Fewest static intervals that show a jump.
+    FEWEST: usize = 5;
 
-/// The jumps explain more than chance by so many standard deviations of `χ²`: one in a million by a normal law, a few hundred
-/// times more by the tail of `χ²` and all places of the jump.
-const EVIDENT: f64 = 5.0;
+    /// The jumps explain more than chance by so many standard deviations of `χ²`: one in a million by a normal law, a few hundred
+    /// times more by the tail of `χ²` and all places of the jump.
+    EVIDENT: f64 = 5.0;
 
-/// A creep or a decay, with as many coefficients, explains less by this factor and by [`APART`] ...
-const BEATS: f64 = 1.1;
-/// ... and jumps at another place, [`ELSEWHERE`] from there and more, less by this one: a hand that trembles and noise that
-/// wanders have jumps everywhere.
-const BEATS_ELSEWHERE: f64 = 1.25;
+    /// A creep or a decay, with as many coefficients, explains less by this factor and by [`APART`] ...
+    BEATS: f64 = 1.1;
+    /// ... and jumps at another place, [`ELSEWHERE`] from there and more, less by this one: a hand that trembles and noise that
+    /// wanders have jumps everywhere.
+    BEATS_ELSEWHERE: f64 = 1.25;
 
-/// s.
-const ELSEWHERE: f64 = 1.5;
+    /// s.
+    ELSEWHERE: f64 = 1.5;
 
-/// Twice the log-likelihood that makes a jump twenty times likelier.
-const APART: f64 = 6.0;
+    /// Twice the log-likelihood that makes a jump twenty times likelier.
+    APART: f64 = 6.0;
 
-/// Least mean share of each static interval's best jump that jumps at the common place, or within [`BESIDE_IT`] means of it,
-/// explain. A bias that flips at random jumps elsewhere in each interval. In simulation the share is at least .88 for twelve devices
-/// that set their zero anew, and at most .84 for the seven whose bias flips the most.
-const COMMON: f64 = 0.86;
-const BESIDE_IT: usize = 2;
+    /// Least mean share of each static interval's best jump that jumps at the common place, or within [`BESIDE_IT`] means of it,
+    /// explain. A bias that flips at random jumps elsewhere in each interval. In simulation the share is at least .88 for twelve devices
+    /// that set their zero anew, and at most .84 for the seven whose bias flips the most.
+    COMMON: f64 = 0.86;
+    /// Means beside the common place that count as it.
+    BESIDE_IT: usize = 2;
 
-/// Means that are so far from each other know nothing of each other.
-const APART_MEANS: usize = 3;
+    /// Means that are so far from each other know nothing of each other.
+    APART_MEANS: usize = 3;
+}
 
 /// Time constants of a decay that are tried, s.
 const DECAYS: [f64; 3] = [1.0, 3.0, 6.0];
@@ -61,7 +64,7 @@ const DECAYS: [f64; 3] = [1.0, 3.0, 6.0];
 pub(super) fn found(of: &OfSensor<'_>) -> Option<Symptom> {
     let rests = batches(of)?;
     let longest = rests.iter().map(|rest| rest.means.len()).max()?;
-    let places = BESIDE..longest.saturating_sub(BESIDE) + 1;
+    let places = BESIDE.get()..longest.saturating_sub(BESIDE.get()) + 1;
     let jump = |place: usize| explained(&rests, |k, n| jump(place, k, n));
     let all: Vec<Jumps> = places.map(|place| (place, jump(place))).collect();
     let (place, own) = all
@@ -72,19 +75,19 @@ pub(super) fn found(of: &OfSensor<'_>) -> Option<Symptom> {
     let memory = memory(&rests);
     let is_evident = |explained: f64, count: usize| {
         let dof = 3.0 * count as f64;
-        explained / memory > dof + EVIDENT * (2.0 * dof).sqrt()
+        explained / memory > dof + EVIDENT.get() * (2.0 * dof).sqrt()
     };
     // One static interval that was touched has a jump of its own.
-    let is_shown = shown.len() >= FEWEST
+    let is_shown = shown.len() >= FEWEST.get()
         && is_evident(total(own), shown.len())
         && is_evident(total(own) - largest, shown.len() - 1);
     if !is_shown {
         return None;
     }
-    let beats = total(own) > rival(&rests, &all, *place, own) + APART;
-    (beats && common(&all, *place) > COMMON).then(|| Symptom::Rezeroed {
+    let beats = total(own) > rival(&rests, &all, *place, own) + APART.get();
+    (beats && common(&all, *place) > COMMON.get()).then(|| Symptom::Rezeroed {
         sensor: of.sensor,
-        after: (SETTLING + place) as f64 * BATCH,
+        after: (SETTLING.get() + place) as f64 * BATCH.get(),
         size: size(&rests, *place),
         intervals: shown.iter().map(|(rest, _)| rest + 1).collect(),
     })
@@ -99,7 +102,7 @@ fn memory(rests: &[Rest]) -> f64 {
             .flat_map(|rest| rest.means.iter().zip(rest.means.iter().skip(lag)));
         median(pairs.flat_map(|(a, b)| (b - a).map(|d| d * d).data.0[0]))
     };
-    match (of(1), of(APART_MEANS)) {
+    match (of(1), of(APART_MEANS.get())) {
         (Some(near), Some(far)) if near > 0.0 => (2.0 * far / near - 1.0).max(1.0),
         _ => 1.0,
     }
@@ -114,12 +117,12 @@ fn rival(rests: &[Rest], all: &[Jumps], place: usize, own: &[(usize, f64)]) -> f
         same.map(|((_, by), _)| by).sum::<f64>()
     };
     let line = of_shape(&|k, _| Some(k as f64));
-    let decays = DECAYS.map(|tau| of_shape(&|k, _| Some((-(k as f64) * BATCH / tau).exp())));
+    let decays = DECAYS.map(|tau| of_shape(&|k, _| Some((-(k as f64) * BATCH.get() / tau).exp())));
     let smooth = decays.into_iter().fold(line, f64::max);
-    let is_far = |other: usize| other.abs_diff(place) as f64 * BATCH >= ELSEWHERE;
+    let is_far = |other: usize| other.abs_diff(place) as f64 * BATCH.get() >= ELSEWHERE.get();
     let far = all.iter().filter(|(other, _)| is_far(*other));
     let elsewhere = far.map(|(_, by)| total(by)).fold(0.0, f64::max);
-    (BEATS * smooth).max(BEATS_ELSEWHERE * elsewhere)
+    (BEATS.get() * smooth).max(BEATS_ELSEWHERE.get() * elsewhere)
 }
 
 /// A place, and of every static interval its own place and what a jump there explains.
@@ -139,14 +142,14 @@ struct Rest {
 /// The static intervals but the first that are long enough for a jump.
 fn batches(of: &OfSensor<'_>) -> Option<Vec<Rest>> {
     let step = of.stream.median_step().filter(|step| *step > 0.0)?;
-    let size = (BATCH / step).round().max(1.0) as usize;
+    let size = (BATCH.get() / step).round().max(1.0) as usize;
     let mut rests = Vec::new();
     let (mut steps, mut within) = (0.0, 0.0);
     for (place, _) in of.moments.iter().filter(|(place, _)| *place > 0) {
         let span = of.statics[*place].span;
-        let until = span.to.min(span.from + LOOKED_AT);
+        let until = span.to.min(span.from + LOOKED_AT.get());
         let samples = &of.stream.values[of.stream.between(span.from, until)];
-        let whole = samples.chunks_exact(size).skip(SETTLING);
+        let whole = samples.chunks_exact(size).skip(SETTLING.get());
         let means = whole.map(|batch| {
             let mean = batch.iter().sum::<Vector3<f64>>() / size as f64;
             let jumps = batch
@@ -157,7 +160,7 @@ fn batches(of: &OfSensor<'_>) -> Option<Vec<Rest>> {
             mean
         });
         let means: Vec<Vector3<f64>> = means.collect();
-        if means.len() >= 2 * BESIDE {
+        if means.len() >= 2 * BESIDE.get() {
             rests.push((*place, means));
         }
     }
@@ -169,7 +172,7 @@ fn batches(of: &OfSensor<'_>) -> Option<Vec<Rest>> {
     }
     let scatter = square.map(|s: f64| (s / count).sqrt());
     // Of `n` readings there are `n − 1` steps, and as many degrees of freedom about their mean.
-    let is_white = steps >= WHITE * 2.0 * within;
+    let is_white = steps >= WHITE.get() * 2.0 * within;
     let moves = is_white && scatter.iter().all(|s| *s > 0.0);
     let rest = |(place, means): (usize, Vec<Vector3<f64>>)| {
         let means: Vec<Vector3<f64>> = means.iter().map(|m| m.component_div(&scatter)).collect();
@@ -181,12 +184,12 @@ fn batches(of: &OfSensor<'_>) -> Option<Vec<Rest>> {
             scatter,
         }
     };
-    (rests.len() >= FEWEST && moves).then(|| rests.into_iter().map(rest).collect())
+    (rests.len() >= FEWEST.get() && moves).then(|| rests.into_iter().map(rest).collect())
 }
 
 /// Two levels that meet at `place`; `None` of an interval that has too little on either side.
 fn jump(place: usize, k: usize, n: usize) -> Option<f64> {
-    (place + BESIDE <= n).then(|| f64::from(u8::from(k >= place)))
+    (place + BESIDE.get() <= n).then(|| f64::from(u8::from(k >= place)))
 }
 
 /// Fits a level and a multiple of the shape `f(k)` to the `n` means of each interval, for every axis. Returns the interval's place
@@ -222,7 +225,7 @@ fn common(all: &[Jumps], place: usize) -> f64 {
             places.map(|(_, by)| by[rest].1).fold(0.0, f64::max)
         };
         let best = most(&|_| true);
-        let here = most(&|other| other.abs_diff(place) <= BESIDE_IT);
+        let here = most(&|other| other.abs_diff(place) <= BESIDE_IT.get());
         (best > 0.0).then_some(here / best)
     });
     let shares: Vec<f64> = shares.collect();
@@ -237,7 +240,7 @@ fn total(explained: &[(usize, f64)]) -> f64 {
 fn size(rests: &[Rest], place: usize) -> f64 {
     let own = rests
         .iter()
-        .filter(|rest| rest.means.len() >= place + BESIDE);
+        .filter(|rest| rest.means.len() >= place + BESIDE.get());
     let of = |rest: &Rest| {
         let (before, after) = rest.means.split_at(place);
         let mean = |part: &[Vector3<f64>]| part.iter().sum::<Vector3<f64>>() / part.len() as f64;

@@ -12,37 +12,39 @@ use super::symptom::Symptom;
 use crate::averages::median;
 use crate::recording::{Recording, Stream};
 
-/// Fewest of them at the ends of a recording.
-const FEWEST_AROUND: usize = 20;
+findings::tuning! {
+    /// Fewest of them at the ends of a recording.
+    FEWEST_AROUND: usize = 20;
 
-/// A spike leaves its neighbours by so many standard deviations of the samples around it ...
-const BEYOND: f64 = 15.0;
-/// ... which stay within so many themselves: where the device moves or is knocked, nothing is a spike ...
-const QUIET: f64 = 8.0;
-/// ... and its neighbours differ by less than this share of it.
-const NEIGHBOURS: f64 = 0.25;
+    /// A spike leaves its neighbours by so many standard deviations of the samples around it ...
+    BEYOND: f64 = 15.0;
+    /// ... which stay within so many themselves: where the device moves or is knocked, nothing is a spike ...
+    QUIET: f64 = 8.0;
+    /// ... and its neighbours differ by less than this share of it.
+    NEIGHBOURS: f64 = 0.25;
 
-/// Fewer spikes than this may be knocks, and are left; but one is enough where it is larger than everything
-/// else by so many times, or where nothing else in the recording shares it.
-const FEWEST: usize = 5;
-const ALONE: f64 = 3.0;
+    /// Fewer spikes than this may be knocks, and are left, unless one is far the largest or nothing else in the recording shares it.
+    FEWEST: usize = 5;
+    /// One is far the largest by so many times everything else.
+    ALONE: f64 = 3.0;
 
-/// A reading that leaves its neighbours by so many times what nearly all readings of the sensor reach is a
-/// spike even where the device moves.
-const HUGE: f64 = 5.0;
+    /// A reading that leaves its neighbours by so many times what nearly all readings of the sensor reach is a
+    /// spike even where the device moves.
+    HUGE: f64 = 5.0;
 
-/// Where as many were seen while the device was quiet, the usual one larger than this share of what nearly all readings reach, the
-/// transfer fails, and does so in turns as well ...
-const OF_USUAL: f64 = 0.5;
-/// ... by at least this share of that reach. Fewer, or smaller ones, are shocks, as when a phone is laid down, and a single reading in a
-/// turn is one: up to 80 °/s, at rest up to 10 °/s.
-const IN_MOTION: f64 = 0.25;
+    /// Where as many were seen while the device was quiet, the usual one larger than this share of what nearly all readings reach, the
+    /// transfer fails, and does so in turns as well ...
+    OF_USUAL: f64 = 0.5;
+    /// ... by at least this share of that reach. Fewer, or smaller ones, are shocks, as when a phone is laid down, and a single reading in a
+    /// turn is one: up to 80 °/s, at rest up to 10 °/s.
+    IN_MOTION: f64 = 0.25;
 
-/// Steps longer than this may hold a motion between two rests, s.
-const SLOW: f64 = 0.04;
+    /// Steps longer than this may hold a motion between two rests, s.
+    SLOW: f64 = 0.04;
 
-/// More spikes than this share of the samples are no spikes.
-const MOST: f64 = 0.02;
+    /// More spikes than this share of the samples are no spikes.
+    MOST: f64 = 0.02;
+}
 
 /// The recording with its spikes replaced by the mean of their neighbours, and what was found; `None` where
 /// there are none.
@@ -88,10 +90,10 @@ fn replace(values: &mut [Vector3<f64>], rows: &[usize]) {
 
 fn found(sensor: Sensor, stream: &Stream, witness: Option<&Stream>) -> Option<Symptom> {
     // A hand turns and shoves within one step of slow samples.
-    if stream.median_step()? > SLOW {
+    if stream.median_step()? > SLOW.get() {
         return None;
     }
-    let most = (MOST * stream.len() as f64) as usize;
+    let most = (MOST.get() * stream.len() as f64) as usize;
     let mut spikes = enough(sensor, &stream.values, most);
     spikes.extend(witness.map_or_else(Vec::new, |other| alone::alone(sensor, stream, other)));
     let rows = rows_of(&spikes);
@@ -111,13 +113,13 @@ fn enough(sensor: Sensor, values: &[Vector3<f64>], most: usize) -> Vec<Spike> {
     let reach = usual_reach(values);
     let mut spikes = of_axes(sensor, values, (most, reach), false);
     let usual = median(spikes.iter().map(|s| s.size)).unwrap_or(0.0);
-    let transfer_fails = spikes.len() >= FEWEST && usual > OF_USUAL * reach;
+    let transfer_fails = spikes.len() >= FEWEST.get() && usual > OF_USUAL.get() * reach;
     if sensor == Sensor::Gyroscope && transfer_fails {
         spikes = of_axes(sensor, values, (most, reach), true);
     }
     let rows = rows_of(&spikes);
-    let is_certain = || largest(&spikes) > ALONE * extent_without(values, &rows);
-    let is_enough = rows.len() >= FEWEST || is_certain();
+    let is_certain = || largest(&spikes) > ALONE.get() * extent_without(values, &rows);
+    let is_enough = rows.len() >= FEWEST.get() || is_certain();
     if is_enough && rows.len() <= most.max(1) {
         spikes
     } else {
@@ -169,10 +171,10 @@ fn of_axis(
         let (before, at, after) = (values[k - 1][axis], values[k][axis], values[k + 1][axis]);
         let (left, right) = (at - before, at - after);
         let size = left.abs().min(right.abs());
-        let alone = left * right > 0.0 && (after - before).abs() < NEIGHBOURS * size;
+        let alone = left * right > 0.0 && (after - before).abs() < NEIGHBOURS.get() * size;
         if alone { size } else { 0.0 }
     };
-    if values.len() < 2 * FEWEST_AROUND {
+    if values.len() < 2 * FEWEST_AROUND.get() {
         return Vec::new();
     }
     let mut sizes: Vec<(usize, f64)> = (1..values.len() - 1)
@@ -189,8 +191,9 @@ fn of_axis(
     let mut spikes = Vec::new();
     let mut misses = 0;
     for (k, size) in sizes {
-        let moves = || size > IN_MOTION * reach && leaves_a_motion(values, axis, k, resolution);
-        if size > HUGE * reach
+        let moves =
+            || size > IN_MOTION.get() * reach && leaves_a_motion(values, axis, k, resolution);
+        if size > HUGE.get() * reach
             || stands_out(values, axis, k, size, resolution)
             || in_motion && moves()
         {
@@ -198,7 +201,7 @@ fn of_axis(
         } else {
             misses += 1;
         }
-        if misses > MOST_MISSES {
+        if misses > MOST_MISSES.get() {
             break;
         }
     }
@@ -213,8 +216,8 @@ fn stands_out(
     size: f64,
     resolution: &Resolution,
 ) -> bool {
-    let before = &values[k.saturating_sub(AROUND)..k.saturating_sub(1)];
-    let after = &values[(k + 2).min(values.len())..(k + AROUND + 1).min(values.len())];
+    let before = &values[k.saturating_sub(AROUND.get())..k.saturating_sub(1)];
+    let after = &values[(k + 2).min(values.len())..(k + AROUND.get() + 1).min(values.len())];
     let around: Vec<f64> = before.iter().chain(after).map(|v| v[axis]).collect();
     let Some(middle) = median(around.iter().copied()) else {
         return false;
@@ -242,15 +245,15 @@ fn leaves_a_motion(
         let of = |k: usize| values[k][axis];
         (of(k) - 0.5 * (of(k - 1) + of(k + 1))).abs()
     };
-    let before = k.saturating_sub(AROUND).max(1)..k.saturating_sub(1);
-    let after = k + 2..(k + AROUND + 1).min(values.len() - 1);
+    let before = k.saturating_sub(AROUND.get()).max(1)..k.saturating_sub(1);
+    let after = k + 2..(k + AROUND.get() + 1).min(values.len() - 1);
     let around: Vec<f64> = before.chain(after).map(off).collect();
     is_far(off(k), &around, resolution.step)
 }
 
 /// Returns true if a distance is far beyond those around it, which are quiet; none of them is told from less than `least`.
 fn is_far(distance: f64, around: &[f64], least: f64) -> bool {
-    if around.len() < FEWEST_AROUND {
+    if around.len() < FEWEST_AROUND.get() {
         return false;
     }
     let Some(usual) = median(around.iter().copied()) else {
@@ -258,8 +261,8 @@ fn is_far(distance: f64, around: &[f64], least: f64) -> bool {
     };
     let spread = (usual / 0.6745).max(least);
     // Other spikes nearby do not make a place restless.
-    let restless = around.iter().filter(|v| **v > QUIET * spread).count();
-    distance > BEYOND * spread && 50 * restless <= around.len() * 3
+    let restless = around.iter().filter(|v| **v > QUIET.get() * spread).count();
+    distance > BEYOND.get() * spread && 50 * restless <= around.len() * 3
 }
 
 /// The largest size of a reading on any axis, but for those of the rows.

@@ -5,11 +5,13 @@ use sensor::Sensor;
 
 use crate::recording::Recording;
 
-/// Most rows or intervals that a sentence lists.
-const LISTED: usize = 8;
+findings::tuning! {
+    /// Most rows or intervals that a sentence lists.
+    LISTED: usize = 8;
 
-/// Fewer zeros at rest than this share are those of turns.
-const IN_TURNS: f64 = 0.005;
+    /// Fewer zeros at rest than this share are those of turns.
+    IN_TURNS: f64 = 0.005;
+}
 
 /// Symptom of a fault in a sensor's readings. Values are in the unit of the readings, times in s. Rows are counted as the lines of a
 /// table with one line of header: the first sample is row 2.
@@ -125,14 +127,18 @@ pub(super) fn axes_in_words(axes: &[usize]) -> String {
 
 /// `3002, 6002; t = 30.00, 60.00 s`.
 fn rows_and_times(rows: &[usize], times: &[f64]) -> String {
-    let times = times.iter().take(LISTED).map(|t| format!("{t:.2}"));
+    let times = times.iter().take(LISTED.get()).map(|t| format!("{t:.2}"));
     let times: Vec<String> = times.collect();
     format!("{}; t = {} s", listed(rows), times.join(", "))
 }
 
 fn listed(numbers: &[usize]) -> String {
-    let shown: Vec<String> = numbers.iter().take(LISTED).map(usize::to_string).collect();
-    match numbers.len().saturating_sub(LISTED) {
+    let shown: Vec<String> = numbers
+        .iter()
+        .take(LISTED.get())
+        .map(usize::to_string)
+        .collect();
+    match numbers.len().saturating_sub(LISTED.get()) {
         0 => shown.join(", "),
         more => format!("{} and {more} more", shown.join(", ")),
     }
@@ -186,7 +192,7 @@ impl Symptom {
                     .detail("axes", axes_in_words(axes))
                     .number("least", *least, unit(*sensor))
                     .affects("corrected_reading", *least, unit(*sensor));
-                match *share > IN_TURNS {
+                match *share > IN_TURNS.get() {
                     true => found.number("share", *share, "share"),
                     false => found,
                 }

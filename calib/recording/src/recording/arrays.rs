@@ -16,8 +16,10 @@ use crate::shown::figure;
 use crate::source::place::{at_column, at_line, in_file};
 use crate::units::field::FieldUnit;
 
-/// Largest reading and stamp that are numbers of a sensor.
-const LARGEST: f64 = 1e15;
+findings::tuning! {
+    /// Largest reading and stamp that are numbers of a sensor.
+    LARGEST: f64 = 1e15;
+}
 
 /// Arrays of a recording, one row per stamp.
 #[derive(Clone, Copy, Debug, Default)]
@@ -268,7 +270,7 @@ fn goes_back(name: &str, line: u64, last: f64, t: f64) -> Error {
 }
 
 fn check(name: &str, row: usize, array: &str, value: f64, column: usize) -> Result<(), Error> {
-    if value.is_finite() && value.abs() < LARGEST {
+    if value.is_finite() && value.abs() < LARGEST.get() {
         return Ok(());
     }
     let found = Finding::of(Kind::ArrayNotFinite)

@@ -47,13 +47,18 @@ pub(crate) fn order(name: &str, samples: &Samples, warnings: &mut Findings) -> R
     Ok(())
 }
 
-/// Parts of the steps that are looked at one by one, and their least and largest length: in most of them short steps are among
-/// longer ones where samples arrive in bursts. A sampling that changes its rate has even steps in each.
-const PARTS: usize = 16;
+findings::tuning! {
+    /// Parts of the steps that are looked at one by one, and their least and largest length: in most of them short steps are among
+    /// longer ones where samples arrive in bursts. A sampling that changes its rate has even steps in each.
+    PARTS: usize = 16;
+}
+
 const PART: std::ops::RangeInclusive<usize> = 64..=512;
 
-/// No sampling changes its rate so much that the mean step is so many times the median: stamps do, in another unit say.
-const NO_RATE: f64 = 50.0;
+findings::tuning! {
+    /// No sampling changes its rate so much that the mean step is so many times the median: stamps do, in another unit say.
+    NO_RATE: f64 = 50.0;
+}
 
 /// Stamps of arrival instead of sampling: most steps far shorter than the mean.
 pub(crate) fn bursts(
@@ -72,8 +77,9 @@ pub(crate) fn bursts(
     let in_bursts = |step: &f64| *step < mean / 2.0;
     // No median is below the least.
     let median = Some(least).filter(in_bursts).and(stream.median_step());
-    let is_of_stamps =
-        |median: &f64| mean > NO_RATE * median || short_steps_are_among_longer_ones(stream, gaps);
+    let is_of_stamps = |median: &f64| {
+        mean > NO_RATE.get() * median || short_steps_are_among_longer_ones(stream, gaps)
+    };
     let median = median.filter(in_bursts).filter(is_of_stamps);
     if let Some(median) = median {
         let step = behind.map_or(mean, |found| found.step);
@@ -94,7 +100,7 @@ fn short_steps_are_among_longer_ones(stream: &Stream, gaps: &[Gap]) -> bool {
     let is_usual = |&k: &usize| gaps.binary_search_by_key(&k, |gap| gap.after).is_err();
     let usual = (0..stream.len().saturating_sub(1)).filter(is_usual);
     let steps: Vec<f64> = usual.map(|k| stream.t[k + 1] - stream.t[k]).collect();
-    let length = (steps.len() / PARTS).clamp(*PART.start(), *PART.end());
+    let length = (steps.len() / PARTS.get()).clamp(*PART.start(), *PART.end());
     let has_short_ones = |part: &&[f64]| {
         let mean = part.iter().sum::<f64>() / part.len() as f64;
         part.iter().filter(|step| **step < mean / 2.0).count() > part.len() / 2
@@ -122,8 +128,10 @@ pub(crate) fn gaps(name: &str, sensor: Sensor, gaps: &[Gap], warnings: &mut Find
     }
 }
 
-/// Sensors are hardly ever hotter than this, °C: those that are heated against drift stay below it.
-const HOT: f64 = 62.0;
+findings::tuning! {
+    /// Sensors are hardly ever hotter than this, °C: those that are heated against drift stay below it.
+    HOT: f64 = 62.0;
+}
 
 /// The readings of a thermometer in °C; none, and a warning that says what would make them °C, where they are none.
 pub(crate) fn celsius(
@@ -145,7 +153,7 @@ pub(crate) fn celsius(
     let counts = stated == Some(TemperatureUnit::Counts) && !made;
     let jumps = possible && stated.is_none() && !made && temperature_counts::jump(readings);
     if possible && !counts && !jumps {
-        if least > HOT {
+        if least > HOT.get() {
             let of = |fahrenheit: f64| (fahrenheit - 32.0) / 1.8;
             warnings.push(
                 Finding::of(Kind::TemperatureDoubtful)

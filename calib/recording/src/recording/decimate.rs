@@ -7,12 +7,15 @@ use sensor::Sensor;
 use super::{Recording, Stream};
 use crate::clock::even::bursts;
 
-/// Rates above this are thinned, and to about which, Hz.
-const FASTEST: f64 = 5000.0;
-const ENOUGH: f64 = 1000.0;
+findings::tuning! {
+    /// Rates above this are thinned, Hz.
+    FASTEST: f64 = 5000.0;
+    /// To about this rate, Hz.
+    ENOUGH: f64 = 1000.0;
 
-/// A step so many times the usual one ends a block: nothing is averaged across a gap.
-const GAP: f64 = 5.0;
+    /// A step so many times the usual one ends a block: nothing is averaged across a gap.
+    GAP: f64 = 5.0;
+}
 
 impl Recording {
     /// Returns true if [`Recording::decimated`] would change the recording.
@@ -53,12 +56,12 @@ impl Recording {
                 continue;
             };
             let rate = step.recip();
-            let block = (rate / ENOUGH).round() as usize;
+            let block = (rate / ENOUGH.get()).round() as usize;
             // The wait for a burst is no gap.
             if let Some(bursts) = bursts(&stream.t) {
                 stream.t = bursts.even;
             }
-            *stream = means(stream, block, GAP * step);
+            *stream = means(stream, block, GAP.get() * step);
             self.warnings.push(
                 Finding::of(Kind::Averaged)
                     .in_recording(&self.name)
@@ -74,7 +77,9 @@ impl Recording {
 
 /// The usual step of a sensor that is read as means, s.
 fn fast_step(stream: &Stream) -> Option<f64> {
-    stream.usual_step().filter(|step| step * FASTEST < 1.0)
+    stream
+        .usual_step()
+        .filter(|step| step * FASTEST.get() < 1.0)
 }
 
 /// Means over `block` samples each; a step longer than `gap` begins a new one, and what is left of the old is dropped.

@@ -11,8 +11,10 @@ use crate::shown::figure;
 use crate::source::place::{at_column, at_line, in_file};
 use findings::{Finding, Findings, Kind};
 
-/// A session of fewer rows is no recording: a device that was switched on twice.
-const FEWEST: usize = 200;
+findings::tuning! {
+    /// A session of fewer rows is no recording: a device that was switched on twice.
+    FEWEST: usize = 200;
+}
 
 /// Leaves one recording in `tables`, its samples in order and each stamp once. What the name of the recording gets, where
 /// the file holds several.
@@ -105,7 +107,7 @@ fn only_part(
     let Some((first, sessions)) = with_sensor().next() else {
         return Ok(String::new());
     };
-    let is_long = |at: &usize| sessions[*at].rows >= FEWEST;
+    let is_long = |at: &usize| sessions[*at].rows >= FEWEST.get();
     let mut long: Vec<usize> = (0..most).filter(is_long).collect();
     if long.is_empty() {
         long = (0..most).collect();

@@ -6,14 +6,16 @@ use nalgebra::Vector3;
 
 use crate::order_statistic::nth_smallest;
 
-/// Stamps closer than this are one instant, s: more than rounding does to a stamp, less than any
-/// sampling step. Windows of whole steps begin and end at stamps; without this, rounding would decide
-/// which of them hold a sample more, and a clock that starts elsewhere would give another result.
-pub const INSTANT: f64 = 1e-6;
+findings::tuning! {
+    /// Stamps closer than this are one instant, s: more than rounding does to a stamp, less than any
+    /// sampling step. Windows of whole steps begin and end at stamps; without this, rounding would decide
+    /// which of them hold a sample more, and a clock that starts elsewhere would give another result.
+    pub INSTANT: f64 = 1e-6;
+}
 
 /// Returns true if stamp `t` is before the instant `time`, both in s, by more than [`INSTANT`].
 pub fn is_before(t: f64, time: f64) -> bool {
-    t < time - INSTANT
+    t < time - INSTANT.get()
 }
 
 /// Samples of a three-axis sensor with their own time stamps.
@@ -52,7 +54,7 @@ impl Stream {
     /// do: stamps that come in bursts have tiny medians and no interruptions.)
     pub fn gaps(&self) -> Vec<Gap> {
         // Between steps as even as those of most recordings the percentile need not be looked for.
-        let even = |&(least, largest): &(f64, f64)| largest <= 5.0 * least + INSTANT;
+        let even = |&(least, largest): &(f64, f64)| largest <= 5.0 * least + INSTANT.get();
         if extreme_steps(&self.t).as_ref().is_none_or(even) {
             return Vec::new();
         }
@@ -62,7 +64,7 @@ impl Stream {
         };
         let pairs = self.t.windows(2).enumerate();
         pairs
-            .filter(|(_, pair)| pair[1] - pair[0] > 5.0 * usual + INSTANT)
+            .filter(|(_, pair)| pair[1] - pair[0] > 5.0 * usual + INSTANT.get())
             .map(|(after, pair)| Gap {
                 after,
                 t0: pair[0],

@@ -9,10 +9,12 @@ use crate::header::gravity::Split;
 use crate::rows::table::Table;
 use crate::source::place::in_file;
 
-/// A norm below this is gravity in units of g, m/s².
-const LESS_THAN_IN_SI: f64 = 2.0;
-/// Acceleration without gravity is by the median far shorter than gravity.
-const SHARE: f64 = 0.5;
+findings::tuning! {
+    /// A norm below this is gravity in units of g, m/s².
+    LESS_THAN_IN_SI: f64 = 2.0;
+    /// Acceleration without gravity is by the median far shorter than gravity.
+    SHARE: f64 = 0.5;
+}
 
 /// The sum at the stamps that both have.
 ///
@@ -60,7 +62,7 @@ pub(crate) fn of_columns(table: &mut Table, split: &Split) -> Result<(), Error> 
             .detail("linear", &linear_name)
             .detail("gravity", &gravity_name)
     };
-    if left > SHARE * level {
+    if left > SHARE.get() * level {
         // ROS calls what an accelerometer reads its linear acceleration.
         table.warnings.push(of(Kind::GravityNotAdded));
         return Ok(());
@@ -68,7 +70,7 @@ pub(crate) fn of_columns(table: &mut Table, split: &Split) -> Result<(), Error> 
     let added = of(Kind::GravityAdded);
     let sum = sum(&table.accel, &gravity);
     table.accel = sum.map_err(|found| in_file(&table.name, *found))?;
-    table.negated = split.is_apples || level < LESS_THAN_IN_SI;
+    table.negated = split.is_apples || level < LESS_THAN_IN_SI.get();
     table.warnings.push(added);
     if table.negated {
         let turned = Finding::of(Kind::SignTurned).in_recording(&table.name);

@@ -91,7 +91,7 @@ impl Rows<'_> {
         let mut number = |column: usize| {
             let cell = &line.bytes[self.cells[column].clone()];
             let read = number::parse(cell, decimal_comma, &mut self.spellings).ok();
-            read.filter(|value| value.abs() < LARGEST)
+            read.filter(|value| value.abs() < LARGEST.get())
         };
         Some(Vector3::new(number(x)?, number(y)?, number(z)?))
     }
@@ -151,7 +151,7 @@ impl Rows<'_> {
     fn number(&mut self, line: Line<'_>, column: usize) -> Result<f64, Trouble> {
         let cell = &line.bytes[self.cells[column].clone()];
         match number::parse(cell, self.start.dialect.decimal_comma, &mut self.spellings) {
-            Ok(value) if value.abs() < LARGEST => Ok(value),
+            Ok(value) if value.abs() < LARGEST.get() => Ok(value),
             Ok(_) => Err(self.fault(line, column, Fault::Absurd)),
             Err(fault) => Err(self.fault(line, column, fault)),
         }

@@ -4,11 +4,13 @@ use std::borrow::Cow;
 
 use findings::Kind;
 
-/// Readings from here on are absurd, whatever the sensor and its unit.
-pub(crate) const LARGEST: f64 = 1e15;
+findings::tuning! {
+    /// Readings from here on are absurd, whatever the sensor and its unit.
+    pub(crate) LARGEST: f64 = 1e15;
 
-/// Stamps from here on are of no clock: nanoseconds since 1970 have 19 digits.
-pub(crate) const LATEST: f64 = 1e19;
+    /// Stamps from here on are of no clock: nanoseconds since 1970 have 19 digits.
+    pub(crate) LATEST: f64 = 1e19;
+}
 
 /// Why a cell is no usable number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -274,7 +274,12 @@ impl Plain {
 /// True for a number that can stand at `place` without a question.
 #[inline]
 fn is_possible(number: f64, place: usize) -> bool {
-    number.abs() < if place == STAMP { LATEST } else { LARGEST }
+    number.abs()
+        < if place == STAMP {
+            LATEST.get()
+        } else {
+            LARGEST.get()
+        }
 }
 
 impl Block {

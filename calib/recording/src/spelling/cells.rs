@@ -5,13 +5,15 @@ use std::ops::Range;
 use crate::header::look::Look;
 use crate::header::preface::is_comment;
 
-/// A text with fewer lines is seen as a whole.
-const FEW: usize = 100;
+findings::tuning! {
+    /// A text with fewer lines is seen as a whole.
+    FEW: usize = 100;
+}
 
 /// The lines that may be names or rows, but for the last of many, which may be cut.
 pub(super) fn lines(look: &Look) -> Vec<&str> {
     let mut lines: Vec<&str> = look.far_lines().filter(|line| may_be_row(line)).collect();
-    if lines.len() > FEW {
+    if lines.len() > FEW.get() {
         lines.pop();
     }
     lines

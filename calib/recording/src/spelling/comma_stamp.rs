@@ -15,8 +15,10 @@ pub(super) static COMMA_STAMP: Spelling = Spelling {
     change,
 };
 
-/// Rows that show that a cell counts within the second.
-const FEWEST: usize = 10;
+findings::tuning! {
+    /// Rows that show that a cell counts within the second.
+    FEWEST: usize = 10;
+}
 
 /// The two cells of a stamp.
 #[derive(Clone, Copy, Debug)]
@@ -105,7 +107,7 @@ impl Stamps {
             before = Some(stamp);
             count += 1;
         }
-        count >= FEWEST && turns > 0
+        count >= FEWEST.get() && turns > 0
     }
 }
 

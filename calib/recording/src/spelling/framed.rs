@@ -13,8 +13,10 @@ pub(super) static FRAMED: Spelling = Spelling {
     change,
 };
 
-/// Rows that show a frame.
-const FEWEST: usize = 10;
+findings::tuning! {
+    /// Rows that show a frame.
+    FEWEST: usize = 10;
+}
 
 /// What encloses rows, with its end.
 const ENCLOSING: [(&str, &str); 3] = [("(", ")"), ("[", "]"), ("", ";")];
@@ -53,9 +55,9 @@ fn frame(look: &Look) -> Option<Frame> {
     // A line may be cut at the end of what is looked at.
     let whole = &lines[..lines
         .len()
-        .saturating_sub(usize::from(lines.len() > 2 * FEWEST))];
+        .saturating_sub(usize::from(lines.len() > 2 * FEWEST.get()))];
     let strokes = whole.iter().map(|line| line.matches('|').count());
-    let is_most = |count: usize| count >= FEWEST && 10 * count >= 9 * whole.len();
+    let is_most = |count: usize| count >= FEWEST.get() && 10 * count >= 9 * whole.len();
     if let Some((strokes, count)) = most(strokes)
         && strokes >= 3
         && is_most(count)

@@ -12,8 +12,10 @@ pub(super) static LISTS: Spelling = Spelling {
     change,
 };
 
-/// Rows that show lists.
-const FEWEST: usize = 10;
+findings::tuning! {
+    /// Rows that show lists.
+    FEWEST: usize = 10;
+}
 
 /// Separators between cells, those that are sure first.
 const SEPARATORS: [char; 4] = [';', '\t', ',', ' '];
@@ -156,7 +158,7 @@ fn change(look: &Look) -> Option<Respell> {
         let rows = lines.iter().filter_map(|line| row(line, *separator));
         let shapes: Vec<Vec<usize>> = rows.map(|cells| shape(&cells)).collect();
         let alike = shapes.iter().filter(|other| *other == &shapes[0]).count();
-        alike >= FEWEST && 10 * alike >= 9 * lines.len()
+        alike >= FEWEST.get() && 10 * alike >= 9 * lines.len()
     };
     let separator = SEPARATORS.into_iter().find(|separator| is_of(separator))?;
     let first = lines.iter().find_map(|line| row(line, separator))?;

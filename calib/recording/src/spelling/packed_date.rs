@@ -13,8 +13,10 @@ pub(super) static PACKED_DATE: Spelling = Spelling {
     change,
 };
 
-/// Rows that show that digits are those of dates.
-const FEWEST: usize = 10;
+findings::tuning! {
+    /// Rows that show that digits are those of dates.
+    FEWEST: usize = 10;
+}
 
 /// Years, in four digits and in two.
 const YEARS: [std::ops::Range<u32>; 2] = [2001..2100, 10..60];
@@ -97,7 +99,7 @@ fn change(look: &Look) -> Option<Respell> {
     // Where either order is one the time of day is the same.
     let column_of = |order: Order| Some(((0..width).find(|column| are_of(*column, order))?, order));
     let (column, order) = column_of(Order::Other).or_else(|| column_of(Order::YearFirst))?;
-    (rows().count() >= FEWEST).then(|| -> Respell {
+    (rows().count() >= FEWEST.get()).then(|| -> Respell {
         Box::new(move |text| {
             rewritten(text, move |line, out| {
                 let text = std::str::from_utf8(line).unwrap_or_default();

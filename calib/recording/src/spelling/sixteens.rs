@@ -16,9 +16,13 @@ pub(super) static SIXTEENS: Spelling = Spelling {
 /// Digits of a count and of a stamp.
 const OF_COUNT: usize = 4;
 const OF_STAMP: usize = 8;
-/// Rows that show columns of them, and such columns: a sensor's.
-const FEWEST: usize = 10;
-const COLUMNS: usize = 3;
+
+findings::tuning! {
+    /// Rows that show columns of such numbers.
+    FEWEST: usize = 10;
+    /// Columns of them that a text has at least: a sensor's.
+    COLUMNS: usize = 3;
+}
 
 fn is_of(cell: &str, digits: usize) -> bool {
     cell.len() == digits && cell.bytes().all(|byte| byte.is_ascii_hexdigit())
@@ -55,7 +59,7 @@ impl Columns {
             })
             .collect();
         // The first may be a header.
-        let rows = rows.get(1..).filter(|rows| rows.len() >= FEWEST)?;
+        let rows = rows.get(1..).filter(|rows| rows.len() >= FEWEST.get())?;
         let all = |column: usize, digits: usize| rows.iter().all(|row| is_of(row[column], digits));
         let has_letter = |column: usize| {
             let is_letter = |c: char| c.is_ascii_alphabetic();
@@ -65,7 +69,7 @@ impl Columns {
         };
         let counts: Vec<usize> = (0..width).filter(|at| all(*at, OF_COUNT)).collect();
         let sure = counts.iter().filter(|at| has_letter(**at)).count();
-        if sure < COLUMNS {
+        if sure < COLUMNS.get() {
             return None;
         }
         let is_stamp = |at: &usize| all(*at, OF_STAMP) && has_letter(*at);

@@ -17,9 +17,12 @@ pub(super) static UNIT_CELLS: Spelling = Spelling {
     change,
 };
 
-/// Rows with a unit that a column has at least, and as a share.
-const FEWEST: usize = 5;
-const SHARE: f64 = 0.9;
+findings::tuning! {
+    /// Rows with a unit that a column has at least.
+    FEWEST: usize = 5;
+    /// The same as a share of its rows.
+    SHARE: f64 = 0.9;
+}
 
 /// A number and the unit behind it.
 pub(crate) fn number_and_unit(cell: &str) -> Option<(&str, &str)> {
@@ -76,7 +79,7 @@ impl Units {
             // One that the name states otherwise is for the reader to refuse.
             let stated = take_apart(name).1;
             let fits = stated.is_none_or(|stated| stated == *unit);
-            if fits && alike >= FEWEST && alike as f64 >= SHARE * rows.len() as f64 {
+            if fits && alike >= FEWEST.get() && alike as f64 >= SHARE.get() * rows.len() as f64 {
                 of.push((column, (*unit).to_owned()));
             }
         }

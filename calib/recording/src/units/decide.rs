@@ -12,31 +12,40 @@ use crate::units::{AccelUnit, GyroUnit, STANDARD_GRAVITY, values};
 use findings::{Finding, Findings, Kind, OptionName, Remedy};
 use sensor::Sensor;
 
-/// Rates beyond this are no hand-held motion in rad/s (29 turns per second): the unit is another.
-const FASTEST: f64 = 180.0;
+findings::tuning! {
+    /// Rates beyond this are no hand-held motion in rad/s (29 turns per second): the unit is another.
+    FASTEST: f64 = 180.0;
 
-/// No gyroscope at rest is as noisy as 1.7 deg/s, root mean square of a sample: an MPU-6050 has 0.05 (data sheet 3.4,
-/// section 6.1).
-const NOISIEST: f64 = 0.03;
-/// No gyroscope is so biased, rad/s: an MPU-6050 by at most 20 deg/s.
-const MOST_BIASED: f64 = 0.7;
+    /// No gyroscope at rest is as noisy as 1.7 deg/s, root mean square of a sample: an MPU-6050 has 0.05 (data sheet 3.4,
+    /// section 6.1).
+    NOISIEST: f64 = 0.03;
+    /// No gyroscope is so biased, rad/s: an MPU-6050 by at most 20 deg/s.
+    MOST_BIASED: f64 = 0.7;
 
-/// An accelerometer that lies still has less noise than this share of gravity.
-const SHAKEN: f64 = 0.02;
+    /// An accelerometer that lies still has less noise than this share of gravity.
+    SHAKEN: f64 = 0.02;
 
-/// Samples that show that a sensor only rests.
-const ENOUGH_OF_A_REST: usize = 1000;
+    /// Samples that show that a sensor only rests.
+    ENOUGH_OF_A_REST: usize = 1000;
+}
 
 /// Gravity in g, in m/s², and in anything that is kept as counts.
 const KNOWN: [std::ops::Range<f64>; 3] = [0.8..1.25, 7.5..12.5, 100.0..f64::INFINITY];
-/// The median length is no shorter where gravity is in the readings, m/s²: a bias of half of it takes no more off.
-const LEAST: f64 = 4.0;
-/// Samples looked at.
-const LOOKED_AT: usize = 360_000;
+
+findings::tuning! {
+    /// The median length is no shorter where gravity is in the readings, m/s²: a bias of half of it takes no more off.
+    LEAST: f64 = 4.0;
+    /// Samples looked at.
+    LOOKED_AT: usize = 360_000;
+}
+
 /// Gravity in a unit as a share of what it should be, where another unit is offered.
 const NEAR_GRAVITY: std::ops::Range<f64> = 0.88..1.14;
-/// A length keeps its size where the middle half of the samples lies within this ratio.
-const STEADY: f64 = 0.9;
+
+findings::tuning! {
+    /// A length keeps its size where the middle half of the samples lies within this ratio.
+    STEADY: f64 = 0.9;
+}
 
 /// Statements about a sensor's unit, by their source.
 #[derive(Clone, Copy, Debug)]
@@ -67,7 +76,7 @@ fn told(kind: Kind, name: &str, sensor: Sensor) -> Finding {
 
 /// The radius of the sphere that the means at rest lie on.
 fn gravity_at_rest(stream: &Stream) -> Option<f64> {
-    let values = &stream.values[..stream.len().min(LOOKED_AT)];
+    let values = &stream.values[..stream.len().min(LOOKED_AT.get())];
     let rests = rests(values, values);
     let means: Vec<_> = rests.iter().map(|rest| rest.means[0]).collect();
     sphere(&means).map(|(_, radius)| radius)
@@ -139,7 +148,10 @@ pub(crate) fn accel_unit(
             _ => {}
         }
     }
-    if unit != AccelUnit::Counts && norm * unit.scale() < LEAST && stream.len() >= values::ENOUGH {
+    if unit != AccelUnit::Counts
+        && norm * unit.scale() < LEAST.get()
+        && stream.len() >= values::ENOUGH.get()
+    {
         let removed = Finding::of(Kind::GravityRemoved)
             .detail("norm", format!("{norm:.3}"))
             .detail("unit", unit.name());
@@ -156,8 +168,8 @@ pub(crate) fn accel_unit(
 
 /// Refuses readings of one length in every row: their size was divided out, and with it what gravity says of them.
 fn refuse_direction(name: &str, stream: &Stream) -> Result<(), Error> {
-    let values = &stream.values[..stream.len().min(LOOKED_AT)];
-    if values.len() < values::ENOUGH || !is_direction(values) {
+    let values = &stream.values[..stream.len().min(LOOKED_AT.get())];
+    if values.len() < values::ENOUGH.get() || !is_direction(values) {
         return Ok(());
     }
     Err(in_file(
@@ -192,7 +204,7 @@ fn refuse_other_gravity(
             .detail("right", right.name())
             .only_remedies([Remedy::set_to(OptionName::AccelUnit, right.name())]),
         // Readings about zero are those of a sensor without gravity, which is said elsewhere.
-        None if by_rests.is_none() || in_unit < LEAST / 4.0 => return Ok(()),
+        None if by_rests.is_none() || in_unit < LEAST.get() / 4.0 => return Ok(()),
         None => {
             let ratio = in_unit / STANDARD_GRAVITY;
             Finding::of(Kind::GravityOff).detail("ratio", format!("{ratio:.2}"))
@@ -213,7 +225,7 @@ fn keeps_its_length(values: &[nalgebra::Vector3<f64>]) -> bool {
         let norms = values.iter().map(nalgebra::Vector3::norm);
         nth_smallest(norms, values.len() * k / 4).unwrap_or(0.0)
     };
-    values.len() >= values::ENOUGH && length(1) > STEADY * length(3)
+    values.len() >= values::ENOUGH.get() && length(1) > STEADY.get() * length(3)
 }
 
 /// Refuses a unit that is written in the file and not known, where the samples do not tell it either.
@@ -239,7 +251,7 @@ fn unknown_unit(
 
 /// False where one reading in two hundred is faster than a hand turns; spikes are fewer.
 fn turns_as_a_hand(stream: &Stream, unit: GyroUnit) -> bool {
-    let limit = FASTEST / unit.scale();
+    let limit = FASTEST.get() / unit.scale();
     let faster = stream.values.iter().filter(|rate| rate.amax() > limit);
     unit == GyroUnit::Counts || 200 * faster.count() <= stream.len()
 }
@@ -287,7 +299,7 @@ pub(crate) fn gyro_unit(
                 name,
                 Finding::of(Kind::TurnsImpossible)
                     .detail("unit", unit.name())
-                    .detail("fastest", format!("{FASTEST} rad/s")),
+                    .detail("fastest", format!("{} rad/s", FASTEST.get())),
             )),
         };
     }
@@ -323,10 +335,10 @@ pub(crate) fn gyro_unit(
     let is_wrong = |unit| accel.is_some_and(|accel| wrong_by(accel, stream, unit).is_some());
     let (unit, told) = match (by_turns, fastest) {
         (Some(GyroUnit::RadiansPerSecond), _) => return Ok((si, UnitBy::Data)),
-        (None, 0.0..FASTEST) => return Ok((si, UnitBy::Nothing)),
+        (None, fastest) if fastest < FASTEST.get() => return Ok((si, UnitBy::Nothing)),
         (Some(GyroUnit::Counts), _) => (GyroUnit::Counts, as_counts()),
         (Some(unit), _) => (unit, of(Kind::UnitByTurns, unit)),
-        (None, FASTEST..5000.0) if !integers && !is_wrong(GyroUnit::DegreesPerSecond) => {
+        (None, ..5000.0) if !integers && !is_wrong(GyroUnit::DegreesPerSecond) => {
             let unit = GyroUnit::DegreesPerSecond;
             (
                 unit,
@@ -373,7 +385,7 @@ fn refuse_other_turns(
 
 /// Returns true if an accelerometer is static from beginning to end: its noise is a small part of gravity.
 fn lies_still(values: &[nalgebra::Vector3<f64>]) -> bool {
-    rest_throughout(values).is_some_and(|(noise, mean)| noise < SHAKEN * mean.norm())
+    rest_throughout(values).is_some_and(|(noise, mean)| noise < SHAKEN.get() * mean.norm())
 }
 
 /// Noise and bias in rad/s of a gyroscope that rests throughout, as the accelerometer beside it does, and would be no gyroscope
@@ -384,12 +396,12 @@ fn rate_at_restless_rest(
     unit: GyroUnit,
 ) -> Option<[f64; 2]> {
     let lies_still = || accel.is_some_and(|accel| lies_still(&accel.values));
-    if unit == GyroUnit::Counts || stream.len() < ENOUGH_OF_A_REST || !lies_still() {
+    if unit == GyroUnit::Counts || stream.len() < ENOUGH_OF_A_REST.get() || !lies_still() {
         return None;
     }
     let (noise, mean) = rest_throughout(&stream.values)?;
     let found = [noise, mean.amax()].map(|raw| raw * unit.scale());
-    Some(found).filter(|[noise, bias]| *noise > NOISIEST || *bias > MOST_BIASED)
+    Some(found).filter(|[noise, bias]| *noise > NOISIEST.get() || *bias > MOST_BIASED.get())
 }
 
 /// Returns true if readings of a device that rests throughout are no gyroscope's in rad/s.

@@ -4,45 +4,52 @@ use nalgebra::Vector3;
 
 use crate::order_statistic::nth_smallest;
 
-/// Lengths of a normalised reading agree to this share of it, ...
-const SAME: f64 = 3e-4;
-/// ... or to a step in which the readings were written, if that is no coarser than this share.
-const COARSEST: f64 = 0.011;
-/// Fewest rows that show it.
-const FEWEST: usize = 500;
-/// The device turns by more than this, cosine of 30°.
-const TURNED: f64 = 0.87;
-/// Noise along a reading that was normalised is no more than this share of that across it, squared.
-const FLAT: f64 = 0.1;
-/// A row is noise rather than a turn where it leaves the line through its neighbours by this part of their distance ...
-const JUMPS: f64 = 0.25;
-/// ... and so many of the rows are, at rest nearly all, where the steps of the readings hide no noise ...
-const NOISY: f64 = 0.3;
-/// ... and so many where they do.
-const NOISY_IN_STEPS: f64 = 0.02;
-/// Changes below this share of the length are the computer's rounding.
-const NOTHING: f64 = 1e-9;
-/// Noise that is no more than so many steps is that of rounding, if a step is so coarse a share of the length that it hides the
-/// sensor's own.
-const ROUNDING: f64 = 4.0;
-const HIDING: f64 = 8e-4;
+findings::tuning! {
+    /// Lengths of a normalised reading agree to this share of it, ...
+    SAME: f64 = 3e-4;
+    /// ... or to a step in which the readings were written, if that is no coarser than this share.
+    COARSEST: f64 = 0.011;
+    /// Fewest rows that show it.
+    FEWEST: usize = 500;
+    /// The device turns by more than this, cosine of 30°.
+    TURNED: f64 = 0.87;
+    /// Noise along a reading that was normalised is no more than this share of that across it, squared.
+    FLAT: f64 = 0.1;
+    /// A row is noise rather than a turn where it leaves the line through its neighbours by this part of their distance ...
+    JUMPS: f64 = 0.25;
+    /// ... and so many of the rows are, at rest nearly all, where the steps of the readings hide no noise ...
+    NOISY: f64 = 0.3;
+    /// ... and so many where they do.
+    NOISY_IN_STEPS: f64 = 0.02;
+    /// Changes below this share of the length are the computer's rounding.
+    NOTHING: f64 = 1e-9;
+    /// Noise that is no more than so many steps is that of rounding, if a step is so coarse a share of the length that it hides the
+    /// sensor's own.
+    ROUNDING: f64 = 4.0;
+    /// A step is so coarse a share of the length that it hides the sensor's own noise.
+    HIDING: f64 = 8e-4;
+}
 
 /// True for readings of the same length in every row, the turns among them, whose noise lies across them: a sensor that reads a
 /// force has noise along it, and turns add to its length.
 pub(super) fn is_direction(values: &[Vector3<f64>]) -> bool {
-    let Some(first) = values.first().filter(|_| values.len() >= FEWEST) else {
+    let Some(first) = values.first().filter(|_| values.len() >= FEWEST.get()) else {
         return false;
     };
     let length = values.iter().map(Vector3::norm).sum::<f64>() / values.len() as f64;
     if !(length > 0.0 && length.is_finite()) {
         return false;
     }
-    let step = least_step(values, NOTHING * length);
-    let allowed = (SAME * length).max(if step <= COARSEST * length { step } else { 0.0 });
+    let step = least_step(values, NOTHING.get() * length);
+    let allowed = (SAME.get() * length).max(if step <= COARSEST.get() * length {
+        step
+    } else {
+        0.0
+    });
     let same = |value: &Vector3<f64>| (value.norm() - length).abs() <= allowed;
     let turns = values
         .iter()
-        .any(|value| value.dot(first) < TURNED * length * length);
+        .any(|value| value.dot(first) < TURNED.get() * length * length);
     turns && values.iter().all(same) && has_no_noise_along(values, step, length)
 }
 
@@ -63,8 +70,8 @@ fn has_no_noise_along(values: &[Vector3<f64>], step: f64, length: f64) -> bool {
     let (mut along, mut all) = (Vec::new(), Vec::new());
     for three in values.windows(3) {
         let second = three[2] - 2.0 * three[1] + three[0];
-        let is_noise = second.norm() > JUMPS * (three[2] - three[0]).norm();
-        if is_noise && second.norm() > NOTHING * length {
+        let is_noise = second.norm() > JUMPS.get() * (three[2] - three[0]).norm();
+        if is_noise && second.norm() > NOTHING.get() * length {
             let lengths = [0, 1, 2].map(|k| three[k].norm());
             along.push((lengths[2] - 2.0 * lengths[1] + lengths[0]).powi(2));
             all.push(second.norm_squared());
@@ -76,10 +83,10 @@ fn has_no_noise_along(values: &[Vector3<f64>], step: f64, length: f64) -> bool {
         return false;
     };
     // Steps so coarse a share of the length hide the sensor's own noise.
-    let in_steps = step >= HIDING * length && all <= (ROUNDING * step).powi(2);
+    let in_steps = step >= HIDING.get() * length && all <= (ROUNDING.get() * step).powi(2);
     match in_steps {
-        true => share >= NOISY_IN_STEPS,
-        false => share >= NOISY && along <= FLAT * (all - along).max(0.0) / 2.0,
+        true => share >= NOISY_IN_STEPS.get(),
+        false => share >= NOISY.get() && along <= FLAT.get() * (all - along).max(0.0) / 2.0,
     }
 }
 

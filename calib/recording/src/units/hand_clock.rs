@@ -12,22 +12,25 @@ use crate::recording::{Recording, Stream};
 use crate::source::place::in_file;
 use crate::units::{CLOCKS, TimeUnit};
 
-/// No hand turns a device faster than this from rest to rest, over and over, rad/s.
-const FASTEST: f64 = 2.5;
-/// Paces of hands, rad/s.
-const USUAL: std::ops::Range<f64> = 0.05..FASTEST;
+findings::tuning! {
+    /// No hand turns a device faster than this from rest to rest, over and over, rad/s.
+    FASTEST: f64 = 2.5;
+    /// No hand is as slow, rad/s.
+    SLOWEST: f64 = 0.05;
+    /// Turns that tilt less say little, rad.
+    TILT: f64 = 0.4;
+    /// Turns that tell a pace.
+    FEWEST: usize = 5;
+    /// A turn from rest to rest that takes longer is none by hand, s.
+    LONGEST: f64 = 30.0;
+    /// Directions to all sides have spans alike, to this share.
+    ROUND: f64 = 0.3;
+    /// Samples looked at.
+    LOOKED_AT: usize = 360_000;
+}
+
 /// Rates of recordings of turns, Hz.
 const RATES: std::ops::Range<f64> = 20.0..2000.0;
-/// Turns that tilt less say little, rad.
-const TILT: f64 = 0.4;
-/// Turns that tell a pace.
-const FEWEST: usize = 5;
-/// A turn from rest to rest that takes longer is none by hand, s.
-const LONGEST: f64 = 30.0;
-/// Directions to all sides have spans alike, to this share.
-const ROUND: f64 = 0.3;
-/// Samples looked at.
-const LOOKED_AT: usize = 360_000;
 
 /// The turns from rest to rest: the usual one of their paces, rad/s, and of their durations, s.
 struct Pace {
@@ -36,7 +39,7 @@ struct Pace {
 }
 
 fn pace(accel: &Stream) -> Option<Pace> {
-    let count = accel.len().min(LOOKED_AT);
+    let count = accel.len().min(LOOKED_AT.get());
     let values = &accel.values[..count];
     let rests = rests(values, values);
     let means: Vec<_> = rests.iter().map(|rest| rest.means[0]).collect();
@@ -48,10 +51,10 @@ fn pace(accel: &Stream) -> Option<Pace> {
         let from = rests[at - 1].to + margin(at - 1);
         let to = rests[at].from.saturating_sub(margin(at));
         let time = accel.t.get(to)? - accel.t.get(from)?;
-        (angle > TILT && time > 0.0).then_some((angle / time, time))
+        (angle > TILT.get() && time > 0.0).then_some((angle / time, time))
     });
     let turns: Vec<(f64, f64)> = turns.collect();
-    (turns.len() >= FEWEST).then_some(())?;
+    (turns.len() >= FEWEST.get()).then_some(())?;
     Some(Pace {
         speed: median(turns.iter().map(|turn| turn.0))?,
         duration: median(turns.iter().map(|turn| turn.1))?,
@@ -66,7 +69,7 @@ fn offset(means: &[Vector3<f64>]) -> Vector3<f64> {
     let low = means.iter().fold(*first, |low, mean| low.inf(mean));
     let high = means.iter().fold(*first, |high, mean| high.sup(mean));
     let (middle, half) = ((low + high) / 2.0, (high - low) / 2.0);
-    let is_round = half.min() > ROUND * half.max();
+    let is_round = half.min() > ROUND.get() * half.max();
     match is_round && middle.norm() > half.max() {
         true => middle,
         false => Vector3::zeros(),
@@ -77,7 +80,8 @@ fn offset(means: &[Vector3<f64>]) -> Vector3<f64> {
 fn clock(step: f64, unit: TimeUnit, speed: f64) -> Option<f64> {
     let slower = |clock: &f64| {
         let change = clock / unit.per_second();
-        USUAL.contains(&(speed * change)) && RATES.contains(&(change / step))
+        (SLOWEST.get()..FASTEST.get()).contains(&(speed * change))
+            && RATES.contains(&(change / step))
     };
     CLOCKS.into_iter().find(slower)
 }
@@ -107,7 +111,7 @@ pub(crate) fn refuse(recording: &Recording) -> Result<(), Error> {
     let described = recording.description.of(Sensor::Accelerometer);
     let source = described.map_or(&recording.name, |own| &own.source);
     let Some(guessed) = guessed else {
-        return match pace.duration > LONGEST {
+        return match pace.duration > LONGEST.get() {
             true => Err(in_file(source, Finding::of(Kind::StampsByOne))),
             false => Ok(()),
         };
@@ -116,7 +120,7 @@ pub(crate) fn refuse(recording: &Recording) -> Result<(), Error> {
     let (Some(unit), Some(step)) = (unit, accel.median_step()) else {
         return Ok(());
     };
-    let other = clock(step, unit, pace.speed).filter(|_| pace.speed > FASTEST);
+    let other = clock(step, unit, pace.speed).filter(|_| pace.speed > FASTEST.get());
     let Some(clock) = other else { return Ok(()) };
     let found = Finding::of(Kind::TimeUnitTooFast)
         .detail("unit", unit.name())

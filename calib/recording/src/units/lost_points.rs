@@ -4,15 +4,21 @@ use std::collections::BTreeSet;
 
 /// A point that is lost before three decimals makes a number larger by this factor.
 const FACTOR: f64 = 1000.0;
-/// Whole numbers from here on may have lost one.
-const LEAST: f64 = 100.0;
-/// Neighbours differ by this share, and by this much.
-const SHARE: f64 = 0.2;
-const APART: f64 = 0.02;
-/// Neighbours that show it, as a share of those of both kinds, and different numbers among them: an error code comes again.
-const FEWEST: usize = 6;
-const MOST: f64 = 0.5;
-const DIFFERENT: usize = 4;
+
+findings::tuning! {
+    /// Whole numbers from here on may have lost one.
+    LEAST: f64 = 100.0;
+    /// Neighbours differ by this share ...
+    SHARE: f64 = 0.2;
+    /// ... and by this much.
+    APART: f64 = 0.02;
+    /// Neighbours that show it.
+    FEWEST: usize = 6;
+    /// The same as a share of the neighbours of both kinds.
+    MOST: f64 = 0.5;
+    /// Different numbers among them: an error code comes again.
+    DIFFERENT: usize = 4;
+}
 
 /// A number without its point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,20 +42,23 @@ pub(crate) fn lost(values: impl Iterator<Item = f64>) -> Option<Lost> {
                 true => (index, now, last),
                 false => (index - 1, last, now),
             };
-            if !is_whole(value) || is_whole(beside) || value.abs() < LEAST || beside.abs() >= LEAST
+            if !is_whole(value)
+                || is_whole(beside)
+                || value.abs() < LEAST.get()
+                || beside.abs() >= LEAST.get()
             {
                 continue;
             }
             pairs += 1;
-            if (value / FACTOR - beside).abs() <= SHARE * beside.abs() + APART {
+            if (value / FACTOR - beside).abs() <= SHARE.get() * beside.abs() + APART.get() {
                 fit += 1;
                 different.insert(value as i64);
                 first = first.or(Some(Lost { at, value, beside }));
             }
         }
     }
-    let shown = fit >= FEWEST && fit as f64 >= MOST * f64::from(pairs);
-    first.filter(|_| shown && different.len() >= DIFFERENT)
+    let shown = fit >= FEWEST.get() && fit as f64 >= MOST.get() * f64::from(pairs);
+    first.filter(|_| shown && different.len() >= DIFFERENT.get())
 }
 
 #[cfg(test)]

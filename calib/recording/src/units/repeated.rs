@@ -11,11 +11,14 @@ use crate::recording::samples::Samples;
 use crate::shown::figure;
 use crate::source::place::at_line;
 
-/// An axis is a multiple of another where it differs by no more than this share of its range, ...
-const EXACT: f64 = 1e-6;
-/// ... or than rounding of both makes of it, where its range is so many steps.
-const ROUNDED: f64 = 0.75;
-const STEPS: f64 = 100.0;
+findings::tuning! {
+    /// An axis is a multiple of another where it differs by no more than this share of its range, ...
+    EXACT: f64 = 1e-6;
+    /// ... or than rounding of both makes of it, where its range is so many steps.
+    ROUNDED: f64 = 0.75;
+    /// Steps of its range from which rounding counts.
+    STEPS: f64 = 100.0;
+}
 
 /// An axis that is `factor` times another, and a constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,8 +42,8 @@ pub(crate) fn refuse(name: &str, sensor: Sensor, samples: &Samples) -> Result<()
         .iter()
         .map(|repeat| {
             let times = match repeat.factor {
-                f if (f - 1.0).abs() < EXACT => String::new(),
-                f if (f + 1.0).abs() < EXACT => "-1 times ".to_owned(),
+                f if (f - 1.0).abs() < EXACT.get() => String::new(),
+                f if (f + 1.0).abs() < EXACT.get() => "-1 times ".to_owned(),
                 f => format!("{} times ", figure((f * 1e4).round() / 1e4)),
             };
             format!("{} is {times}{}", called(repeat.axis), called(repeat.of))
@@ -65,7 +68,7 @@ pub(crate) fn refuse(name: &str, sensor: Sensor, samples: &Samples) -> Result<()
 
 /// Axes that repeat one before them.
 fn repeats(values: &[Vector3<f64>]) -> Vec<Repeat> {
-    if values.len() < ENOUGH {
+    if values.len() < ENOUGH.get() {
         return Vec::new();
     }
     let of = |axis: usize| (0..axis).find_map(|of| repeat(values, of, axis));
@@ -96,11 +99,11 @@ fn repeat(values: &[Vector3<f64>], of: usize, axis: usize) -> Option<Repeat> {
         changes.filter(|v| *v > 0.0).fold(f64::INFINITY, f64::min)
     };
     let (range, steps) = (range(axis), [step(axis), factor.abs() * step(of)]);
-    let rounding = match range > STEPS * steps[0].max(steps[1]) {
-        true => ROUNDED * (steps[0] + steps[1]),
+    let rounding = match range > STEPS.get() * steps[0].max(steps[1]) {
+        true => ROUNDED.get() * (steps[0] + steps[1]),
         false => 0.0,
     };
-    let allowed = (EXACT * range).max(rounding);
+    let allowed = (EXACT.get() * range).max(rounding);
     let off =
         |value: &Vector3<f64>| (value[axis] - mean[axis] - factor * (value[of] - mean[of])).abs();
     (range > 0.0 && values.iter().all(|value| off(value) <= allowed)).then_some(Repeat {

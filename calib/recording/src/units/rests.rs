@@ -5,14 +5,16 @@ use nalgebra::{Matrix4, Vector3, Vector4};
 use crate::averages::median;
 use crate::order_statistic::nth_smallest;
 
-/// Samples looked at: three hours' at 100 Hz.
-const LOOKED_AT: usize = 1_000_000;
-/// Samples of a window.
-const WINDOW: usize = 40;
-/// Windows quieter than this times the quietest tenth are at rest.
-const QUIET: f64 = 16.0;
-/// The quietest tenth is at rest if it is this much quieter than the whole.
-const STILL: f64 = 0.02;
+findings::tuning! {
+    /// Samples looked at: three hours' at 100 Hz.
+    LOOKED_AT: usize = 1_000_000;
+    /// Samples of a window.
+    WINDOW: usize = 40;
+    /// Windows quieter than this times the quietest tenth are at rest.
+    QUIET: f64 = 16.0;
+    /// The quietest tenth is at rest if it is this much quieter than the whole.
+    STILL: f64 = 0.02;
+}
 
 /// Means of two sensors while neither changed.
 #[derive(Clone, Copy, Debug)]
@@ -38,8 +40,12 @@ fn moments(values: &[Vector3<f64>]) -> (Vector3<f64>, f64) {
 /// The stretches of rest of two sensors in the same rows; none where it does not move and rest by turns.
 pub(crate) fn rests(first: &[Vector3<f64>], second: &[Vector3<f64>]) -> Vec<Rest> {
     let sensors = [first, second];
-    let windows =
-        sensors.map(|values| values.chunks_exact(WINDOW).map(moments).collect::<Vec<_>>());
+    let windows = sensors.map(|values| {
+        values
+            .chunks_exact(WINDOW.get())
+            .map(moments)
+            .collect::<Vec<_>>()
+    });
     let count = windows[0].len().min(windows[1].len());
     if count < 20 {
         return Vec::new();
@@ -49,7 +55,7 @@ pub(crate) fn rests(first: &[Vector3<f64>], second: &[Vector3<f64>]) -> Vec<Rest
             let whole = moments(sensors[k]).1;
             let tenth = nth_smallest(windows[k].iter().map(|w| w.1), count / 10)?;
             // Readings of whole steps may not change at all for a while.
-            (tenth <= STILL * whole).then(|| (QUIET * tenth).max(1e-6 * whole))
+            (tenth <= STILL.get() * whole).then(|| (QUIET.get() * tenth).max(1e-6 * whole))
         })
         .collect();
     let Some(quiet) = quiet else {
@@ -64,7 +70,7 @@ pub(crate) fn rests(first: &[Vector3<f64>], second: &[Vector3<f64>]) -> Vec<Rest
             (false, Some(from)) => {
                 // The middle half: a slow turn begins and ends as if nothing moved.
                 let margin = (at - from) / 4;
-                let range = (from + margin) * WINDOW..(at - margin) * WINDOW;
+                let range = (from + margin) * WINDOW.get()..(at - margin) * WINDOW.get();
                 let means = sensors.map(|values| moments(&values[range.clone()]).0);
                 rests.push(Rest {
                     from: range.start,
@@ -82,7 +88,7 @@ pub(crate) fn rests(first: &[Vector3<f64>], second: &[Vector3<f64>]) -> Vec<Rest
 /// Returns the index of the accelerometer of two sensors in the same rows: its mean in static intervals turns with gravity, while a
 /// gyroscope's is always its bias. `None` if the static intervals do not tell.
 pub(crate) fn accelerometer(sensors: [&[Vector3<f64>]; 2]) -> Option<usize> {
-    let sensors = sensors.map(|values| &values[..values.len().min(LOOKED_AT)]);
+    let sensors = sensors.map(|values| &values[..values.len().min(LOOKED_AT.get())]);
     let rests = rests(sensors[0], sensors[1]);
     if rests.len() < 3 {
         return None;
@@ -103,7 +109,8 @@ pub(crate) fn accelerometer(sensors: [&[Vector3<f64>]; 2]) -> Option<usize> {
 
 /// Returns true if the second sensor's means in static intervals are gravity: of one norm, or on a sphere about its bias.
 pub(crate) fn is_gravity(first: &[Vector3<f64>], second: &[Vector3<f64>]) -> bool {
-    let [first, second] = [first, second].map(|values| &values[..values.len().min(LOOKED_AT)]);
+    let [first, second] =
+        [first, second].map(|values| &values[..values.len().min(LOOKED_AT.get())]);
     let rests = rests(first, second);
     let means: Vec<Vector3<f64>> = rests.iter().map(|rest| rest.means[1]).collect();
     let Some(usual) = median(means.iter().map(Vector3::norm)) else {
@@ -117,7 +124,7 @@ pub(crate) fn is_gravity(first: &[Vector3<f64>], second: &[Vector3<f64>]) -> boo
 
 /// Returns true if the mean of a sensor exceeds its spread: an accelerometer in one orientation, and no gyroscope.
 pub(crate) fn has_gravity(values: &[Vector3<f64>]) -> bool {
-    let (mean, square) = moments(&values[..values.len().min(LOOKED_AT)]);
+    let (mean, square) = moments(&values[..values.len().min(LOOKED_AT.get())]);
     mean.norm() > square.sqrt()
 }
 
@@ -130,7 +137,7 @@ fn usual_distance(means: &[Vector3<f64>]) -> f64 {
 
 /// True for a sensor that moves and rests by turns, and always rests at the same reading.
 pub(crate) fn at_one_reading(values: &[Vector3<f64>]) -> bool {
-    let values = &values[..values.len().min(LOOKED_AT)];
+    let values = &values[..values.len().min(LOOKED_AT.get())];
     let rests = rests(values, values);
     let means: Vec<Vector3<f64>> = rests.iter().map(|rest| rest.means[0]).collect();
     means.len() >= 3 && usual_distance(&means) < 0.1 * moments(values).1.sqrt()
@@ -139,15 +146,15 @@ pub(crate) fn at_one_reading(values: &[Vector3<f64>]) -> bool {
 /// The noise of an axis, root mean square, and the mean of a sensor that rests from beginning to end; `None` for one
 /// that moves.
 pub(crate) fn rest_throughout(values: &[Vector3<f64>]) -> Option<(f64, Vector3<f64>)> {
-    let values = &values[..values.len().min(LOOKED_AT)];
+    let values = &values[..values.len().min(LOOKED_AT.get())];
     let windows: Vec<f64> = values
-        .chunks_exact(WINDOW)
+        .chunks_exact(WINDOW.get())
         .map(|window| moments(window).1)
         .collect();
     let (count, (mean, whole)) = (windows.len(), moments(values));
     let share = |share: usize| nth_smallest(windows.iter().copied(), count * share / 20);
     let (quiet, usual, loud) = (share(2)?, share(10)?, share(19)?);
-    let rests = count >= 5 && loud <= QUIET * quiet && whole <= QUIET * usual;
+    let rests = count >= 5 && loud <= QUIET.get() * quiet && whole <= QUIET.get() * usual;
     rests.then(|| ((usual / 3.0).sqrt(), mean))
 }
 

@@ -13,26 +13,30 @@ use crate::rows::table::Table;
 use crate::shown::significant;
 use crate::source::place::in_file;
 
-/// The mean direction of readings is no longer than this where they turn.
-const TURNED: f64 = 0.9;
+findings::tuning! {
+    /// The mean direction of readings is no longer than this where they turn.
+    TURNED: f64 = 0.9;
 
-/// Readings whose length differs from the usual one by less than this share of it keep it.
-const KEEPS: f64 = 0.1;
+    /// Readings whose length differs from the usual one by less than this share of it keep it.
+    KEEPS: f64 = 0.1;
+}
 
 /// The length of gravity that readings of several directions keep. A gyroscope at rest keeps that of its bias, in the bias's direction:
 /// the directions it takes while it turns are of other lengths.
 fn turning_gravity(values: &[Vector3<f64>]) -> Option<f64> {
     let length = length_of_gravity(values)?;
-    let keeps = |value: &&Vector3<f64>| (value.norm() - length).abs() < KEEPS * length;
+    let keeps = |value: &&Vector3<f64>| (value.norm() - length).abs() < KEEPS.get() * length;
     let directions = values.iter().filter(keeps);
     let directions: Vec<Vector3<f64>> = directions.map(|value| value / value.norm()).collect();
     let mean = directions.iter().sum::<Vector3<f64>>() / directions.len().max(1) as f64;
-    (mean.norm() < TURNED).then_some(length)
+    (mean.norm() < TURNED.get()).then_some(length)
 }
 
-/// Largest part by which the length of readings at rest differs from that of gravity: biases and scale factors of an accelerometer
-/// that nobody has calibrated make less.
-const NEAR: f64 = 0.08;
+findings::tuning! {
+    /// Largest part by which the length of readings at rest differs from that of gravity: biases and scale factors of an accelerometer
+    /// that nobody has calibrated make less.
+    NEAR: f64 = 0.08;
+}
 
 /// The length of gravity in m/s² or in g, near to which all readings are.
 fn resting_gravity(values: &[Vector3<f64>]) -> Option<f64> {
@@ -40,7 +44,7 @@ fn resting_gravity(values: &[Vector3<f64>]) -> Option<f64> {
     let lengths = [1.0, STANDARD_GRAVITY].into_iter();
     let length =
         lengths.min_by(|a, b| (mean / a - 1.0).abs().total_cmp(&(mean / b - 1.0).abs()))?;
-    let is_near = |v: f64| (v / length - 1.0).abs() < NEAR;
+    let is_near = |v: f64| (v / length - 1.0).abs() < NEAR.get();
     let far = values.iter().filter(|v| !is_near(v.norm())).count();
     (is_near(mean) && 20 * far < values.len()).then_some(mean)
 }

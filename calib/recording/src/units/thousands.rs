@@ -1,11 +1,14 @@
 //! Numbers whose points or commas separate thousands: `982`, `-1.458` for -1458.
 
-/// Whole numbers and others that a column has at least, and as a share.
-const LEAST: f64 = 10.0;
-const SHARE: f64 = 0.01;
+findings::tuning! {
+    /// Whole numbers and others that a column has at least.
+    LEAST: f64 = 10.0;
+    /// The same as a share of its numbers.
+    SHARE: f64 = 0.01;
 
-/// Thousands end with a zero one time in ten; numbers that are rounded to tenths or quarters nearly always do in thousandths.
-const END_WITH_ZERO: f64 = 0.25;
+    /// Thousands end with a zero one time in ten; numbers that are rounded to tenths or quarters nearly always do in thousandths.
+    END_WITH_ZERO: f64 = 0.25;
+}
 
 /// Size of the smallest number that is written with a separator.
 const THOUSAND: f64 = 1.0;
@@ -30,9 +33,9 @@ pub(crate) fn separated(values: impl Iterator<Item = f64>) -> Option<usize> {
         }
     }
     let count: f64 = whole + with_point;
-    let enough = |part: f64| part >= LEAST && part >= SHARE * count;
+    let enough = |part: f64| part >= LEAST.get() && part >= SHARE.get() * count;
     first.filter(|_| {
-        enough(whole) && enough(with_point) && end_with_zero < END_WITH_ZERO * with_point
+        enough(whole) && enough(with_point) && end_with_zero < END_WITH_ZERO.get() * with_point
     })
 }
 

@@ -13,23 +13,30 @@ const UNITS: [GyroUnit; 3] = [
     GyroUnit::DegreesPerSecond,
     GyroUnit::MilliDegreesPerSecond,
 ];
-/// Turns that tilt less say little, rad.
-const TILT: f64 = 0.4;
-/// Longer turns gather too much error, s.
-const LONGEST: f64 = 60.0;
-/// Samples looked at: an hour's, at 100 Hz.
-const LOOKED_AT: usize = 360_000;
-/// Turns that tell a unit.
-const FEWEST: usize = 3;
-/// Turns looked at.
-const TURNS: usize = 60;
-/// The right unit predicts gravity to this, rad, and the others miss it by three times as much.
-const WITHIN: f64 = 0.2;
+
+findings::tuning! {
+    /// Turns that tilt less say little, rad.
+    TILT: f64 = 0.4;
+    /// Longer turns gather too much error, s.
+    LONGEST: f64 = 60.0;
+    /// Samples looked at: an hour's, at 100 Hz.
+    LOOKED_AT: usize = 360_000;
+    /// Turns that tell a unit.
+    FEWEST: usize = 3;
+    /// Turns looked at.
+    TURNS: usize = 60;
+    /// The right unit predicts gravity to this, rad, and the others miss it by three times as much.
+    WITHIN: f64 = 0.2;
+}
 
 /// Factors between a stated unit, or the time's, and the right one that are looked for.
 const FACTORS: std::ops::RangeInclusive<i32> = -24..=24;
-/// A stated unit is wrong where it misses gravity by as much, rad.
-const MISSED: f64 = 0.6;
+
+findings::tuning! {
+    /// A stated unit is wrong where it misses gravity by as much, rad.
+    MISSED: f64 = 0.6;
+}
+
 /// No sensor's own scale is off by as much.
 const OWN: std::ops::Range<f64> = 0.6..1.7;
 
@@ -41,7 +48,7 @@ pub(crate) fn turn_unit(accel: &Stream, gyro: &Stream) -> Option<GyroUnit> {
     let mut medians: Vec<(f64, GyroUnit)> = usual.collect();
     medians.sort_by(|a, b| a.0.total_cmp(&b.0));
     let (best, unit) = medians[0];
-    (best < WITHIN && medians[1].0 > 3.0 * best.max(0.05)).then_some(unit)
+    (best < WITHIN.get() && medians[1].0 > 3.0 * best.max(0.05)).then_some(unit)
 }
 
 /// A change of the unit from turn to turn.
@@ -59,13 +66,13 @@ pub(crate) fn unit_change(accel: &Stream, gyro: &Stream) -> Option<UnitChange> {
     let told = |turn: &Turn| {
         let mut errors: Vec<(f64, GyroUnit)> = turn.errors.iter().copied().zip(UNITS).collect();
         errors.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let is_told = errors[0].0 < WITHIN && errors[1].0 > 3.0 * errors[0].0.max(0.05);
+        let is_told = errors[0].0 < WITHIN.get() && errors[1].0 > 3.0 * errors[0].0.max(0.05);
         is_told.then_some((errors[0].1, [turn.from, turn.to]))
     };
     let told: Vec<(GyroUnit, [f64; 2])> = turns.iter().filter_map(told).collect();
     let (first, last) = (told.first()?.0, told.last()?.0);
     let at = told.iter().position(|(unit, _)| *unit != first)?;
-    let enough = at >= FEWEST && told.len() - at >= FEWEST;
+    let enough = at >= FEWEST.get() && told.len() - at >= FEWEST.get();
     let is_one = told[at..].iter().all(|(unit, _)| *unit == last);
     (enough && is_one).then(|| UnitChange {
         units: [first, last],
@@ -77,7 +84,7 @@ pub(crate) fn unit_change(accel: &Stream, gyro: &Stream) -> Option<UnitChange> {
 /// the time's; `None` if the unit may be right.
 pub(crate) fn wrong_by(accel: &Stream, gyro: &Stream, unit: GyroUnit) -> Option<f64> {
     let missed = *misses(accel, gyro, &[unit.scale()])?.first()?;
-    if missed < MISSED {
+    if missed < MISSED.get() {
         return None;
     }
     // A quarter of a factor of two apart.
@@ -85,7 +92,7 @@ pub(crate) fn wrong_by(accel: &Stream, gyro: &Stream, unit: GyroUnit) -> Option<
     let scales: Vec<f64> = factors.iter().map(|factor| factor * unit.scale()).collect();
     let all = misses(accel, gyro, &scales)?.into_iter().zip(factors);
     let (least, factor) = all.min_by(|a, b| a.0.total_cmp(&b.0))?;
-    (least < 2.0 * WITHIN && !OWN.contains(&factor)).then_some(factor)
+    (least < 2.0 * WITHIN.get() && !OWN.contains(&factor)).then_some(factor)
 }
 
 /// By how much the turns of `gyro` usually miss the gravity that `accel` saw, rad, at each scale; `None` of too few.
@@ -120,7 +127,7 @@ enum Rests {
 
 /// The turns that tilt gravity, as `accel` saw it; `None` of too few.
 fn turns(accel: &Stream, gyro: &Stream, scales: &[f64], of: Rests) -> Option<Vec<Turn>> {
-    let count = gyro.len().min(LOOKED_AT);
+    let count = gyro.len().min(LOOKED_AT.get());
     let matched: Option<Vec<Vector3<f64>>> = gyro.t[..count].iter().map(|&t| accel.at(t)).collect();
     let matched = matched?;
     let rates = &gyro.values[..count];
@@ -139,7 +146,7 @@ fn turns(accel: &Stream, gyro: &Stream, scales: &[f64], of: Rests) -> Option<Vec
         let [up, then] = [0, 1].map(|k| (pair[k].means[0] - centre).normalize());
         let (from, to) = (pair[0].to, pair[1].from);
         let time = gyro.t[to] - gyro.t[from - 1];
-        if up.angle(&then) < TILT || time > LONGEST || turns.len() == TURNS {
+        if up.angle(&then) < TILT.get() || time > LONGEST.get() || turns.len() == TURNS.get() {
             continue;
         }
         let error = |scale: &f64| {
@@ -152,7 +159,7 @@ fn turns(accel: &Stream, gyro: &Stream, scales: &[f64], of: Rests) -> Option<Vec
             errors: scales.iter().map(error).collect(),
         });
     }
-    (turns.len() >= FEWEST).then_some(turns)
+    (turns.len() >= FEWEST.get()).then_some(turns)
 }
 
 /// Computes the rotation of a fixed direction in the frame of a device that turns at `scale (gyro - bias)`.

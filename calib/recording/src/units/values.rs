@@ -17,16 +17,18 @@ use crate::units::lost_points::lost;
 use crate::units::rests::{rests, sphere};
 use crate::units::thousands::separated;
 
-/// Samples from which on statistics mean something.
-pub(crate) const ENOUGH: usize = 100;
-/// A zero is another than 0 by this share of gravity.
-const FAR: f64 = 0.5;
-/// Samples looked at for it.
-const LOOKED_AT: usize = 360_000;
-/// No unit makes a sensor's largest reading smaller.
-const TINIEST: f64 = 1e-9;
-/// A step that a 16-bit register can only take by overflowing: from one rail to the other.
-const OVERFLOW: f64 = 60_000.0;
+findings::tuning! {
+    /// Samples from which on statistics mean something.
+    pub(crate) ENOUGH: usize = 100;
+    /// A zero is another than 0 by this share of gravity.
+    FAR: f64 = 0.5;
+    /// Samples looked at for it.
+    LOOKED_AT: usize = 360_000;
+    /// No unit makes a sensor's largest reading smaller.
+    TINIEST: f64 = 1e-9;
+    /// A step that a 16-bit register can only take by overflowing: from one rail to the other.
+    OVERFLOW: f64 = 60_000.0;
+}
 
 /// Checks all samples of a sensor, in the file's unit.
 ///
@@ -39,7 +41,7 @@ pub(crate) fn check(
     warnings: &mut Findings,
 ) -> Result<(), Error> {
     if sensor == Sensor::Accelerometer
-        && samples.t.len() >= ENOUGH
+        && samples.t.len() >= ENOUGH.get()
         && let Some(change) = level_change(&samples.values)
         && !is_about_another_zero(&samples.values)
         && only_noise(&samples.values).is_none()
@@ -54,7 +56,7 @@ pub(crate) fn check(
             let found = Finding::of(kind).of_sensor(sensor);
             found.detail("axis", ["x", "y", "z"][axis])
         };
-        if samples.t.len() >= ENOUGH && low == high {
+        if samples.t.len() >= ENOUGH.get() && low == high {
             let found = of(Kind::AxisConstant);
             let found = match sensor {
                 Sensor::Gyroscope => found.remedy(accelerometer_alone()),
@@ -80,7 +82,7 @@ pub(crate) fn check(
             return Err(at_line(name, samples.line(found.at), points));
         }
         let peak = high.max(-low);
-        if peak > 0.0 && peak < TINIEST {
+        if peak > 0.0 && peak < TINIEST.get() {
             let tiny = of(Kind::ReadingsTiny).detail("peak", format!("{peak:e}"));
             return Err(in_file(name, tiny));
         }
@@ -113,12 +115,12 @@ pub(crate) fn check(
 
 /// True for means at rest that lie on one sphere about a zero that is not 0: its norm changes with the attitude alone.
 fn is_about_another_zero(values: &[Vector3<f64>]) -> bool {
-    let values = &values[..values.len().min(LOOKED_AT)];
+    let values = &values[..values.len().min(LOOKED_AT.get())];
     let means: Vec<_> = rests(values, values)
         .iter()
         .map(|rest| rest.means[0])
         .collect();
-    sphere(&means).is_some_and(|(centre, radius)| centre.norm() > FAR * radius)
+    sphere(&means).is_some_and(|(centre, radius)| centre.norm() > FAR.get() * radius)
 }
 
 /// Smallest and largest value of each axis.
@@ -161,7 +163,7 @@ fn column(sensor: Sensor, axis: usize) -> &'static str {
 }
 
 fn stuck_within(samples: &Samples, axis: usize) -> Option<Range<usize>> {
-    (samples.t.len() >= ENOUGH).then(|| crate::readings::stuck(&samples.values, axis))?
+    (samples.t.len() >= ENOUGH.get()).then(|| crate::readings::stuck(&samples.values, axis))?
 }
 
 fn stopped(name: &str, found: Finding, samples: &Samples, axis: usize, run: Range<usize>) -> Error {
@@ -208,7 +210,7 @@ fn refuse_overflow(
     samples: &Samples,
     axis: usize,
 ) -> Result<(), Error> {
-    let jump = |w: &[Vector3<f64>]| (w[1][axis] - w[0][axis]).abs() > OVERFLOW;
+    let jump = |w: &[Vector3<f64>]| (w[1][axis] - w[0][axis]).abs() > OVERFLOW.get();
     let Some(at) = samples.values.windows(2).position(jump) else {
         return Ok(());
     };

@@ -235,7 +235,7 @@ impl Axis {
 
 /// Samples in a length of time, s.
 fn samples(length: f64, interval: f64) -> usize {
-    ((length + INSTANT) / interval).round() as usize
+    ((length + INSTANT.get()) / interval).round() as usize
 }
 
 /// Samples in a batch: [`BATCHES`] in the usual stretch, of [`BATCH`] at most.

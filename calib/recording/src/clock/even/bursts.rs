@@ -8,43 +8,49 @@ use super::line::lines;
 use super::losses::{lost_before, spread};
 use crate::recording::stream::Gap;
 
-/// A step shorter than this share of the mean is within a burst.
-const WITHIN: f64 = 0.2;
+findings::tuning! {
+    /// A step shorter than this share of the mean is within a burst.
+    WITHIN: f64 = 0.2;
 
-/// Share of such steps from which stamps come in bursts, whatever the other steps are.
-const MANY: f64 = 0.4;
+    /// Share of such steps from which stamps come in bursts, whatever the other steps are.
+    MANY: f64 = 0.4;
 
-/// The same where hardly any step is of a length between: samples arrive together or one after the other.
-const SOME: f64 = 0.02;
-const BETWEEN: std::ops::Range<f64> = WITHIN..0.7;
-const FEWER: f64 = 0.1;
+    /// The same where hardly any step is of a length between: samples arrive together or one after the other.
+    SOME: f64 = 0.02;
+    /// A step that is shorter than this share of the mean, and not within a burst, is of a length between.
+    BETWEEN: f64 = 0.7;
+    /// Share of steps of a length between that is hardly any.
+    FEWER: f64 = 0.1;
 
-/// Parts of the stamps that all have such steps, this share of the usual number and more, and others.
-const PARTS: usize = 4;
-const EVERYWHERE: f64 = 0.25;
+    /// Parts of the stamps that all have such steps, and others.
+    PARTS: usize = 4;
+    /// Share of the usual number of them that each part has at least.
+    EVERYWHERE: f64 = 0.25;
 
-/// Seconds on either side that a sample's time is taken from, at least and at most.
-const REACH: f64 = 15.0;
-const FARTHEST: f64 = 120.0;
+    /// Seconds on either side that a sample's time is taken from, at least.
+    REACH: f64 = 15.0;
+    /// The same at most.
+    FARTHEST: f64 = 120.0;
 
-/// Error of the rate over a turn of a second that is sought by reaching farther: bursts that scatter by `σ` and are `B` apart
-/// make one of `σ √B / reach`, √s.
-const SLOPE: f64 = 1e-4;
+    /// Error of the rate over a turn of a second that is sought by reaching farther: bursts that scatter by `σ` and are `B` apart
+    /// make one of `σ √B / reach`, √s.
+    SLOPE: f64 = 1e-4;
 
-/// An interruption: this many mean steps, beyond a whole burst.
-const INTERRUPTION: f64 = 20.0;
+    /// An interruption: this many mean steps, beyond a whole burst.
+    INTERRUPTION: f64 = 20.0;
 
-/// Steps that the period is looked for over.
-const LAG: usize = 512;
+    /// Steps that the period is looked for over.
+    LAG: usize = 512;
 
-/// The step is found again with the samples that were lost, so many times at most.
-const PASSES: usize = 3;
+    /// The step is found again with the samples that were lost, so many times at most.
+    PASSES: usize = 3;
 
-/// Bursts that arrive late by more than the longest usual step, as a share: more, and no even clock is behind.
-const LATER: f64 = 0.02;
+    /// Bursts that arrive late by more than the longest usual step, as a share: more, and no even clock is behind.
+    LATER: f64 = 0.02;
 
-/// More steps than this between neighbours on the even clock: a sample is missing.
-const MISSING: f64 = 1.5;
+    /// More steps than this between neighbours on the even clock: a sample is missing.
+    MISSING: f64 = 1.5;
+}
 
 /// Samples that arrive together, and the even clock behind them.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,7 +69,7 @@ impl Bursts {
     /// True if samples are missing in an interruption of the stamps: a stall of the host delays samples and loses none.
     pub fn loses_samples(&self, gap: &Gap) -> bool {
         let pair = self.even.get(gap.after).zip(self.even.get(gap.after + 1));
-        pair.is_none_or(|(before, after)| after - before > MISSING * self.step)
+        pair.is_none_or(|(before, after)| after - before > MISSING.get() * self.step)
     }
 }
 
@@ -95,7 +101,7 @@ pub fn bursts(t: &[f64]) -> Option<Bursts> {
     }
     let increases = even.windows(2).all(|pair| pair[0] < pair[1]);
     let is_found = increases && passed > 0;
-    let is_behind = (late as f64) < LATER * read as f64;
+    let is_behind = (late as f64) < LATER.get() * read as f64;
     (is_found && (arrivals.are_many() || is_behind)).then(|| Bursts {
         size,
         even,
@@ -111,12 +117,12 @@ pub(crate) fn step_of_bursts(t: &[f64]) -> Option<f64> {
     let period = arrivals.period;
     // Stamps whose unit changes on the way have all their short steps in one part.
     let steps: Vec<f64> = t.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    let is_short = |step: &&f64| **step < WITHIN * period;
+    let is_short = |step: &&f64| **step < WITHIN.get() * period;
     let has_many = |part: &[f64]| {
         let short = part.iter().filter(is_short).count();
-        (MANY..1.0).contains(&(short as f64 / part.len() as f64))
+        (MANY.get()..1.0).contains(&(short as f64 / part.len() as f64))
     };
-    if !steps.chunks_exact(steps.len() / PARTS).all(has_many) {
+    if !steps.chunks_exact(steps.len() / PARTS.get()).all(has_many) {
         return None;
     }
     Some(mean_step(&arrivals.runs(t), period).unwrap_or(period))
@@ -139,46 +145,51 @@ impl Arrivals {
         let whole = t.last()? - t.first()?;
         let least = t.windows(2).map(|pair| pair[1] - pair[0]);
         let least = least.fold(f64::INFINITY, f64::min);
-        if t.len() < 100 || least >= WITHIN * whole / (t.len() - 1) as f64 {
+        if t.len() < 100 || least >= WITHIN.get() * whole / (t.len() - 1) as f64 {
             return None;
         }
         let period = period(t)?;
         let steps = t.windows(2).map(|pair| (pair[1] - pair[0]) / period);
-        let count = steps.clone().filter(|step| *step < WITHIN).count();
-        let between = steps.filter(|step| BETWEEN.contains(step)).count() as f64;
+        let count = steps.clone().filter(|step| *step < WITHIN.get()).count();
+        let between = steps
+            .filter(|step| (WITHIN.get()..BETWEEN.get()).contains(step))
+            .count() as f64;
         let all = t.len() - 1;
         let found = Self {
             period,
             share: count as f64 / all as f64,
             size: all as f64 / (all - count).max(1) as f64,
         };
-        let together = found.share > SOME && between < FEWER * count as f64;
+        let together = found.share > SOME.get() && between < FEWER.get() * count as f64;
         // A unit or a rate that changes on the way has all its short steps in one part.
         let steps: Vec<f64> = t.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let has_some = |part: &[f64]| {
-            let short = part.iter().filter(|step| **step < WITHIN * period).count();
-            short < part.len() && short as f64 > EVERYWHERE * found.share * part.len() as f64
+            let short = part
+                .iter()
+                .filter(|step| **step < WITHIN.get() * period)
+                .count();
+            short < part.len() && short as f64 > EVERYWHERE.get() * found.share * part.len() as f64
         };
-        if !steps.chunks_exact(steps.len() / PARTS).all(has_some) {
+        if !steps.chunks_exact(steps.len() / PARTS.get()).all(has_some) {
             return None;
         }
         (found.are_many() || together).then_some(found)
     }
 
     fn are_many(&self) -> bool {
-        self.share >= MANY
+        self.share >= MANY.get()
     }
 
     /// The stamps between interruptions.
     fn runs<'a>(&self, t: &'a [f64]) -> Vec<&'a [f64]> {
-        let most = (INTERRUPTION + 2.0 * self.size) * self.period;
+        let most = (INTERRUPTION.get() + 2.0 * self.size) * self.period;
         t.chunk_by(|a, b| b - a <= most).collect()
     }
 }
 
 /// The usual time over many steps, per step.
 fn period(t: &[f64]) -> Option<f64> {
-    let lag = LAG.min(t.len() / 4);
+    let lag = LAG.get().min(t.len() / 4);
     let over = t.windows(lag + 1).map(|w| w[lag] - w[0]);
     let middle = t.len().saturating_sub(lag) / 2;
     let usual = crate::order_statistic::nth_smallest(over, middle)?;
@@ -187,7 +198,7 @@ fn period(t: &[f64]) -> Option<f64> {
 
 /// The mean step within runs, from the beginning of a burst to that of another.
 fn mean_step(runs: &[&[f64]], period: f64) -> Option<f64> {
-    let begins = |run: &[f64], k: &usize| run[*k] - run[k - 1] >= WITHIN * period;
+    let begins = |run: &[f64], k: &usize| run[*k] - run[k - 1] >= WITHIN.get() * period;
     let (mut time, mut steps) = (0.0, 0);
     for run in runs {
         let first = (1..run.len()).find(|k| begins(run, k));
@@ -204,7 +215,7 @@ fn mean_step(runs: &[&[f64]], period: f64) -> Option<f64> {
 fn lasts(run: &[f64], period: f64) -> Vec<usize> {
     let ends = |k: &usize| {
         run.get(k + 1)
-            .is_none_or(|next| next - run[*k] >= WITHIN * period)
+            .is_none_or(|next| next - run[*k] >= WITHIN.get() * period)
     };
     (0..run.len()).filter(ends).collect()
 }
@@ -213,7 +224,7 @@ fn lasts(run: &[f64], period: f64) -> Vec<usize> {
 fn ticks(run: &[f64], lasts: &[usize], usual: f64) -> (Vec<u32>, f64) {
     let mut step = usual;
     let mut lost = vec![0; lasts.len()];
-    for _ in 0..PASSES {
+    for _ in 0..PASSES.get() {
         let late: Vec<f64> = lasts.iter().map(|&k| run[k] - k as f64 * step).collect();
         let [first, .., end, _] = lasts else {
             break;
@@ -244,12 +255,12 @@ fn clock(run: &[f64], lasts: &[usize], ticks: &[u32], step: f64) -> Vec<f64> {
     let steady = |tick: u32| run[0] + f64::from(tick) * step;
     let places: Vec<u32> = lasts.iter().map(|&k| ticks[k]).collect();
     let late: Vec<f64> = lasts.iter().map(|&k| run[k] - steady(ticks[k])).collect();
-    let mut line = lines(&places, &late, REACH / step);
+    let mut line = lines(&places, &late, REACH.get() / step);
     // The middle of more bursts scatters less from one to the next.
     let scatter = spread(late.iter().zip(&line).map(|(late, line)| late - line)).unwrap_or(0.0);
     let wait = (run[run.len() - 1] - run[0]) / lasts.len() as f64;
-    let reach = (scatter * wait.sqrt() / SLOPE).clamp(REACH, FARTHEST);
-    if reach > REACH {
+    let reach = (scatter * wait.sqrt() / SLOPE.get()).clamp(REACH.get(), FARTHEST.get());
+    if reach > REACH.get() {
         line = lines(&places, &late, reach / step);
     }
     let mut after = 0;

@@ -13,20 +13,26 @@ use crate::order_statistic::nth_smallest;
 
 /// Bursts on either side that a level is taken over, fewest first; together they hold so many samples and more.
 const WIDTHS: [usize; 6] = [2, 4, 8, 16, 32, 64];
-const SAMPLES: f64 = 16.0;
 
-/// Rises and falls between two levels, in steps, that tell one step from none: their standard deviation, and the largest falls.
-const CLEAR: f64 = 0.12;
-const FALLS: f64 = 0.4;
+findings::tuning! {
+    /// Samples that the bursts on either side hold together, at least.
+    SAMPLES: f64 = 16.0;
 
-/// A rise of less than this share of a step is chance, and one of fewer standard deviations, or no larger than the falls times
-/// this: stamps that fall back were not behind for good.
-const LEAST: f64 = 0.5;
-const DEVIATIONS: f64 = 5.0;
-const OVER_FALLS: f64 = 1.2;
+    /// Standard deviation of the rises and falls between two levels, in steps, that tells one step from none.
+    CLEAR: f64 = 0.12;
+    /// Largest of the falls, in steps, that do.
+    FALLS: f64 = 0.4;
 
-/// Places that suffice for the scatter of the rises.
-const ENOUGH: usize = 4096;
+    /// A rise of less than this share of a step is chance.
+    LEAST: f64 = 0.5;
+    /// A rise of fewer standard deviations is chance.
+    DEVIATIONS: f64 = 5.0;
+    /// A rise no larger than the falls times this is chance: stamps that fall back were not behind for good.
+    OVER_FALLS: f64 = 1.2;
+
+    /// Places that suffice for the scatter of the rises.
+    ENOUGH: usize = 4096;
+}
 
 /// Width of the central 80 % of a normal variable, in standard deviations.
 const CENTRAL: f64 = 2.563;
@@ -143,7 +149,8 @@ impl Rises {
     /// The narrowest that tell one step from none, or else those that scatter least; `None` of too few bursts.
     fn clearest(late: &[f64], period: f64, size: f64) -> Option<Self> {
         let mut best: Option<Self> = None;
-        let enough = |width: &usize| *width as f64 * size >= SAMPLES && 4 * width <= late.len();
+        let enough =
+            |width: &usize| *width as f64 * size >= SAMPLES.get() && 4 * width <= late.len();
         for width in WIDTHS.into_iter().filter(enough) {
             for level in [Level::Least, Level::Median] {
                 let other = Self::over(late, width, level)?;
@@ -152,7 +159,9 @@ impl Rises {
                     _ => Some(other),
                 };
             }
-            let is_clear = |best: Self| best.scatter < CLEAR * period && best.fall < FALLS * period;
+            let is_clear = |best: Self| {
+                best.scatter < CLEAR.get() * period && best.fall < FALLS.get() * period
+            };
             if best.is_some_and(is_clear) {
                 break;
             }
@@ -170,7 +179,7 @@ impl Rises {
             jump: 0.0,
         };
         let places = width..late.len().checked_sub(width)?;
-        let stride = (places.len() / ENOUGH).max(1);
+        let stride = (places.len() / ENOUGH.get()).max(1);
         let one_place = (2 * width / stride).min(places.len() / stride / 10);
         let all: Vec<f64> = places.step_by(stride).map(|at| raw.at(late, at)).collect();
         let all = || all.iter().copied();
@@ -187,7 +196,7 @@ impl Rises {
 
     /// A rise that chance may make, s.
     fn chance(&self) -> f64 {
-        (DEVIATIONS * self.scatter).max(OVER_FALLS * self.fall)
+        (DEVIATIONS.get() * self.scatter).max(OVER_FALLS.get() * self.fall)
     }
 
     /// The rise at a burst, s.
@@ -197,7 +206,7 @@ impl Rises {
 
     /// Returns true if the rise is also one over twice as many bursts: several that are late by chance are on time again then.
     fn stays(&self, late: &[f64], at: usize, period: f64) -> bool {
-        self.over_width(late, at, 2 * self.width) > LEAST * period
+        self.over_width(late, at, 2 * self.width) > LEAST.get() * period
     }
 
     fn over_width(&self, late: &[f64], at: usize, width: usize) -> f64 {
@@ -210,7 +219,7 @@ impl Rises {
 
     /// The least rise that is a loss, s.
     fn least(&self, count: usize, at: usize, period: f64) -> f64 {
-        let usual = self.chance().max(LEAST * period);
+        let usual = self.chance().max(LEAST.get() * period);
         let is_near_an_end = at < self.width || at + self.width > count;
         usual + if is_near_an_end { self.jump } else { 0.0 }
     }

@@ -21,18 +21,20 @@ use line::lines;
 use scatter::{EXACT, Scatter};
 pub(crate) use usual_step::usual_step;
 
-/// Samples on either side of one that its time is taken from, s: longer than the beat of most rates with a
-/// millisecond, shorter than the drift of an oscillator.
-const REACH: f64 = 15.0;
+findings::tuning! {
+    /// Samples on either side of one that its time is taken from, s: longer than the beat of most rates with a
+    /// millisecond, shorter than the drift of an oscillator.
+    REACH: f64 = 15.0;
 
-/// Own scatter, in steps, beyond which ticks cannot be counted.
-const COUNTED: f64 = 0.45;
+    /// Own scatter, in steps, beyond which ticks cannot be counted.
+    COUNTED: f64 = 0.45;
 
-/// Share of a stamp's own variance that steps may add before a clock that follows them is a choice.
-const ADDS: f64 = 0.02;
+    /// Share of a stamp's own variance that steps may add before a clock that follows them is a choice.
+    ADDS: f64 = 0.02;
 
-/// More steps than this at once are an interruption, after which the clock is looked for anew.
-const INTERRUPTION: f64 = 50.0;
+    /// More steps than this at once are an interruption, after which the clock is looked for anew.
+    INTERRUPTION: f64 = 50.0;
+}
 
 /// An even clock for every stamp.
 #[derive(Clone, Debug, PartialEq)]
@@ -74,7 +76,9 @@ pub fn even_clock(t: &[f64]) -> Stamps {
     let Some(step) = crate::recording::stream::median_step(t).filter(|step| *step > 0.0) else {
         return Stamps::Exact;
     };
-    let runs: Vec<&[f64]> = t.chunk_by(|a, b| b - a <= INTERRUPTION * step).collect();
+    let runs: Vec<&[f64]> = t
+        .chunk_by(|a, b| b - a <= INTERRUPTION.get() * step)
+        .collect();
     let is_even = |run: &&[f64]| is_exact(run, step) && Scatter::rounded(run).is_none();
     if runs.iter().all(is_even) {
         return Stamps::Exact;
@@ -93,7 +97,7 @@ pub fn even_clock(t: &[f64]) -> Stamps {
         let share = clock.append(run);
         worst = worst.max(share);
     }
-    if worst > COUNTED {
+    if worst > COUNTED.get() {
         return Stamps::Uncountable {
             share: worst,
             step: mean_step(t, step),
@@ -101,7 +105,7 @@ pub fn even_clock(t: &[f64]) -> Stamps {
     }
     let squares = t.iter().zip(&clock.even).map(|(s, e)| (s - e).powi(2));
     clock.scatter = (squares.sum::<f64>() / t.len() as f64).sqrt();
-    if clock.scatter < EXACT * step {
+    if clock.scatter < EXACT.get() * step {
         return Stamps::Exact;
     }
     Stamps::Scattered(clock)
@@ -110,7 +114,7 @@ pub fn even_clock(t: &[f64]) -> Stamps {
 /// Mean step of stamps without interruptions: steps of stamps that come two at a time have no usual one.
 fn mean_step(t: &[f64], usual: f64) -> f64 {
     let steps = t.windows(2).map(|pair| pair[1] - pair[0]);
-    let steps = steps.filter(|step| *step <= INTERRUPTION * usual);
+    let steps = steps.filter(|step| *step <= INTERRUPTION.get() * usual);
     let (sum, count) = steps.fold((0.0, 0.0), |(s, n), step| (s + step, n + 1.0));
     sum / f64::max(count, 1.0)
 }
@@ -119,7 +123,7 @@ fn mean_step(t: &[f64], usual: f64) -> f64 {
 fn is_exact(run: &[f64], step: f64) -> bool {
     let near = |pair: &[f64]| {
         let steps = (pair[1] - pair[0]) / step;
-        (steps - steps.round()).abs() < EXACT * steps.max(1.0)
+        (steps - steps.round()).abs() < EXACT.get() * steps.max(1.0)
     };
     run.windows(2).all(near)
 }
@@ -150,10 +154,10 @@ impl EvenClock {
         };
         let steady = |k: usize| run[0] + f64::from(ticks[k]) * step;
         let excess: Vec<f64> = (0..run.len()).map(|k| run[k] - steady(k)).collect();
-        let line = lines(&ticks, &excess, REACH / step);
+        let line = lines(&ticks, &excess, REACH.get() / step);
         self.even
             .extend((0..run.len()).map(|k| steady(k) + line[k]));
-        if scatter.adding > ADDS * scatter.own {
+        if scatter.adding > ADDS.get() * scatter.own {
             let ratio = scatter.adding / scatter.own.max(f64::MIN_POSITIVE);
             let gain = 0.5 * ((ratio * ratio + 4.0 * ratio).sqrt() - ratio);
             let left: Vec<f64> = excess.iter().zip(&line).map(|(e, l)| e - l).collect();

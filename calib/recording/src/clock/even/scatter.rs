@@ -2,26 +2,28 @@
 
 use crate::order_statistic::nth_smallest;
 
-/// Scatter of the steps, in steps, below which stamps are exact.
-pub(super) const EXACT: f64 = 1e-4;
+findings::tuning! {
+    /// Scatter of the steps, in steps, below which stamps are exact.
+    pub(super) EXACT: f64 = 1e-4;
 
-/// Steps that the period is taken over.
-pub(crate) const LAG: usize = 64;
+    /// Steps that the period is taken over.
+    pub(crate) LAG: usize = 64;
 
-/// Differences that suffice for a variance of 2 %.
-const ENOUGH: usize = 8192;
+    /// Differences that suffice for a variance of 2 %.
+    ENOUGH: usize = 8192;
 
-/// Share of the differences left out on either side: lost samples and stalls of the host.
-const TRIMMED: f64 = 0.1;
+    /// Share of the differences left out on either side: lost samples and stalls of the host.
+    TRIMMED: f64 = 0.1;
 
-/// Whole stretches without a lost sample from which a variance is taken.
-const LEAST: f64 = 32.0;
+    /// Whole stretches without a lost sample from which a variance is taken.
+    LEAST: f64 = 32.0;
 
-/// Longer steps of stamps that are rounded to the others: fewer than this may be lost samples.
-const FEWEST_LONGER: usize = 8;
+    /// Longer steps of stamps that are rounded to the others: fewer than this may be lost samples.
+    FEWEST_LONGER: usize = 8;
 
-/// Stamps rounded to a step lie within it of an even clock.
-const WITHIN: f64 = 1.1;
+    /// Stamps rounded to a step lie within it of an even clock.
+    WITHIN: f64 = 1.1;
+}
 
 /// Variance of a normal variable over that of its central 80 %.
 const CENTRAL: f64 = 2.285;
@@ -43,7 +45,7 @@ impl Scatter {
     /// From the differences over 1, 16 and 64 steps: the variance over `m` is `2 own + m adding`. `None` with
     /// fewer than 130 stamps.
     pub fn of(stamps: &[f64]) -> Option<Self> {
-        let period = central(stamps, LAG)?.0 / LAG as f64;
+        let period = central(stamps, LAG.get())?.0 / LAG.get() as f64;
         Self::about(stamps, period)
     }
 
@@ -55,9 +57,9 @@ impl Scatter {
         let steps = stamps.windows(2).map(|pair| (pair[1] - pair[0]) / step);
         let longer = steps.clone().filter(|steps| *steps > 1.5).count();
         let is_grid = |steps: f64| {
-            (steps - steps.round()).abs() < EXACT && (1.0..3.0).contains(&steps.round())
+            (steps - steps.round()).abs() < EXACT.get() && (1.0..3.0).contains(&steps.round())
         };
-        if longer < FEWEST_LONGER || !steps.clone().all(is_grid) {
+        if longer < FEWEST_LONGER.get() || !steps.clone().all(is_grid) {
             return None;
         }
         // The line through all of them: their ends are rounded too.
@@ -77,7 +79,7 @@ impl Scatter {
             let late = t - k * period;
             (late.min(low), late.max(high))
         });
-        (high - low < WITHIN * step).then_some(Self {
+        (high - low < WITHIN.get() * step).then_some(Self {
             period,
             own: step * step / 12.0,
             adding: 0.0,
@@ -89,13 +91,13 @@ impl Scatter {
     pub fn unbroken(stamps: &[f64]) -> Option<Self> {
         let mut period = crate::recording::stream::median_step(stamps)?;
         let mut variances = [0.0; 4];
-        for (lag, variance) in [1, 4, 16, LAG].into_iter().zip(&mut variances) {
+        for (lag, variance) in [1, 4, 16, LAG.get()].into_iter().zip(&mut variances) {
             let near = |d: &f64| (d / period - lag as f64).abs() < 0.5;
             let (sum, square, count) = differences(stamps, lag)
                 .filter(near)
                 .map(|d| d - lag as f64 * period)
                 .fold((0.0, 0.0, 0.0), |(s, q, n), d| (s + d, q + d * d, n + 1.0));
-            if count < LEAST {
+            if count < LEAST.get() {
                 // Whole stretches of this length are rare: what is known of shorter ones holds.
                 *variance = f64::NAN;
                 continue;
@@ -108,10 +110,11 @@ impl Scatter {
     }
 
     fn about(stamps: &[f64], period: f64) -> Option<Self> {
-        if period <= 0.0 || stamps.len() <= 2 * LAG + 1 {
+        if period <= 0.0 || stamps.len() <= 2 * LAG.get() + 1 {
             return None;
         }
-        let [v1, v16, v64] = [1, 16, LAG].map(|lag| central(stamps, lag).map_or(0.0, |c| c.1));
+        let [v1, v16, v64] =
+            [1, 16, LAG.get()].map(|lag| central(stamps, lag).map_or(0.0, |c| c.1));
         Some(Self::with(period, v1, v16, v64))
     }
 
@@ -133,7 +136,7 @@ impl Scatter {
 /// Mean of the central 80 % of the differences over `lag` steps, and their variance by those.
 fn central(stamps: &[f64], lag: usize) -> Option<(f64, f64)> {
     let all: Vec<f64> = differences(stamps, lag).collect();
-    let cut = (TRIMMED * all.len() as f64) as usize;
+    let cut = (TRIMMED.get() * all.len() as f64) as usize;
     let low = nth_smallest(all.iter().copied(), cut)?;
     let high = nth_smallest(all.iter().copied(), all.len() - 1 - cut)?;
     let inside = || all.iter().filter(|d| (low..=high).contains(*d));
@@ -168,7 +171,7 @@ fn central(stamps: &[f64], lag: usize) -> Option<(f64, f64)> {
 /// Differences over `lag` steps, all or evenly chosen ones.
 fn differences(stamps: &[f64], lag: usize) -> impl Iterator<Item = f64> + Clone {
     let count = stamps.len().saturating_sub(lag);
-    let stride = (count / ENOUGH).max(1);
+    let stride = (count / ENOUGH.get()).max(1);
     (0..count)
         .step_by(stride)
         .map(move |k| stamps[k + lag] - stamps[k])

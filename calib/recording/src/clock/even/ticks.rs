@@ -6,28 +6,30 @@
 
 use super::scatter::{LAG, Scatter};
 
-/// Counts followed side by side at most.
-const COUNTS: usize = 24;
+findings::tuning! {
+    /// Counts followed side by side at most.
+    COUNTS: usize = 24;
 
-/// Cost of a sample left out, and the most that a stamp's own scatter may cost: a stamp that is late by chance is
-/// not a lost sample.
-const LOST: f64 = 9.0;
-const MOST: f64 = 4.5;
+    /// Cost of a sample left out.
+    LOST: f64 = 9.0;
+    /// Most that a stamp's own scatter costs: a stamp that is late by chance is not a lost sample.
+    MOST: f64 = 4.5;
 
-/// Counts dearer than the cheapest by this are given up.
-const HOPELESS: f64 = 30.0;
+    /// Counts dearer than the cheapest by this are given up.
+    HOPELESS: f64 = 30.0;
 
-/// The most that correlated scatter makes of [`LOST`].
-const CORRELATED: f64 = 50.0;
+    /// The most that correlated scatter makes of [`LOST`].
+    CORRELATED: f64 = 50.0;
 
-/// Paths with one count and phases nearer than this, in steps, are one.
-const ALIKE: f64 = 0.6;
+    /// Paths with one count and phases nearer than this, in steps, are one.
+    ALIKE: f64 = 0.6;
 
-/// Scatter about the tracked clock, in steps, up to which the nearest whole number is right.
-const CLEAR: f64 = 0.3;
+    /// Scatter about the tracked clock, in steps, up to which the nearest whole number is right.
+    CLEAR: f64 = 0.3;
 
-/// Sixteen steps scatter by so much more than one where samples are lost in one stretch of a hundred.
-const CORRELATED_BY_LOSSES: f64 = 1.5;
+    /// Sixteen steps scatter by so much more than one where samples are lost in one stretch of a hundred.
+    CORRELATED_BY_LOSSES: f64 = 1.5;
+}
 
 /// Steps between the first stamp and each, lost ones counted, and the scatter; `None` where they are too few.
 pub(crate) fn ticks(stamps: &[f64]) -> Option<(Vec<u32>, Scatter)> {
@@ -38,7 +40,7 @@ pub(crate) fn ticks(stamps: &[f64]) -> Option<(Vec<u32>, Scatter)> {
     if let Some(ticks) = Tracker::new(&scatter).nearest(stamps) {
         return Some((ticks, scatter));
     }
-    if scatter.correlation < CORRELATED_BY_LOSSES {
+    if scatter.correlation < CORRELATED_BY_LOSSES.get() {
         return Some(searched(stamps, scatter).0);
     }
     let Some(unbroken) = Scatter::unbroken(stamps) else {
@@ -49,7 +51,11 @@ pub(crate) fn ticks(stamps: &[f64]) -> Option<(Vec<u32>, Scatter)> {
     }
     let (first, cost) = searched(stamps, scatter);
     let (second, other) = searched(stamps, unbroken);
-    Some(if other + LOST < cost { second } else { first })
+    Some(if other + LOST.get() < cost {
+        second
+    } else {
+        first
+    })
 }
 
 /// The ticks by a search, once more with the scatter that the first leaves, and their cost.
@@ -111,21 +117,21 @@ impl Tracker {
             0.0
         };
         let gain = 0.5 * ((ratio * ratio + 4.0 * ratio).sqrt() - ratio);
-        let gain = gain.max(3.0 / LAG as f64);
+        let gain = gain.max(3.0 / LAG.get() as f64);
         let floor = 1e-4 * scatter.period;
         Self {
             period: scatter.period,
             gain,
-            drift: 6.0 / (LAG * (LAG + 1)) as f64,
+            drift: 6.0 / (LAG.get() * (LAG.get() + 1)) as f64,
             variance: (scatter.own * (1.0 + gain) + scatter.adding).max(floor * floor),
-            lost: LOST * scatter.correlation.clamp(1.0, CORRELATED),
+            lost: LOST.get() * scatter.correlation.clamp(1.0, CORRELATED.get()),
         }
     }
 
     /// Returns two initial states: the median phase of the first stamps, which lost samples among them shift, and the phase of the
     /// first stamp.
     fn begin(&self, stamps: &[f64]) -> [State; 2] {
-        let first = stamps.iter().take(LAG).enumerate();
+        let first = stamps.iter().take(LAG.get()).enumerate();
         let mut phases: Vec<f64> = first.map(|(k, s)| s - k as f64 * self.period).collect();
         phases.sort_by(f64::total_cmp);
         [phases[phases.len() / 2], stamps[0]].map(|phase| State {
@@ -162,7 +168,7 @@ impl Tracker {
                 state = next;
                 surprise
             };
-            if surprise.abs() > CLEAR * self.period {
+            if surprise.abs() > CLEAR.get() * self.period {
                 return None;
             }
             tick += steps as u32;
@@ -188,10 +194,10 @@ impl Tracker {
                 self.spread(path, *stamp, &mut next);
             }
             next.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-            let hopeless = next[0].cost + HOPELESS + self.lost - LOST;
+            let hopeless = next[0].cost + HOPELESS.get() + self.lost - LOST.get();
             paths.clear();
             for candidate in &next {
-                if candidate.cost > hopeless || paths.len() == COUNTS {
+                if candidate.cost > hopeless || paths.len() == COUNTS.get() {
                     break;
                 }
                 if paths.iter().any(|p| self.is_same(p, candidate)) {
@@ -220,7 +226,7 @@ impl Tracker {
     /// Returns true if two paths have the same tick and nearly the same phase.
     fn is_same(&self, one: &Path, other: &Path) -> bool {
         let apart = (one.state.phase - other.state.phase).abs();
-        one.tick == other.tick && apart < ALIKE * self.period
+        one.tick == other.tick && apart < ALIKE.get() * self.period
     }
 
     /// The ways on from a path to the next stamp.
@@ -229,7 +235,7 @@ impl Tracker {
         let far = away.floor().max(0.0) as u32;
         let mut add = |steps: u32| {
             let (state, surprise) = self.follow(&path.state, stamp, f64::from(steps));
-            let own = (0.5 * surprise * surprise / self.variance).min(MOST);
+            let own = (0.5 * surprise * surprise / self.variance).min(MOST.get());
             let lost = if steps > 1 { self.lost } else { 0.0 };
             out.push(Path {
                 state,

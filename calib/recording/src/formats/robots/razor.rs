@@ -21,8 +21,11 @@ pub(crate) static RAZOR: TextFormat = TextFormat {
     parts,
 };
 
-/// Frames in a second, unless the firmware was changed.
-const RATE: f64 = 50.0;
+findings::tuning! {
+    /// Frames in a second, unless the firmware was changed.
+    RATE: f64 = 50.0;
+}
+
 /// Counts of one g.
 const PER_G: &str = "/256";
 
@@ -120,7 +123,7 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
             GyroUnit::Counts
         }),
         negated: true,
-        usual_rate: (stamped == 0).then_some(RATE),
+        usual_rate: (stamped == 0).then_some(RATE.get()),
         change: Some(change),
         remark: Some(
             findings::Finding::of(findings::Kind::SignTurned).detail("system", "Razor AHRS"),

@@ -21,9 +21,12 @@ pub(crate) static AXIS_LINES: TextFormat = TextFormat {
     parts,
 };
 
-/// Lines looked at from the first one of an axis on, and those that show the format.
-const LINES: usize = 300;
-const FEWEST: usize = 12;
+findings::tuning! {
+    /// Lines looked at from the first one of an axis on.
+    LINES: usize = 300;
+    /// Lines of an axis that show the format.
+    FEWEST: usize = 12;
+}
 
 /// What the numbers of a line are, by their places.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,7 +43,7 @@ impl Layout {
         let numbers: Vec<&[&str]> = axes.map(|line| &line.numbers[..]).collect();
         let count = numbers.first()?.len();
         let are_alike = numbers.iter().filter(|own| own.len() == count).count();
-        if numbers.len() < FEWEST || 10 * are_alike < 9 * numbers.len() {
+        if numbers.len() < FEWEST.get() || 10 * are_alike < 9 * numbers.len() {
             return None;
         }
         let column = |at: usize| -> Vec<f64> {
@@ -66,7 +69,10 @@ impl Layout {
 /// The lines from the first one of an axis or of the time on.
 fn first_lines(look: &Look) -> Vec<&str> {
     let is_before = |line: &&str| said(line).is_none();
-    look.far_lines().skip_while(is_before).take(LINES).collect()
+    look.far_lines()
+        .skip_while(is_before)
+        .take(LINES.get())
+        .collect()
 }
 
 /// True if the lines of an axis differ in more than their numbers, as those of two devices do.

@@ -7,8 +7,10 @@ use sensor::Sensor;
 use crate::header::names::{compact, role_of, sensor_of};
 use crate::units::{AccelUnit, GyroUnit};
 
-/// Names that are of a number each where as many follow one another.
-const FEWEST: usize = 3;
+findings::tuning! {
+    /// Names that are of a number each where as many follow one another.
+    FEWEST: usize = 3;
+}
 
 /// The names since the last number, and those that the numbers to come have.
 #[derive(Default)]
@@ -52,14 +54,14 @@ impl<'a> Listed<'a> {
 
     /// The names that are of a number each: the axes at the end, or all.
     fn in_a_row(&self) -> Option<VecDeque<&'a str>> {
-        let axes = &self.said[self.said.len().saturating_sub(FEWEST)..];
-        let are_axes = axes.len() == FEWEST
+        let axes = &self.said[self.said.len().saturating_sub(FEWEST.get())..];
+        let are_axes = axes.len() == FEWEST.get()
             && axes
                 .iter()
                 .zip(["x", "y", "z"])
                 .all(|(a, b)| a.eq_ignore_ascii_case(b));
         let has_role = |name: &&str| role_of(name, None).is_some();
-        let are_names = self.said.len() >= FEWEST && self.said.iter().all(has_role);
+        let are_names = self.said.len() >= FEWEST.get() && self.said.iter().all(has_role);
         let found = if are_axes { axes } else { &self.said[..] };
         (are_axes || are_names).then(|| found.iter().copied().collect())
     }
@@ -69,7 +71,7 @@ impl<'a> Listed<'a> {
 pub(super) fn between_strokes(word: &str) -> impl Iterator<Item = &str> {
     let has_role = |name: &str| role_of(name, None).is_some();
     let names = word.split('/').filter(|name| has_role(name)).count();
-    let mark = (names >= FEWEST && names == word.split('/').count()).then_some('/');
+    let mark = (names >= FEWEST.get() && names == word.split('/').count()).then_some('/');
     word.split(move |c| Some(c) == mark)
 }
 

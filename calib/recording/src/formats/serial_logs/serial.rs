@@ -21,8 +21,10 @@ pub(crate) static SERIAL: TextFormat = TextFormat {
     parts: labelled,
 };
 
-/// Lines looked at from the first row on.
-const LINES: usize = 60;
+findings::tuning! {
+    /// Lines looked at from the first row on.
+    LINES: usize = 60;
+}
 
 /// True for what may be the first row: the table of partitions that a device starts with is none.
 fn begins(row: &Numbers<'_>) -> bool {
@@ -45,7 +47,11 @@ fn labelled(look: &Look) -> Option<Vec<Part>> {
     }
     // What a device says when it starts may be long.
     let is_before = |line: &&str| !numbers(line).is_some_and(|row| begins(&row));
-    let lines: Vec<&str> = look.far_lines().skip_while(is_before).take(LINES).collect();
+    let lines: Vec<&str> = look
+        .far_lines()
+        .skip_while(is_before)
+        .take(LINES.get())
+        .collect();
     let first = numbers(lines.first()?)?;
     let is_of_another = |line: &&&str| logged(line).is_some_and(|l| Some(l.tag) != first.tag);
     let others = lines.iter().filter(is_of_another).count();

@@ -17,9 +17,13 @@ pub(crate) static TAGGED_ROWS: TextFormat = TextFormat {
 
 /// What the first cell of such a row is called.
 const TAG: &str = "imu";
-/// Cells behind it, and rows that show the format.
-const NARROWEST: usize = 3;
-const FEWEST: usize = 5;
+
+findings::tuning! {
+    /// Cells behind the tag.
+    NARROWEST: usize = 3;
+    /// Rows that show the format.
+    FEWEST: usize = 5;
+}
 
 /// True for a row that begins with the tag and goes on with numbers.
 fn is_own(line: &str) -> bool {
@@ -28,7 +32,7 @@ fn is_own(line: &str) -> bool {
         return false;
     };
     let is_number = |cell: &String| cell.parse::<f64>().is_ok();
-    compact(tag) == TAG && numbers.len() >= NARROWEST && numbers.iter().all(is_number)
+    compact(tag) == TAG && numbers.len() >= NARROWEST.get() && numbers.iter().all(is_number)
 }
 
 /// True for a row of another part: it begins with a word and holds a number.
@@ -48,7 +52,7 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
     // The last line may be cut.
     let whole = &others[..others.len().saturating_sub(1)];
     let are_rows = !whole.is_empty() && whole.iter().all(|line| is_of_another(line));
-    (own.len() >= FEWEST && are_alike && are_rows).then(|| {
+    (own.len() >= FEWEST.get() && are_alike && are_rows).then(|| {
         vec![Part {
             change: Some(own_rows),
             ..Part::default()

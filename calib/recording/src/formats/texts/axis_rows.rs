@@ -17,8 +17,10 @@ pub(crate) static AXIS_ROWS: TextFormat = TextFormat {
     parts,
 };
 
-/// Rows that show it.
-const FEWEST: usize = 12;
+findings::tuning! {
+    /// Rows that show it.
+    FEWEST: usize = 12;
+}
 
 /// The columns of the time and of a sensor's axes.
 #[derive(Clone, Copy, Debug)]
@@ -106,7 +108,7 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
             .is_some_and(|columns| columns.axis(row).is_some());
         row.len() == header.len() && one && found.next().is_none()
     };
-    if whole.len() < FEWEST || !whole.iter().all(is_of_one) {
+    if whole.len() < FEWEST.get() || !whole.iter().all(is_of_one) {
         return None;
     }
     let has = |sensor: Sensor| {

@@ -17,8 +17,10 @@ pub(crate) static BRACKETS: TextFormat = TextFormat {
     parts,
 };
 
-/// Cells of a row behind its stamp.
-const FEWEST: usize = 3;
+findings::tuning! {
+    /// Cells of a row behind its stamp.
+    FEWEST: usize = 3;
+}
 
 fn parts(look: &Look) -> Option<Vec<Part>> {
     let rows = look.lines().filter(|line| split(line).is_some()).count();
@@ -40,8 +42,8 @@ fn split(line: &str) -> Option<(&str, &str)> {
     let rest = rest.trim_start_matches(|c: char| c.is_whitespace() || ",;:".contains(c));
     let separates = |c: char| c.is_whitespace() || c == ';' || c == ',';
     let mut words = rest.split(separates).filter(|word| !word.is_empty());
-    let numbers = words.by_ref().take(FEWEST);
-    let are_numbers = numbers.filter(|word| word.parse::<f64>().is_ok()).count() == FEWEST;
+    let numbers = words.by_ref().take(FEWEST.get());
+    let are_numbers = numbers.filter(|word| word.parse::<f64>().is_ok()).count() == FEWEST.get();
     are_numbers.then_some((stamp, rest))
 }
 

@@ -24,8 +24,11 @@ const END: &str = "---";
 /// Keys of the parts of a stamp.
 const SECONDS: [&str; 2] = ["sec", "secs"];
 const NANOSECONDS: [&str; 3] = ["nanosec", "nsecs", "nsec"];
-/// Keys within keys that are looked at.
-const DEEPEST: usize = 8;
+
+findings::tuning! {
+    /// Keys within keys that are looked at.
+    DEEPEST: usize = 8;
+}
 
 /// What was read of a document.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -48,7 +51,7 @@ impl Message {
         let (key, value) = (key.trim(), value.trim());
         self.within.retain(|(own, _)| *own < indent);
         if value.is_empty() {
-            if self.within.len() < DEEPEST {
+            if self.within.len() < DEEPEST.get() {
                 self.within.push((indent, key.to_owned()));
             }
             return None;

@@ -25,13 +25,17 @@ const VALUES: [&str; 7] = [
 ];
 /// Names of the column of the time beside those of every table: that of a change of state.
 const CHANGES: [&str; 2] = ["lastchanged", "lastupdated"];
-/// Instants that wait for their other axes, where the rows are sorted by their names.
-const MOST: usize = 1 << 20;
-/// Rows of names in runs, and runs of which these are at most so many.
-const SORTED: usize = 20;
-const RUNS: usize = 9;
-/// Numbers in a line of a table of another kind.
-const WIDEST: usize = 16;
+
+findings::tuning! {
+    /// Instants that wait for their other axes, where the rows are sorted by their names.
+    MOST: usize = 1 << 20;
+    /// Rows of names in a run on average that are sorted by them ...
+    SORTED: usize = 20;
+    /// ... in so many runs at most.
+    RUNS: usize = 9;
+    /// Numbers in a line of a table of another kind.
+    WIDEST: usize = 16;
+}
 
 /// The columns of the time and of the numbers.
 #[derive(Clone, Copy, Debug)]
@@ -51,7 +55,7 @@ impl Columns {
             value: header.iter().position(is_value)?,
         };
         let has_axis = header.iter().any(|name| axis_of(name).is_some());
-        (!has_axis && header.len() <= WIDEST).then_some(found)
+        (!has_axis && header.len() <= WIDEST.get()).then_some(found)
     }
 }
 
@@ -112,7 +116,7 @@ impl Gather for Instants {
             cells.get(self.columns.value)?,
         );
         let (_, axis) = name_of(cells).filter(|(own, _)| *own == self.sensor)?;
-        if self.waiting.len() >= MOST {
+        if self.waiting.len() >= MOST.get() {
             self.waiting.clear();
         }
         let device = device_of(cells, time, value);
@@ -158,7 +162,7 @@ fn are_sorted(rows: &[Vec<String>]) -> bool {
     let names = rows.iter().filter_map(|row| name_of(row));
     let names: Vec<(Sensor, usize)> = names.collect();
     let runs = names.chunk_by(|a, b| a == b).count();
-    names.len() >= SORTED * runs && (1..=RUNS).contains(&runs)
+    names.len() >= SORTED.get() * runs && (1..=RUNS.get()).contains(&runs)
 }
 
 fn parts(look: &Look) -> Option<Vec<Part>> {

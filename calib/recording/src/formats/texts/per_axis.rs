@@ -15,8 +15,10 @@ pub(crate) static PER_AXIS: TextFormat = TextFormat {
     parts,
 };
 
-/// Rows that show that the three times of a sensor are one.
-const FEWEST: usize = 3;
+findings::tuning! {
+    /// Rows that show that the three times of a sensor are one.
+    FEWEST: usize = 3;
+}
 
 fn parts(look: &Look) -> Option<Vec<Part>> {
     let has_axes = |names: &[String]| {
@@ -83,7 +85,7 @@ fn part(look: &Look, names: &[String], sensor: Sensor) -> Option<Option<Part>> {
         .filter(|row| row.len() == names.len() && row[x].starts_with(|c: char| c.is_ascii_digit()))
         .collect();
     let is_one = |row: &Vec<String>| row[x] == row[y] && row[y] == row[z];
-    if rows.len() < FEWEST || !rows.iter().all(is_one) {
+    if rows.len() < FEWEST.get() || !rows.iter().all(is_one) {
         return None;
     }
     let [ax, ay, az] = columns;

@@ -5,8 +5,10 @@ use std::ops::Range;
 use crate::header::look::Look;
 use crate::header::preface::is_comment;
 
-/// A text with fewer lines is seen as a whole.
-const FEW: usize = 100;
+findings::tuning! {
+    /// A text with fewer lines is seen as a whole.
+    FEW: usize = 100;
+}
 
 /// The places of the cells of a line, without blanks and quotes around them: between the separators that it holds most of, else
 /// between blanks.
@@ -48,7 +50,7 @@ pub(crate) fn may_be_row(line: &str) -> bool {
 /// The lines at the beginning of a text that may be names or rows, but for the last of many, which may be cut.
 pub(crate) fn whole_rows(look: &Look) -> Vec<&str> {
     let mut lines: Vec<&str> = look.far_lines().filter(|line| may_be_row(line)).collect();
-    if lines.len() > FEW {
+    if lines.len() > FEW.get() {
         lines.pop();
     }
     lines

@@ -19,8 +19,10 @@ pub(crate) static TWO_HEADERS: TextFormat = TextFormat {
     parts,
 };
 
-/// Rows of names: sensors, axes, and the name of the index below them.
-const MOST: usize = 3;
+findings::tuning! {
+    /// Rows of names: sensors, axes, and the name of the index below them.
+    MOST: usize = 3;
+}
 
 /// True for a line with a number in more than half of its cells.
 fn is_row(line: &str) -> bool {
@@ -96,7 +98,7 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
     let lines: Vec<&str> = look
         .lines()
         .filter(|line| may_be_row(line))
-        .take(MOST)
+        .take(MOST.get())
         .collect();
     let [above, below, ..] = lines[..] else {
         return None;
@@ -115,7 +117,7 @@ fn change(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
     let mut lines = 0;
     rewritten(text, move |line, out| {
         let text = std::str::from_utf8(line).unwrap_or_default();
-        if lines == MOST || !may_be_row(text) {
+        if lines == MOST.get() || !may_be_row(text) {
             return out.extend_from_slice(line);
         }
         lines += 1;
@@ -123,7 +125,7 @@ fn change(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
             above = Some(text.to_owned());
             return;
         };
-        if lines == MOST {
+        if lines == MOST.get() {
             if !is_of_index(text) {
                 out.extend_from_slice(line);
             }

@@ -30,7 +30,7 @@ pub(crate) fn says_gravity(name: &str) -> bool {
 
 /// The role of a name, or of what follows a point or slash in it: `field.angular_velocity.x`.
 pub(crate) fn role_of(name: &str, only: Option<Sensor>) -> Option<Role> {
-    if name.len() > LONGEST {
+    if name.len() > LONGEST.get() {
         return None;
     }
     if let Some(own) = behind_label(name) {

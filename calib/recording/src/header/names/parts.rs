@@ -9,8 +9,10 @@ pub(crate) const OPENING: [char; 7] = ['(', '[', '{', '（', '［', '【', '〔'
 /// What it ends with.
 const CLOSING: [char; 7] = [')', ']', '}', '）', '］', '】', '〕'];
 
-/// Bytes of the longest name that may have a role: paths of topics take some tens.
-pub(crate) const LONGEST: usize = 200;
+findings::tuning! {
+    /// Bytes of the longest name that may have a role: paths of topics take some tens.
+    pub(crate) LONGEST: usize = 200;
+}
 
 /// A column name taken apart: what it calls, and the unit in brackets or behind an underscore.
 pub(crate) fn take_apart(name: &str) -> (String, Option<&str>) {

@@ -59,7 +59,7 @@ pub(crate) fn is_like_time(name: &str) -> bool {
     };
     // The minutes of a clock have its hours beside them, and neither is the only one then.
     let counts = || COUNTS.iter().any(|end| word.ends_with(end));
-    word.len() <= LONGEST && (has(&LIKE_TIME) || in_time() || counts()) && !has(&NO_TIME)
+    word.len() <= LONGEST.get() && (has(&LIKE_TIME) || in_time() || counts()) && !has(&NO_TIME)
 }
 
 /// True for a column called `T` beside one called `t`: the small letter is the time's.

@@ -12,10 +12,13 @@ use crate::recording::options::Role;
 
 /// Lengths of gravity, m/s².
 const IN_SI: std::ops::Range<f64> = 7.0..13.0;
-/// A gyroscope at the beginning of a recording is at rest and reads less than this, in degrees per second or less.
-const SLOWEST: f64 = 20.0;
-/// Rows that show that a column goes up.
-const FEWEST: usize = 5;
+
+findings::tuning! {
+    /// A gyroscope at the beginning of a recording is at rest and reads less than this, in degrees per second or less.
+    SLOWEST: f64 = 20.0;
+    /// Rows that show that a column goes up.
+    FEWEST: usize = 5;
+}
 
 /// The numbers of every column in the rows that are as wide as most; `None` for a column that holds another thing, or one number.
 fn changing(rows: &[&Kept], dialect: Dialect) -> Option<Vec<Option<Vec<f64>>>> {
@@ -33,7 +36,7 @@ fn changing(rows: &[&Kept], dialect: Dialect) -> Option<Vec<Option<Vec<f64>>>> {
 
 /// True for numbers that never fall.
 fn goes_up(numbers: &[f64]) -> bool {
-    numbers.len() >= FEWEST && numbers.windows(2).all(|pair| pair[0] <= pair[1])
+    numbers.len() >= FEWEST.get() && numbers.windows(2).all(|pair| pair[0] <= pair[1])
 }
 
 /// True for numbers that go up from row to row by other steps than one, as no counter of rows does.
@@ -64,7 +67,7 @@ fn begins_with_clock(rows: &[&Kept], dialect: Dialect) -> bool {
         let cell = cell.map_or(&b""[..], |cell| &row.bytes[cell]);
         cell.first().is_some_and(u8::is_ascii_digit) && cell.contains(&b':')
     };
-    rows.len() >= FEWEST && rows.iter().all(is_clock)
+    rows.len() >= FEWEST.get() && rows.iter().all(is_clock)
 }
 
 /// The column of the time: a clock's in front, or numbers that go up, be it with the rows.
@@ -140,7 +143,7 @@ pub(crate) fn likely(rows: &[&Kept], dialect: Dialect) -> Option<Vec<(Role, usiz
     let lengths = beside.filter_map(|from| Some((from, norm(from)?)));
     // Of a field and a rate the rate is less.
     let gyro = lengths
-        .filter(|(_, length)| *length < SLOWEST && !IN_SI.contains(length))
+        .filter(|(_, length)| *length < SLOWEST.get() && !IN_SI.contains(length))
         .min_by(|a, b| a.1.total_cmp(&b.1))
         .map(|(from, _)| from);
     let accel = (0..3).map(|axis| (Role::Accel(axis), accel + axis));

@@ -10,22 +10,26 @@ use crate::error::Error;
 use crate::order_statistic::nth_smallest;
 use crate::recording::{Recording, Stream, is_before};
 
-/// The share of windows that are taken to be at rest in any recording that can be calibrated.
-const QUIET_SHARE: f64 = 0.1;
+findings::tuning! {
+    /// The share of windows that are taken to be at rest in any recording that can be calibrated.
+    QUIET_SHARE: f64 = 0.1;
 
-/// Shortest static interval that is kept, s: what remains of three seconds. The window sees the turns before and after, and up to
-/// half a second goes with their ends.
-const MIN_STATIC: f64 = 2.5;
+    /// Shortest static interval that is kept, s: what remains of three seconds. The window sees the turns before and after, and up to
+    /// half a second goes with their ends.
+    MIN_STATIC: f64 = 2.5;
 
-/// Fewest samples in a window whose spread means something.
-const MIN_SAMPLES: f64 = 5.0;
+    /// Fewest samples in a window whose spread means something.
+    MIN_SAMPLES: f64 = 5.0;
+}
 
 /// Samples that are judged together where all of them move or none does.
 const BLOCK: usize = 64;
 
-/// Spread that counts as none, as a fraction of the range of the samples: keeps a noise-free
-/// recording from having a threshold of zero.
-const SPREAD_FLOOR: f64 = 1e-6;
+findings::tuning! {
+    /// Spread that counts as none, as a fraction of the range of the samples: keeps a noise-free
+    /// recording from having a threshold of zero.
+    SPREAD_FLOOR: f64 = 1e-6;
+}
 
 /// A window is in motion where the sum over axes of its squared variance exceeds that at rest by
 /// the multiplier: `Σ var² >= multiplier · TS` (Liu et al. 2021, section 3.1), for either sensor.
@@ -58,7 +62,7 @@ impl Default for Detector {
             window: 1.0,
             multiplier: 100.0,
             min_dynamic: 0.5,
-            min_static: MIN_STATIC,
+            min_static: MIN_STATIC.get(),
             initial_static: None,
             shaken: false,
             creeping: false,
@@ -96,18 +100,18 @@ impl<'a> Level<'a> {
             ));
         }
         let step = stream.median_step().unwrap_or(0.0);
-        if step * MIN_SAMPLES > detector.window {
+        if step * MIN_SAMPLES.get() > detector.window {
             let mut slow = Finding::of(Kind::SampledSlowly)
                 .number("step", step, "s")
                 .number("rate", step.recip(), "Hz")
                 .number("window", detector.window, "s")
-                .count("least", MIN_SAMPLES as usize);
+                .count("least", MIN_SAMPLES.get() as usize);
             slow.remedies.push(match step == 1.0 {
                 // Stamps that go up by one may count the rows.
                 true => Remedy::such_as(OptionName::Rate, "100"),
                 // The accelerometer alone needs no turns.
                 false => {
-                    let window = (step * MIN_SAMPLES).ceil().to_string();
+                    let window = (step * MIN_SAMPLES.get()).ceil().to_string();
                     Remedy::set_to(OptionName::Window, window)
                 }
             });
@@ -121,9 +125,9 @@ impl<'a> Level<'a> {
                 let spread = super::Moments::of(initial).map(|m| m.covariance.diagonal());
                 spread.map_or(0.0, |v| v.norm_squared())
             }
-            None => quantile(&statistic, QUIET_SHARE),
+            None => quantile(&statistic, QUIET_SHARE.get()),
         };
-        let floor = (SPREAD_FLOOR * extent.range).powi(4);
+        let floor = (SPREAD_FLOOR.get() * extent.range).powi(4);
         let floor = floor.max(quantisation(stream));
         let blocks = statistic.chunks(BLOCK).map(range_of).collect();
         Ok(Self {

@@ -6,29 +6,32 @@ use crate::averages::median;
 use crate::readings::symptom::Symptom;
 use crate::recording::{Recording, Stream};
 
-/// Length of the windows looked at and of the pieces whose means waver in a hand, s.
-const WINDOW: f64 = 0.5;
-const PIECE: f64 = 0.05;
+findings::tuning! {
+    /// Length of the windows looked at, s.
+    WINDOW: f64 = 0.5;
+    /// Length of the pieces whose means waver in a hand, s.
+    PIECE: f64 = 0.05;
 
-/// The share of windows that are taken to be the quietest.
-const QUIET_SHARE: f64 = 0.1;
+    /// The share of windows that are taken to be the quietest.
+    QUIET_SHARE: f64 = 0.1;
 
-/// A rate that wavers by more than this is no noise of a sensor on a table, rad/s; a hand gives 10 to 100.
-const OF_A_HAND: f64 = 8e-3;
+    /// A rate that wavers by more than this is no noise of a sensor on a table, rad/s; a hand gives 10 to 100.
+    OF_A_HAND: f64 = 8e-3;
 
-/// A hand that holds still wavers by less than this, rad/s.
-pub const FASTEST_HAND: f64 = 0.2;
+    /// A hand that holds still wavers by less than this, rad/s.
+    pub FASTEST_HAND: f64 = 0.2;
 
-/// The means of pieces vary by so many times what independent samples would, as those of a tremor do.
-const BEYOND_NOISE: f64 = 2.0;
+    /// The means of pieces vary by so many times what independent samples would, as those of a tremor do.
+    BEYOND_NOISE: f64 = 2.0;
+}
 
 /// Root mean square per axis of the wavering rate in the quietest tenth of windows of half a second, rad/s, where
 /// it is that of a hand; `None` where the device lay still or has no gyroscope in rad/s.
 pub fn tremor(recording: &Recording) -> Option<f64> {
     let stream = recording.gyroscope.as_ref()?;
     let step = stream.median_step()?;
-    let per_piece = (PIECE / step).round().max(1.0) as usize;
-    let pieces = (WINDOW / (per_piece as f64 * step)) as usize;
+    let per_piece = (PIECE.get() / step).round().max(1.0) as usize;
+    let pieces = (WINDOW.get() / (per_piece as f64 * step)) as usize;
     if pieces < 5 || !is_si(recording) {
         return None;
     }
@@ -38,14 +41,14 @@ pub fn tremor(recording: &Recording) -> Option<f64> {
         .map(|window| wavering(window, per_piece))
         .collect();
     windows.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let quiet = (QUIET_SHARE * windows.len() as f64) as usize;
+    let quiet = (QUIET_SHARE.get() * windows.len() as f64) as usize;
     let &(rate, ratio, _) = windows.get(quiet)?;
     // What goes on turning is no hand that holds still.
     let turning = median(windows[..=quiet].iter().map(|window| window.2))?;
-    if turning > FASTEST_HAND {
+    if turning > FASTEST_HAND.get() {
         return None;
     }
-    (rate > OF_A_HAND && (per_piece == 1 || ratio > BEYOND_NOISE)).then_some(rate)
+    (rate > OF_A_HAND.get() && (per_piece == 1 || ratio > BEYOND_NOISE.get())).then_some(rate)
 }
 
 /// The standard deviation of the means of pieces, its ratio to that of independent samples, and the mean rate.
@@ -80,7 +83,7 @@ fn is_si(recording: &Recording) -> bool {
 }
 
 pub(in crate::readings) fn found(recording: &Recording) -> Option<Symptom> {
-    let rate = tremor(recording).filter(|&rate| rate < FASTEST_HAND)?;
+    let rate = tremor(recording).filter(|&rate| rate < FASTEST_HAND.get())?;
     Some(Symptom::HandHeld { rate })
 }
 

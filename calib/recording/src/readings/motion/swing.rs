@@ -8,38 +8,43 @@ use crate::averages::median;
 use crate::readings::of_sensor::OfSensor;
 use crate::readings::symptom::Symptom;
 
-/// Length of the pieces that are looked at, s, the fewest of them that show what is common to all, and the most that are looked at.
-const LENGTH: f64 = 6.0;
-const FEWEST: usize = 5;
-const MOST: usize = 24;
+findings::tuning! {
+    /// Length of the pieces that are looked at, s.
+    LENGTH: f64 = 6.0;
+    /// Fewest pieces that show what is common to all.
+    FEWEST: usize = 5;
+    /// Most pieces that are looked at.
+    MOST: usize = 24;
 
-/// Frequencies that are looked for, Hz: slower ones are drift to a piece, faster ones a vibration that the mean of an interval does
-/// not feel.
-const SLOWEST: f64 = 0.3;
-const FASTEST: f64 = 5.0;
+    /// Lowest frequency that is looked for, Hz: a slower one is drift to a piece.
+    SLOWEST: f64 = 0.3;
+    /// Highest, Hz: a faster one is a vibration that the mean of an interval does not feel.
+    FASTEST: f64 = 5.0;
 
-/// Steps between frequencies, in `1 / LENGTH`.
-const STEP: f64 = 0.25;
+    /// Steps between frequencies, in `1 / LENGTH`.
+    STEP: f64 = 0.25;
 
-/// Readings are averaged to so many a second first.
-const RATE: f64 = 25.0;
+    /// Readings are averaged to so many a second first.
+    RATE: f64 = 25.0;
 
-/// A period is evident where its power is so many times the usual one of all frequencies, and of those beside it.
-const EVIDENT: f64 = 8.0;
-const STANDS_OUT: f64 = 4.0;
+    /// A period is evident where its power is so many times the usual one of all frequencies ...
+    EVIDENT: f64 = 8.0;
+    /// ... and of those beside it.
+    STANDS_OUT: f64 = 4.0;
 
-/// Frequencies beside, as a difference in `1 / LENGTH`: beyond what one period spreads over.
-const BESIDE: f64 = 2.5;
+    /// Frequencies beside, as a difference in `1 / LENGTH`: beyond what one period spreads over.
+    BESIDE: f64 = 2.5;
+}
 
 /// The period with the most power in most static intervals; `None` where none stands out.
 pub(in crate::readings) fn found(of: &OfSensor<'_>) -> Option<Symptom> {
     let pieces = pieces(of);
-    if pieces.len() < FEWEST {
+    if pieces.len() < FEWEST.get() {
         return None;
     }
     let frequencies = frequencies(of)?;
     let power = |frequency: f64| {
-        let of_piece = |piece: &Vec<Vector3<f64>>| power(piece, frequency / RATE);
+        let of_piece = |piece: &Vec<Vector3<f64>>| power(piece, frequency / RATE.get());
         median(pieces.iter().map(of_piece)).unwrap_or(0.0)
     };
     let powers: Vec<f64> = frequencies.iter().map(|&f| power(f)).collect();
@@ -48,7 +53,7 @@ pub(in crate::readings) fn found(of: &OfSensor<'_>) -> Option<Symptom> {
         .iter()
         .enumerate()
         .max_by(|a, b| a.1.total_cmp(b.1))?;
-    let apart = (BESIDE / STEP) as usize;
+    let apart = (BESIDE.get() / STEP.get()) as usize;
     // At an end of the band the power is that of what lies beyond.
     if best == 0 || best + 1 == powers.len() {
         return None;
@@ -58,7 +63,7 @@ pub(in crate::readings) fn found(of: &OfSensor<'_>) -> Option<Symptom> {
         .into_iter()
         .filter_map(|place| powers.get(place?))
         .fold(0.0, |a: f64, &b| a.max(b));
-    let is_evident = highest > EVIDENT * usual && highest > STANDS_OUT * beside;
+    let is_evident = highest > EVIDENT.get() * usual && highest > STANDS_OUT.get() * beside;
     is_evident.then(|| Symptom::Swing {
         sensor: of.sensor,
         period: 1.0 / frequencies[best],
@@ -70,16 +75,16 @@ pub(in crate::readings) fn found(of: &OfSensor<'_>) -> Option<Symptom> {
 fn pieces(of: &OfSensor<'_>) -> Vec<Vec<Vector3<f64>>> {
     let spans = of.moments.iter().map(|(k, _)| of.statics[*k].span);
     let starts = spans.flat_map(|span| {
-        let count = (span.length() / LENGTH) as usize;
-        (0..count).map(move |i| span.from + LENGTH * i as f64)
+        let count = (span.length() / LENGTH.get()) as usize;
+        (0..count).map(move |i| span.from + LENGTH.get() * i as f64)
     });
     let starts: Vec<f64> = starts.collect();
-    let every = starts.len().div_ceil(MOST).max(1);
-    let bins = (LENGTH * RATE) as usize;
+    let every = starts.len().div_ceil(MOST.get()).max(1);
+    let bins = (LENGTH.get() * RATE.get()) as usize;
     let piece = |start: f64| -> Option<Vec<Vector3<f64>>> {
         let bin = |k: usize| {
-            let from = start + k as f64 / RATE;
-            let own = &of.stream.values[of.stream.between(from, from + 1.0 / RATE)];
+            let from = start + k as f64 / RATE.get();
+            let own = &of.stream.values[of.stream.between(from, from + 1.0 / RATE.get())];
             let sum = own.iter().sum::<Vector3<f64>>();
             (!own.is_empty()).then(|| sum / own.len() as f64)
         };
@@ -95,12 +100,16 @@ fn pieces(of: &OfSensor<'_>) -> Vec<Vec<Vector3<f64>>> {
 /// The frequencies that the samples can show, Hz; `None` where they are too slow.
 fn frequencies(of: &OfSensor<'_>) -> Option<Vec<f64>> {
     let rate = of.stream.median_step()?.recip();
-    if rate < 1.2 * RATE {
+    if rate < 1.2 * RATE.get() {
         return None;
     }
-    let step = STEP / LENGTH;
-    let count = ((FASTEST - SLOWEST) / step) as usize;
-    Some((0..=count).map(|k| SLOWEST + step * k as f64).collect())
+    let step = STEP.get() / LENGTH.get();
+    let count = ((FASTEST.get() - SLOWEST.get()) / step) as usize;
+    Some(
+        (0..=count)
+            .map(|k| SLOWEST.get() + step * k as f64)
+            .collect(),
+    )
 }
 
 /// The squared amplitude of a swing of `frequency` (per sample), summed over the axes: of readings less their line, under a Hann window.

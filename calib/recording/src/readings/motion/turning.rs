@@ -11,25 +11,35 @@ use crate::intervals::Segmentation;
 use crate::readings::symptom::Symptom;
 use crate::recording::{Recording, Stream};
 
-/// Shortest interval that is looked at, s, and fewest of them.
-const SHORTEST: f64 = 1.5;
-const FEWEST: usize = 5;
+findings::tuning! {
+    /// Shortest interval that is looked at, s.
+    SHORTEST: f64 = 1.5;
+    /// Fewest intervals.
+    FEWEST: usize = 5;
 
-/// Fewest intervals that tell a drift of the bias too.
-const FEWEST_FOR_DRIFT: usize = 10;
+    /// Fewest intervals that tell a drift of the bias too.
+    FEWEST_FOR_DRIFT: usize = 10;
+}
 
 /// Share of an interval whose mean is its begin, or its end; fewest samples of it.
 const BLOCK: f64 = 0.2;
-const FEWEST_SAMPLES: usize = 8;
 
-/// The direction of gravity moves where it does by so many of its standard deviations, in this share of the intervals.
-const EVIDENT: f64 = 5.0;
-const SHARE: f64 = 0.25;
-const FEWEST_EVIDENT: usize = 4;
+findings::tuning! {
+    /// Fewest samples of such a share.
+    FEWEST_SAMPLES: usize = 8;
 
-/// The sensors agree where what they see correlates so much and, with a gyroscope in rad/s, is the same up to this factor.
-const CORRELATED: f64 = 0.8;
-const SAME: f64 = 1.5;
+    /// The direction of gravity moves where it does by so many of its standard deviations ...
+    EVIDENT: f64 = 5.0;
+    /// ... in this share of the intervals ...
+    SHARE: f64 = 0.25;
+    /// ... and in so many.
+    FEWEST_EVIDENT: usize = 4;
+
+    /// The sensors agree where what they see correlates so much ...
+    CORRELATED: f64 = 0.8;
+    /// ... and, with a gyroscope in rad/s, is the same up to this factor.
+    SAME: f64 = 1.5;
+}
 
 /// What both sensors see of one interval.
 struct Turned {
@@ -60,10 +70,13 @@ pub(in crate::readings) fn found(
     let all: Vec<Turned> = spans
         .filter_map(|(k, interval)| turned(k, [interval.span.from, interval.span.to], force, rate))
         .collect();
-    let moved = |one: &&Turned| one.change.norm() > EVIDENT * one.std;
+    let moved = |one: &&Turned| one.change.norm() > EVIDENT.get() * one.std;
     let evident: Vec<&Turned> = all.iter().filter(moved).collect();
-    if all.len() < FEWEST
-        || evident.len() < FEWEST_EVIDENT.max((SHARE * all.len() as f64).ceil() as usize)
+    if all.len() < FEWEST.get()
+        || evident.len()
+            < FEWEST_EVIDENT
+                .get()
+                .max((SHARE.get() * all.len() as f64).ceil() as usize)
     {
         return None;
     }
@@ -75,7 +88,7 @@ pub(in crate::readings) fn found(
         said += weight * by_gyroscope.norm_squared();
         both += weight * one.change.dot(by_gyroscope);
     }
-    let agrees = both > CORRELATED * (seen * said).sqrt();
+    let agrees = both > CORRELATED.get() * (seen * said).sqrt();
     agrees.then(|| Symptom::RestsTurn {
         intervals: evident.iter().map(|one| one.interval + 1).collect(),
         of: all.len(),
@@ -91,7 +104,7 @@ fn turned(interval: usize, [from, to]: [f64; 2], force: &Stream, rate: &Stream) 
     let first = &force.values[force.between(from, from + block)];
     let last = &force.values[force.between(to - block, to)];
     let samples = first.len().min(last.len());
-    if length < SHORTEST || samples < FEWEST_SAMPLES {
+    if length < SHORTEST.get() || samples < FEWEST_SAMPLES.get() {
         return None;
     }
     let whole = &force.values[force.between(from, to)];
@@ -128,7 +141,7 @@ fn turned(interval: usize, [from, to]: [f64; 2], force: &Stream, rate: &Stream) 
 fn by_gyroscope(all: &[Turned], in_counts: bool) -> Option<Vec<Vector3<f64>>> {
     let (first, last) = (all.first()?.from, all.last()?.from);
     let usual = median(all.iter().map(|one| one.rotation.norm())).filter(|&usual| usual > 0.0)?;
-    let with_drift = all.len() >= FEWEST_FOR_DRIFT;
+    let with_drift = all.len() >= FEWEST_FOR_DRIFT.get();
     let count = if with_drift { 7 } else { 4 };
     let columns = |one: &Turned| {
         let up = one.up.cross_matrix();
@@ -152,7 +165,7 @@ fn by_gyroscope(all: &[Turned], in_counts: bool) -> Option<Vec<Vector3<f64>>> {
     }
     let fitted = normal.cholesky()?.solve(&right);
     let scale = fitted[0] / usual;
-    let is_one = (SAME.recip()..SAME).contains(&scale);
+    let is_one = (SAME.get().recip()..SAME.get()).contains(&scale);
     let said = |one: &Turned| columns(one) * &fitted;
     (is_one || (in_counts && scale > 0.0)).then(|| all.iter().map(said).collect())
 }

@@ -3,15 +3,18 @@
 use crate::readings::of_sensor::OfSensor;
 use crate::readings::symptom::Symptom;
 
-/// An interval is noisier where its spread is so many times that of the quiet quarter.
-const RATIO: f64 = 1.6;
+findings::tuning! {
+    /// An interval is noisier where its spread is so many times that of the quiet quarter.
+    RATIO: f64 = 1.6;
 
-/// Fewest intervals that show what is usual.
-const FEWEST: usize = 4;
+    /// Fewest intervals that show what is usual.
+    FEWEST: usize = 4;
 
-/// Fewest intervals on one side of a change, and how unequal their spreads may be.
-const FEWEST_BESIDE: usize = 3;
-const EQUAL: f64 = 1.6;
+    /// Fewest intervals on one side of a change.
+    FEWEST_BESIDE: usize = 3;
+    /// Ratio up to which their spreads are equal.
+    EQUAL: f64 = 1.6;
+}
 
 /// Returns true if the noisy places are one part at an end of the recording and equally noisy: something was changed there.
 fn is_a_change(places: &[usize], spread: &[f64]) -> bool {
@@ -25,7 +28,7 @@ fn is_a_change(places: &[usize], spread: &[f64]) -> bool {
         .map(|&k| spread[k])
         .fold(f64::INFINITY, f64::min);
     let most = places.iter().map(|&k| spread[k]).fold(0.0, f64::max);
-    is_one_part && places.len() >= FEWEST_BESIDE && most < EQUAL * least
+    is_one_part && places.len() >= FEWEST_BESIDE.get() && most < EQUAL.get() * least
 }
 
 /// The intervals with several times the usual spread.
@@ -35,10 +38,10 @@ pub(in crate::readings) fn found(of: &OfSensor<'_>) -> Option<Symptom> {
     sorted.sort_by(f64::total_cmp);
     let usual = sorted.get(sorted.len() / 4).copied();
     let usual = usual.filter(|&usual| usual > 0.0)?;
-    let loud = |&k: &usize| spread[k] > RATIO * usual;
+    let loud = |&k: &usize| spread[k] > RATIO.get() * usual;
     let places: Vec<usize> = (0..spread.len()).filter(loud).collect();
     let largest = spread.iter().fold(0.0, |a: f64, &b| a.max(b));
-    (spread.len() >= FEWEST && !places.is_empty()).then(|| Symptom::Vibration {
+    (spread.len() >= FEWEST.get() && !places.is_empty()).then(|| Symptom::Vibration {
         sensor: of.sensor,
         intervals: places.iter().map(|&k| of.moments[k].0 + 1).collect(),
         ratio: largest / usual,

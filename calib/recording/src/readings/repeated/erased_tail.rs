@@ -7,12 +7,15 @@ use crate::averages::median;
 use crate::readings::of_sensor::FIRST_ROW;
 use crate::recording::{Recording, Stream};
 
-/// Fewest rows of a tail in both sensors; alone, a sensor needs more.
-const FEWEST: usize = 8;
-const FEWEST_ALONE: usize = 20;
+findings::tuning! {
+    /// Fewest rows of a tail in both sensors; alone, a sensor needs more.
+    FEWEST: usize = 8;
+    /// Fewest rows of a tail in one sensor alone.
+    FEWEST_ALONE: usize = 20;
 
-/// A force of less than a third or more than three times the usual is not gravity.
-const NOT_GRAVITY: f64 = 3.0;
+    /// A force of less than a third or more than three times the usual is not gravity.
+    NOT_GRAVITY: f64 = 3.0;
+}
 
 /// Cuts the rows at the end of which every sensor repeats one reading that no gravity gives: the same number
 /// on all axes, or a norm far from the usual.
@@ -22,8 +25,8 @@ pub(crate) fn cut_erased_tail(recording: &mut Recording) -> Option<Finding> {
     let start = force.len() - tail;
     let from = *force.t.get(start)?;
     let needed = match &recording.gyroscope {
-        Some(_) => FEWEST,
-        None => FEWEST_ALONE,
+        Some(_) => FEWEST.get(),
+        None => FEWEST_ALONE.get(),
     };
     if tail < needed || start == 0 || !is_pattern(&force.values, start) {
         return None;
@@ -31,7 +34,8 @@ pub(crate) fn cut_erased_tail(recording: &mut Recording) -> Option<Finding> {
     let turning = |stream: &Stream| {
         let rate = &stream.values;
         let constant = self::tail(rate);
-        constant < FEWEST || stream.t[rate.len() - constant] > from + crate::recording::INSTANT
+        constant < FEWEST.get()
+            || stream.t[rate.len() - constant] > from + crate::recording::INSTANT.get()
     };
     if recording.gyroscope.as_ref().is_some_and(turning) {
         return None;
@@ -61,7 +65,7 @@ fn tail(values: &[Vector3<f64>]) -> usize {
 fn is_pattern(values: &[Vector3<f64>], start: usize) -> bool {
     let v = values[start];
     let usual = median(values[..start].iter().map(Vector3::norm)).unwrap_or(0.0);
-    let strange = v.norm() * NOT_GRAVITY < usual || v.norm() > NOT_GRAVITY * usual;
+    let strange = v.norm() * NOT_GRAVITY.get() < usual || v.norm() > NOT_GRAVITY.get() * usual;
     strange || (v.x == v.y && v.y == v.z)
 }
 

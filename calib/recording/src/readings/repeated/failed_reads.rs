@@ -9,19 +9,22 @@ use crate::readings::of_sensor::least_beside_zero;
 use crate::readings::symptom::axes_in_words;
 use crate::recording::Stream;
 
-/// Fewest of them.
-const FEWEST: usize = 3;
-/// Failed reads stand alone or few together; a sensor with a dead zone reads zero as long as it rests.
-const LONGEST: usize = 3;
-const ALONE: f64 = 0.9;
-/// Zeros are no chance where they come so many times as often as what chance makes as likely: on all axes as on one alone, on one axis as
-/// the readings next to zero.
-const OFTEN: usize = 10;
-/// Of more rows nobody knows which are the readings.
-const MOST: f64 = 0.7;
-/// Up to this share a line between the neighbours takes their place, and the rows stay where stamps of arrival are put in order by their
-/// number. More of such values would pass for noise that averages out.
-const FEW: f64 = 0.1;
+findings::tuning! {
+    /// Fewest of them.
+    FEWEST: usize = 3;
+    /// Failed reads stand alone or few together; a sensor with a dead zone reads zero as long as it rests.
+    LONGEST: usize = 3;
+    /// Share of the failed reads that stand so.
+    ALONE: f64 = 0.9;
+    /// Zeros are no chance where they come so many times as often as what chance makes as likely: on all axes as on one alone, on one axis as
+    /// the readings next to zero.
+    OFTEN: usize = 10;
+    /// Of more rows nobody knows which are the readings.
+    MOST: f64 = 0.7;
+    /// Up to this share a line between the neighbours takes their place, and the rows stay where stamps of arrival are put in order by their
+    /// number. More of such values would pass for noise that averages out.
+    FEW: f64 = 0.1;
+}
 
 /// The stream without what is zero, on all axes or on one, among samples that are not.
 pub(crate) fn without_failed_reads(
@@ -57,10 +60,10 @@ fn take_out_zeros(stream: &mut Stream) -> usize {
     let is_zero = |value: &Vector3<f64>| *value == Vector3::zeros();
     let count = stream.values.iter().filter(|value| is_zero(value)).count();
     let share = count as f64 / stream.len().max(1) as f64;
-    if count < FEWEST || share > MOST || !fails(&stream.values) {
+    if count < FEWEST.get() || share > MOST.get() || !fails(&stream.values) {
         return 0;
     }
-    if share <= FEW {
+    if share <= FEW.get() {
         let failed: Vec<bool> = stream.values.iter().map(is_zero).collect();
         (0..3).for_each(|axis| bridge(stream, axis, &failed));
         return count;
@@ -75,8 +78,8 @@ fn take_out_zeros(stream: &mut Stream) -> usize {
 fn bridge_zeros_of(stream: &mut Stream, axis: usize) -> usize {
     let is_zero = |value: &Vector3<f64>| value[axis] == 0.0;
     let count = stream.values.iter().filter(|value| is_zero(value)).count();
-    if count < FEWEST
-        || count as f64 > FEW * stream.len() as f64
+    if count < FEWEST.get()
+        || count as f64 > FEW.get() * stream.len() as f64
         || !are_alone(&stream.values, is_zero)
     {
         return 0;
@@ -85,7 +88,7 @@ fn bridge_zeros_of(stream: &mut Stream, axis: usize) -> usize {
     let least = least_beside_zero(&stream.values, axis).unwrap_or(0.0);
     let is_next = |value: &&Vector3<f64>| !is_zero(value) && value[axis].abs() < 1.5 * least;
     let next = stream.values.iter().filter(is_next).count();
-    if count <= OFTEN * next || is_left_out(&stream.values, axis) {
+    if count <= OFTEN.get() * next || is_left_out(&stream.values, axis) {
         return 0;
     }
     let failed: Vec<bool> = stream.values.iter().map(is_zero).collect();
@@ -123,15 +126,18 @@ fn fails(values: &[Vector3<f64>]) -> bool {
         let partly = values.iter().filter(|value| !is_zero(value));
         partly.filter(|value| value[axis] == 0.0).count()
     };
-    are_alone(values, is_zero) && (0..3).all(|axis| OFTEN * on_one(axis) < count)
+    are_alone(values, is_zero) && (0..3).all(|axis| OFTEN.get() * on_one(axis) < count)
 }
 
 /// Returns true if nearly all runs of failed readings are short.
 fn are_alone(values: &[Vector3<f64>], failed: impl Fn(&Vector3<f64>) -> bool) -> bool {
     let runs = values.chunk_by(|a, b| failed(a) == failed(b));
     let lengths: Vec<usize> = runs.filter(|run| failed(&run[0])).map(<[_]>::len).collect();
-    let short = lengths.iter().filter(|length| **length <= LONGEST).count();
-    short as f64 >= ALONE * lengths.len() as f64
+    let short = lengths
+        .iter()
+        .filter(|length| **length <= LONGEST.get())
+        .count();
+    short as f64 >= ALONE.get() * lengths.len() as f64
 }
 
 #[cfg(test)]

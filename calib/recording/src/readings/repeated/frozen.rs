@@ -11,40 +11,46 @@ use crate::order_statistic::nth_smallest;
 use crate::recording::stream::least_steps;
 use crate::recording::{Frozen, Recording, Stream};
 
-/// Fewer equal readings in a row are left to chance and to the clock.
-const SHORTEST: usize = 4;
+findings::tuning! {
+    /// Fewer equal readings in a row are left to chance and to the clock.
+    SHORTEST: usize = 4;
 
-/// Runs of equal readings on either side of one that show what is usual there ...
-const AROUND: usize = 400;
-/// ... and the fewest that show anything.
-const FEWEST_AROUND: usize = 60;
+    /// Runs of equal readings on either side of one that show what is usual there ...
+    AROUND: usize = 400;
+    /// ... and the fewest that show anything.
+    FEWEST_AROUND: usize = 60;
 
-/// A slower sensor holds its value for the length of most runs: of nine in ten no longer than this.
-const HELD_SHARE: f64 = 0.9;
-/// Values that are held for longer than so many rows are those of no slower sensor.
-const LONGEST_HELD: usize = 20;
+    /// A slower sensor holds its value for the length of most runs: of nine in ten no longer than this.
+    HELD_SHARE: f64 = 0.9;
+    /// Values that are held for longer than so many rows are those of no slower sensor.
+    LONGEST_HELD: usize = 20;
 
-/// Runs that chance makes in fewer recordings than this are no chance.
-const CHANCE: f64 = 0.01;
+    /// Runs that chance makes in fewer recordings than this are no chance.
+    CHANCE: f64 = 0.01;
 
-/// The reading leaves the repeated one by more than so many of its least steps: where it changes by one, it repeats because
-/// nothing moves.
-const LEAP: f64 = 1.5;
+    /// The reading leaves the repeated one by more than so many of its least steps: where it changes by one, it repeats because
+    /// nothing moves.
+    LEAP: f64 = 1.5;
 
-/// Repeated readings that are more of the recording than this are how the sensor reads, unless its noise passes more than so many of its
-/// least steps: then no reading repeats for long.
-const MOST: f64 = 0.2;
-const FINE: f64 = 2.0;
+    /// Repeated readings that are more of the recording than this are how the sensor reads.
+    MOST: f64 = 0.2;
+    /// Not where its noise passes more than so many of its least steps: then no reading repeats for long.
+    FINE: f64 = 2.0;
+}
 
 /// The median of the square of a standard normal number, and the largest of its squares that count.
 const MEDIAN: f64 = 0.455;
-const MANY: f64 = 20.0;
 
-/// Third differences of white noise go against their neighbours by 3/4; those of a smooth motion go with them.
-const OF_NOISE: f64 = -0.5;
+findings::tuning! {
+    /// Largest square of a standard normal number that counts.
+    MANY: f64 = 20.0;
 
-/// Most places with rows and times in a finding.
-const PLACES: usize = 3;
+    /// Third differences of white noise go against their neighbours by 3/4; those of a smooth motion go with them.
+    OF_NOISE: f64 = -0.5;
+
+    /// Most places with rows and times in a finding.
+    PLACES: usize = 3;
+}
 
 /// Finds the runs in which a sensor repeats one reading for longer than chance, its resolution or a slower clock explains.
 pub(crate) fn frozen(sensor: Sensor, stream: &Stream) -> Vec<Frozen> {
@@ -108,8 +114,8 @@ fn in_words(places: &[((usize, usize), Span)]) -> String {
         let Span { from, to } = span;
         format!("rows {first} to {last}, t = {from:.2} to {to:.2} s")
     };
-    let shown: Vec<String> = places.iter().take(PLACES).map(one).collect();
-    match places.len().saturating_sub(PLACES) {
+    let shown: Vec<String> = places.iter().take(PLACES.get()).map(one).collect();
+    match places.len().saturating_sub(PLACES.get()) {
         0 => shown.join("; "),
         more => format!("{}; and {more} more", shown.join("; ")),
     }
@@ -131,7 +137,7 @@ fn frozen_runs(values: &[Vector3<f64>]) -> Vec<Range<usize>> {
     let least = least_steps(values);
     let leaps = |from: usize, to: usize| {
         let step = values[to] - values[from];
-        (0..3).any(|axis| step[axis].abs() > LEAP * least[axis])
+        (0..3).any(|axis| step[axis].abs() > LEAP.get() * least[axis])
     };
     let begins = |run: &Range<usize>| run.start > 0 && leaps(run.start - 1, run.start);
     let ends = |run: &Range<usize>| run.end < values.len() && leaps(run.end - 1, run.end);
@@ -144,13 +150,16 @@ fn frozen_runs(values: &[Vector3<f64>]) -> Vec<Range<usize>> {
         .iter()
         .enumerate()
         .filter(|(k, run)| {
-            run.len() >= SHORTEST && begins(run) && ends(run) && usual.is_no_chance(*k, run.len())
+            run.len() >= SHORTEST.get()
+                && begins(run)
+                && ends(run)
+                && usual.is_no_chance(*k, run.len())
         })
         .filter(|(_, run)| !is_excluded(&values[run.start]))
         .map(|(_, run)| run.clone())
         .collect();
     let repeated: usize = found.iter().map(|run| run.len() - 1).sum();
-    if repeated as f64 > MOST * values.len() as f64 && !is_fine(values, &least) {
+    if repeated as f64 > MOST.get() * values.len() as f64 && !is_fine(values, &least) {
         return Vec::new();
     }
     found
@@ -169,14 +178,14 @@ fn is_fine(values: &[Vector3<f64>], least: &[f64; 3]) -> bool {
         let quiet = || {
             pairs
                 .iter()
-                .filter(|(a, b)| a[axis].powi(2).max(b[axis].powi(2)) <= MANY * middle)
+                .filter(|(a, b)| a[axis].powi(2).max(b[axis].powi(2)) <= MANY.get() * middle)
         };
         let products: f64 = quiet().map(|(a, b)| a[axis] * b[axis]).sum();
         let squares: f64 = quiet()
             .map(|(a, b)| 0.5 * (a[axis].powi(2) + b[axis].powi(2)))
             .sum();
-        let is_noise = products < OF_NOISE * squares;
-        is_noise && (middle / MEDIAN / 20.0).sqrt() > FINE * least[axis]
+        let is_noise = products < OF_NOISE.get() * squares;
+        is_noise && (middle / MEDIAN / 20.0).sqrt() > FINE.get() * least[axis]
     })
 }
 
@@ -191,14 +200,14 @@ struct Usual {
 impl Usual {
     /// Computes it from runs; `None` if values are held for longer than a slower sensor does.
     fn of(runs: &[Range<usize>]) -> Option<Self> {
-        let rank = (HELD_SHARE * runs.len().saturating_sub(1) as f64) as usize;
+        let rank = (HELD_SHARE.get() * runs.len().saturating_sub(1) as f64) as usize;
         let lengths = runs.iter().map(|run| run.len() as f64);
         let held = nth_smallest(lengths, rank)? as usize;
         let mut longer = vec![0; runs.len() + 1];
         for (k, run) in runs.iter().enumerate() {
             longer[k + 1] = longer[k] + usize::from(run.len() > held);
         }
-        (held <= LONGEST_HELD).then_some(Self { held, longer })
+        (held <= LONGEST_HELD.get()).then_some(Self { held, longer })
     }
 
     /// Returns true if chance does not explain a run of this length among the runs around it. A share `s` of those is longer than
@@ -207,15 +216,15 @@ impl Usual {
         let runs = self.longer.len() - 1;
         let share = |from: usize, to: usize| {
             let longer = self.longer[to] - self.longer[from];
-            (to - from >= FEWEST_AROUND).then(|| (longer + 1) as f64 / (to - from + 2) as f64)
+            (to - from >= FEWEST_AROUND.get()).then(|| (longer + 1) as f64 / (to - from + 2) as f64)
         };
-        let before = share(k.saturating_sub(AROUND), k);
-        let after = share(k + 1, (k + 1 + AROUND).min(runs));
+        let before = share(k.saturating_sub(AROUND.get()), k);
+        let after = share(k + 1, (k + 1 + AROUND.get()).min(runs));
         let Some(share) = before.into_iter().chain(after).reduce(f64::max) else {
             return false;
         };
         let times = length as f64 / self.held as f64;
-        times >= 2.0 && runs as f64 * share.powf(times - 1.0) < CHANCE
+        times >= 2.0 && runs as f64 * share.powf(times - 1.0) < CHANCE.get()
     }
 }
 

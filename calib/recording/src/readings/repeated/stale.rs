@@ -7,27 +7,29 @@ use sensor::Sensor;
 use crate::order_statistic::nth_smallest;
 use crate::recording::{Frozen, Stream};
 
-/// Longest run of equal readings that is filled in.
-const LONGEST: usize = 4;
+findings::tuning! {
+    /// Longest run of equal readings that is filled in.
+    LONGEST: usize = 4;
 
-/// The reading leaves a repeated one by more than so many steps on some axis: where it changes by one, it repeats because
-/// nothing moves.
-const LEAP: f64 = 1.5;
+    /// The reading leaves a repeated one by more than so many steps on some axis: where it changes by one, it repeats because
+    /// nothing moves.
+    LEAP: f64 = 1.5;
 
-/// One difference of neighbours in a hundred is at most one step of the readings.
-const STEP_SHARE: f64 = 0.01;
+    /// One difference of neighbours in a hundred is at most one step of the readings.
+    STEP_SHARE: f64 = 0.01;
 
-/// Changes by one step at most on every axis, for each of which chance makes one repetition: the neighbours of a cell in three
-/// dimensions.
-const NEIGHBOURS: f64 = 26.0;
+    /// Changes by one step at most on every axis, for each of which chance makes one repetition: the neighbours of a cell in three
+    /// dimensions.
+    NEIGHBOURS: f64 = 26.0;
 
-/// Repetitions are no chance where there are more than so many ...
-const FEWEST: f64 = 20.0;
-/// ... and more than so many times what chance makes.
-const OVER_CHANCE: f64 = 10.0;
+    /// Repetitions are no chance where there are more than so many ...
+    FEWEST: f64 = 20.0;
+    /// ... and more than so many times what chance makes.
+    OVER_CHANCE: f64 = 10.0;
 
-/// More repetitions than this share of the rows are those of a slower sensor.
-const MOST: f64 = 0.45;
+    /// More repetitions than this share of the rows are those of a slower sensor.
+    MOST: f64 = 0.45;
+}
 
 /// The stream with values on a smooth curve in place of single repetitions, where there are more of these than chance and the
 /// resolution of the readings make.
@@ -85,7 +87,7 @@ fn through(stream: &Stream, rows: &[usize], t: f64) -> Vector3<f64> {
 fn stale_runs(stream: &Stream, frozen: &[Frozen]) -> Vec<(usize, usize)> {
     let values = &stream.values;
     let repeated = values.windows(2).filter(|pair| pair[0] == pair[1]).count();
-    if repeated as f64 <= FEWEST {
+    if repeated as f64 <= FEWEST.get() {
         return Vec::new();
     }
     let Some(step) = steps(values) else {
@@ -93,7 +95,7 @@ fn stale_runs(stream: &Stream, frozen: &[Frozen]) -> Vec<(usize, usize)> {
     };
     let leaps = |k: usize| {
         let by = values[k] - values[k - 1];
-        (0..3).any(|axis| by[axis].abs() > LEAP * step[axis])
+        (0..3).any(|axis| by[axis].abs() > LEAP.get() * step[axis])
     };
     let (mut runs, mut count, mut near) = (Vec::new(), 0, 0);
     let mut first = 0;
@@ -103,7 +105,7 @@ fn stale_runs(stream: &Stream, frozen: &[Frozen]) -> Vec<(usize, usize)> {
         }
         let length = next - first;
         let stays = |fault: &Frozen| fault.is_between(stream.t[first], stream.t[next]);
-        if first > 0 && length > 1 && length <= LONGEST && leaps(first) && leaps(next) {
+        if first > 0 && length > 1 && length <= LONGEST.get() && leaps(first) && leaps(next) {
             count += length - 1;
             if !frozen.iter().any(stays) {
                 runs.push((first, next));
@@ -115,9 +117,9 @@ fn stale_runs(stream: &Stream, frozen: &[Frozen]) -> Vec<(usize, usize)> {
         }
         first = next;
     }
-    let by_chance = f64::from(near) / NEIGHBOURS;
-    let is_no_chance = count as f64 > FEWEST.max(OVER_CHANCE * by_chance);
-    let is_slower = count as f64 > MOST * values.len() as f64;
+    let by_chance = f64::from(near) / NEIGHBOURS.get();
+    let is_no_chance = count as f64 > FEWEST.get().max(OVER_CHANCE.get() * by_chance);
+    let is_slower = count as f64 > MOST.get() * values.len() as f64;
     match is_no_chance && !is_slower {
         true => runs,
         false => Vec::new(),
@@ -131,7 +133,7 @@ fn steps(values: &[Vector3<f64>]) -> Option<[f64; 3]> {
             .windows(2)
             .map(|pair| (pair[1][axis] - pair[0][axis]).abs());
         let changes = changes.filter(|change| *change > 0.0);
-        let rank = (STEP_SHARE * changes.clone().count() as f64) as usize;
+        let rank = (STEP_SHARE.get() * changes.clone().count() as f64) as usize;
         nth_smallest(changes, rank)
     };
     Some([of(0)?, of(1)?, of(2)?])

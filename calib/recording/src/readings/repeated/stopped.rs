@@ -9,11 +9,13 @@ use crate::recording::{Recording, Stream};
 use crate::shown::significant;
 use crate::source::place::in_file;
 
-/// Samples of one reading at the end that make a sensor stopped ...
-const STOPPED: usize = 100;
-/// ... where it read the same on all axes in no more than so many samples in a row before: a noisy sensor, finer than its
-/// noise.
-const USUAL: usize = 10;
+findings::tuning! {
+    /// Samples of one reading at the end that make a sensor stopped ...
+    STOPPED: usize = 100;
+    /// ... where it read the same on all axes in no more than so many samples in a row before: a noisy sensor, finer than its
+    /// noise.
+    USUAL: usize = 10;
+}
 
 /// Refuses a recording of which one sensor repeats its last reading to the end, on all axes, while the other changes.
 ///
@@ -56,13 +58,13 @@ fn in_words(reading: &Vector3<f64>) -> String {
 /// Returns the number of samples at the end that are the same on all axes, if chance does not explain it.
 fn stopped(values: &[Vector3<f64>]) -> Option<usize> {
     let mut runs = values.chunk_by(|a, b| a == b).map(<[_]>::len).rev();
-    let last = runs.next().filter(|&run| run >= STOPPED)?;
-    runs.all(|run| run <= USUAL).then_some(last)
+    let last = runs.next().filter(|&run| run >= STOPPED.get())?;
+    runs.all(|run| run <= USUAL.get()).then_some(last)
 }
 
 fn changes_after(stream: &Stream, from: f64) -> bool {
     let after = &stream.values[stream.between(from, f64::INFINITY)];
-    after.windows(2).filter(|pair| pair[0] != pair[1]).count() >= STOPPED
+    after.windows(2).filter(|pair| pair[0] != pair[1]).count() >= STOPPED.get()
 }
 
 #[cfg(test)]

@@ -7,30 +7,32 @@ use nalgebra::Vector3;
 use crate::readings::dead_zone::is_left_out;
 use crate::readings::of_sensor::least_step;
 
-/// Shortest run of equal values that is looked at, samples.
-const RUN: usize = 100;
+findings::tuning! {
+    /// Shortest run of equal values that is looked at, samples.
+    RUN: usize = 100;
 
-/// Steps of another axis of so many of its least ones are motion or noise, not the flicker of a coarse
-/// reading.
-const MOVES: f64 = 4.0;
+    /// Steps of another axis of so many of its least ones are motion or noise, not the flicker of a coarse
+    /// reading.
+    MOVES: f64 = 4.0;
 
-/// A run is no chance where the axis should have changed so many times in it ...
-const EXPECTED: f64 = 40.0;
-/// ... or so many times where it reads 0, as a dead zone does through a short turn.
-const EXPECTED_AT_ZERO: f64 = 400.0;
+    /// A run is no chance where the axis should have changed so many times in it ...
+    EXPECTED: f64 = 40.0;
+    /// ... or so many times where it reads 0, as a dead zone does through a short turn.
+    EXPECTED_AT_ZERO: f64 = 400.0;
 
-/// Readings at the end of the range before the last run of them that show it to be one.
-const CLIPPED: usize = 6;
+    /// Readings at the end of the range before the last run of them that show it to be one.
+    CLIPPED: usize = 6;
+}
 
 /// The longest run of equal values of an axis, where the other axes change in it as they do elsewhere, when
 /// this axis changes too. A run at the largest or smallest value is clipped, unless it is the recording's
 /// last and the value is not met before; a run at zero is that of a dead zone where the axis has one.
 pub(crate) fn stuck(values: &[Vector3<f64>], axis: usize) -> Option<Range<usize>> {
-    let run = longest_run(values, axis).filter(|run| run.len() >= RUN)?;
+    let run = longest_run(values, axis).filter(|run| run.len() >= RUN.get())?;
     let value = values[run.start][axis];
     let extreme = |sign: f64| values.iter().all(|v| sign * v[axis] <= sign * value);
     let before = values[..run.start].iter();
-    let is_met_again = before.filter(|v| v[axis] == value).count() >= CLIPPED;
+    let is_met_again = before.filter(|v| v[axis] == value).count() >= CLIPPED.get();
     if (run.end < values.len() || is_met_again) && (extreme(1.0) || extreme(-1.0)) {
         return None;
     }
@@ -41,7 +43,7 @@ pub(crate) fn stuck(values: &[Vector3<f64>], axis: usize) -> Option<Range<usize>
     let least = others.map(|k| least_step(values, k));
     let moves = |pair: &[Vector3<f64>]| {
         others.iter().zip(least).any(|(&k, least)| {
-            least.is_some_and(|least| (pair[1][k] - pair[0][k]).abs() >= MOVES * least)
+            least.is_some_and(|least| (pair[1][k] - pair[0][k]).abs() >= MOVES.get() * least)
         })
     };
     let within = values[run.clone()].windows(2).filter(|p| moves(p)).count();
@@ -54,11 +56,11 @@ pub(crate) fn stuck(values: &[Vector3<f64>], axis: usize) -> Option<Range<usize>
     }
     let share = changing as f64 / moving.max(1) as f64;
     let needed = if value == 0.0 {
-        EXPECTED_AT_ZERO
+        EXPECTED_AT_ZERO.get()
     } else {
-        EXPECTED
+        EXPECTED.get()
     };
-    (within as f64 * share >= needed && moving >= RUN).then_some(run)
+    (within as f64 * share >= needed && moving >= RUN.get()).then_some(run)
 }
 
 /// The longest run of equal values.

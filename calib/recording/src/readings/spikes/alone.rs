@@ -10,35 +10,41 @@ use super::resolution::{AROUND, Resolution, Spike, resolution, usual_reach};
 use crate::averages::median;
 use crate::recording::Stream;
 
-/// Samples on each side in which a knock would ring on, or a motion go on.
+/// Samples on each side in which a knock would ring on, or a motion go on: the size of a window.
 const NEAR: usize = 10;
 /// The same with the samples that their departures are measured from.
 const SIDE: usize = NEAR + 2;
-/// Samples on each side that show whether the device rests.
-const RESTING: usize = 20;
 
-/// A spike leaves the curve through its neighbours by so many standard deviations of the noise while the device rests ...
-const AT_REST: f64 = 20.0;
-/// ... or turns. The shocks of a phone that is laid down or pushed reach 47.
-const IN_TURNS: f64 = 60.0;
-/// It is so many times larger than what the samples near it do ...
-const OVER_NEAR: f64 = 3.0;
-/// ... and its neighbours differ by less than this share of it.
-const NEIGHBOURS: f64 = 0.5;
+findings::tuning! {
+    /// Samples on each side that show whether the device rests.
+    RESTING: usize = 20;
 
-/// Every other axis stays within so many standard deviations of its noise, or within so many times what it does near by.
-const SEEN: f64 = 6.0;
-const USUAL: f64 = 1.5;
+    /// A spike leaves the curve through its neighbours by so many standard deviations of the noise while the device rests ...
+    AT_REST: f64 = 20.0;
+    /// ... or turns. The shocks of a phone that is laid down or pushed reach 47.
+    IN_TURNS: f64 = 60.0;
+    /// It is so many times larger than what the samples near it do ...
+    OVER_NEAR: f64 = 3.0;
+    /// ... and its neighbours differ by less than this share of it.
+    NEIGHBOURS: f64 = 0.5;
 
-/// At rest the level around a spike scatters by less than an eighth of it and moves by less than a fifth ...
-const OVER_SCATTER: f64 = 8.0;
-const OVER_LEVEL: f64 = 5.0;
-/// ... and the rates move by less than this share of what they usually reach, or by so many standard deviations.
-const TURNING: f64 = 0.2;
-const TURNING_NOISE: f64 = 8.0;
+    /// Every other axis stays within so many standard deviations of its noise ...
+    SEEN: f64 = 6.0;
+    /// ... or within so many times what it does near by.
+    USUAL: f64 = 1.5;
 
-/// Half as large ones may be so many more than the spikes: of heavy tails they are far more.
-const MORE_SMALL: usize = 2;
+    /// At rest a spike is so many times the scatter of the level around it ...
+    OVER_SCATTER: f64 = 8.0;
+    /// ... and so many times what that level moves ...
+    OVER_LEVEL: f64 = 5.0;
+    /// ... and the rates move by less than this share of what they usually reach ...
+    TURNING: f64 = 0.2;
+    /// ... or by so many standard deviations.
+    TURNING_NOISE: f64 = 8.0;
+
+    /// Half as large ones may be so many more than the spikes: of heavy tails they are far more.
+    MORE_SMALL: usize = 2;
+}
 
 /// The standard deviation of a normal distribution over the median of the sizes.
 const NORMAL: f64 = 1.0 / 0.6745;
@@ -60,7 +66,7 @@ pub(super) fn alone(sensor: Sensor, own: &Stream, other: &Stream) -> Vec<Spike> 
     let small = all.iter().filter(|(_, share)| *share < 1.0).count();
     let spikes = all.into_iter().filter(|(_, share)| *share >= 1.0);
     let spikes: Vec<Spike> = spikes.map(|(spike, _)| spike).collect();
-    match small <= spikes.len() + MORE_SMALL {
+    match small <= spikes.len() + MORE_SMALL.get() {
         true => spikes,
         false => Vec::new(),
     }
@@ -97,11 +103,11 @@ impl Search<'_> {
         let over_noise = departure / noise;
         let at_rest = || self.rests(axis, at, size);
         let share = match self.sensor {
-            Sensor::Gyroscope if over_noise > IN_TURNS => over_noise / IN_TURNS,
-            _ if over_noise > 0.5 * AT_REST && at_rest() => over_noise / AT_REST,
+            Sensor::Gyroscope if over_noise > IN_TURNS.get() => over_noise / IN_TURNS.get(),
+            _ if over_noise > 0.5 * AT_REST.get() && at_rest() => over_noise / AT_REST.get(),
             _ => return None,
         };
-        let stands_out = departure > OVER_NEAR * window.bridged().largest(1..=NEAR);
+        let stands_out = departure > OVER_NEAR.get() * window.bridged().largest(1..=NEAR);
         (stands_out && !self.is_seen(axis, at)).then_some((Spike { axis, at, size }, share))
     }
 
@@ -130,12 +136,12 @@ impl Search<'_> {
     /// Returns true if the level of the axis stays where it is around a spike of this size, and the device does not turn.
     fn rests(&self, axis: usize, at: usize, size: f64) -> bool {
         let (scatter, moved) = around(&self.own.values, axis, at);
-        let is_level = size > OVER_SCATTER * scatter && size > OVER_LEVEL * moved;
+        let is_level = size > OVER_SCATTER.get() * scatter && size > OVER_LEVEL.get() * moved;
         let turns = |at: usize| {
             (0..3).any(|axis| {
                 let (_, moved) = around(&self.rates.values, axis, at);
-                moved > TURNING * self.reach
-                    && moved > TURNING_NOISE * noise(&self.rates.values, axis, at)
+                moved > TURNING.get() * self.reach
+                    && moved > TURNING_NOISE.get() * noise(&self.rates.values, axis, at)
             })
         };
         is_level && self.beside(self.rates, at).is_some_and(|at| !turns(at))
@@ -144,8 +150,8 @@ impl Search<'_> {
 
 /// Scatter of the samples around one, as a standard deviation, and the largest distance from their median.
 fn around(values: &[Vector3<f64>], axis: usize, at: usize) -> (f64, f64) {
-    let before = &values[at.saturating_sub(RESTING)..at.saturating_sub(1)];
-    let after = &values[(at + 2).min(values.len())..(at + RESTING + 1).min(values.len())];
+    let before = &values[at.saturating_sub(RESTING.get())..at.saturating_sub(1)];
+    let after = &values[(at + 2).min(values.len())..(at + RESTING.get() + 1).min(values.len())];
     let level: Vec<f64> = before.iter().chain(after).map(|v| v[axis]).collect();
     let middle = median(level.iter().copied()).unwrap_or(0.0);
     let off = || level.iter().map(|v| (v - middle).abs());
@@ -165,12 +171,13 @@ fn does_something(values: &[Vector3<f64>], axis: usize, at: usize) -> bool {
     };
     let done = window.largest(0..=2);
     let step = || window.least_step();
-    done > USUAL * window.largest(3..=NEAR) && done > SEEN * noise(values, axis, at).max(step())
+    done > USUAL.get() * window.largest(3..=NEAR)
+        && done > SEEN.get() * noise(values, axis, at).max(step())
 }
 
 /// The least that a reading is told from: the resolution, and half the width of a dead zone beside readings of zero.
 fn least(values: &[Vector3<f64>], axis: usize, at: usize, resolution: &Resolution) -> f64 {
-    let near = &values[at.saturating_sub(AROUND)..(at + AROUND + 1).min(values.len())];
+    let near = &values[at.saturating_sub(AROUND.get())..(at + AROUND.get() + 1).min(values.len())];
     match near.iter().any(|v| v[axis] == 0.0) && values[at] != Vector3::zeros() {
         true => resolution.step.max(resolution.beside_zero),
         false => resolution.step.max(f64::MIN_POSITIVE),
@@ -185,29 +192,29 @@ fn departure(at: impl Fn(usize) -> f64, k: usize) -> f64 {
 /// Standard deviation of the departures around a sample.
 fn noise(values: &[Vector3<f64>], axis: usize, at: usize) -> f64 {
     let last = values.len().saturating_sub(2);
-    let near = at.saturating_sub(AROUND).max(2)..(at + AROUND + 1).min(last);
+    let near = at.saturating_sub(AROUND.get()).max(2)..(at + AROUND.get() + 1).min(last);
     let sizes = near.map(|k| departure(|i| values[i][axis], k).abs());
     NORMAL * median(sizes).unwrap_or(0.0)
 }
 
 /// Places whose departures are large against those of their block, or of both beside it.
 fn far(values: &[Vector3<f64>], axis: usize, step: f64) -> Vec<usize> {
-    if values.len() < 2 * AROUND {
+    if values.len() < 2 * AROUND.get() {
         return Vec::new();
     }
     let all = 2..values.len() - 2;
     let sizes: Vec<f64> = all
         .map(|k| departure(|i| values[i][axis], k).abs())
         .collect();
-    let blocks = sizes.chunks(AROUND);
+    let blocks = sizes.chunks(AROUND.get());
     let usual: Vec<f64> = blocks
         .map(|block| NORMAL * median(block.iter().copied()).unwrap_or(0.0))
         .collect();
     let is_far = |k: usize| {
-        let block = k / AROUND;
+        let block = k / AROUND.get();
         let near = &usual[block.saturating_sub(1)..(block + 2).min(usual.len())];
         let least = near.iter().copied().fold(f64::INFINITY, f64::min);
-        sizes[k] > 0.5 * AT_REST * least.max(step)
+        sizes[k] > 0.5 * AT_REST.get() * least.max(step)
     };
     let found = (0..sizes.len()).filter(|k| is_far(*k));
     found.map(|k| k + 2).collect()
@@ -248,7 +255,7 @@ impl Window {
 
     /// Returns true if the reading after it is where the one before it was.
     fn returns(&self, size: f64) -> bool {
-        (self.0[SIDE + 1] - self.0[SIDE - 1]).abs() < NEIGHBOURS * size
+        (self.0[SIDE + 1] - self.0[SIDE - 1]).abs() < NEIGHBOURS.get() * size
     }
 
     /// The smallest step between its readings that is not zero.

@@ -6,11 +6,13 @@ use sensor::Sensor;
 use crate::order_statistic::nth_smallest;
 use crate::readings::of_sensor::{least_beside_zero, least_step};
 
-/// Samples on each side that show what is usual around a reading.
-pub(super) const AROUND: usize = 50;
+findings::tuning! {
+    /// Samples on each side that show what is usual around a reading.
+    pub(super) AROUND: usize = 50;
 
-/// Places looked at in vain before the smaller ones are left.
-pub(super) const MOST_MISSES: usize = 60;
+    /// Places looked at in vain before the smaller ones are left.
+    pub(super) MOST_MISSES: usize = 60;
+}
 
 /// A reading far from its neighbours.
 pub(super) struct Spike {
@@ -21,12 +23,14 @@ pub(super) struct Spike {
     pub(super) size: f64,
 }
 
-/// Share of the readings that the usual reach holds.
-const USUAL_SHARE: f64 = 0.98;
+findings::tuning! {
+    /// Share of the readings that the usual reach holds.
+    USUAL_SHARE: f64 = 0.98;
+}
 
 /// What nearly all readings reach.
 pub(super) fn usual_reach(values: &[Vector3<f64>]) -> f64 {
-    let rank = (USUAL_SHARE * values.len() as f64) as usize;
+    let rank = (USUAL_SHARE.get() * values.len() as f64) as usize;
     nth_smallest(values.iter().map(Vector3::amax), rank).unwrap_or(0.0)
 }
 

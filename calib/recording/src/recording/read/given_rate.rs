@@ -11,17 +11,19 @@ use crate::recording::options::ReadOptions;
 use crate::recording::stream::Stream;
 use crate::shown::significant;
 
-/// Rates that differ by less are those of two good oscillators.
-const SAME: f64 = 5e-4;
+findings::tuning! {
+    /// Rates that differ by less are those of two good oscillators.
+    SAME: f64 = 5e-4;
 
-/// A rate that differs by more than this factor is not compared: the stamps are of another unit, or count samples.
-const ANOTHER: f64 = 3.0;
+    /// A rate that differs by more than this factor is not compared: the stamps are of another unit, or count samples.
+    ANOTHER: f64 = 3.0;
 
-/// Fewest samples that tell a rate.
-const FEWEST: usize = 200;
+    /// Fewest samples that tell a rate.
+    FEWEST: usize = 200;
 
-/// Samples beyond which a second look takes too long.
-const MOST: usize = 20_000_000;
+    /// Samples beyond which a second look takes too long.
+    MOST: usize = 20_000_000;
+}
 
 /// Builds the finding that the stamps contradict the given rate, if they do; reads the file at `path` a second time.
 pub(super) fn contradicted(
@@ -37,7 +39,7 @@ pub(super) fn contradicted(
     // What was read of a pipe is gone.
     let can_be_read_again =
         std::fs::metadata(path).is_ok_and(|data| data.is_file() || data.is_dir());
-    if !by_rate.has_ignored_stamps() || !can_be_read_again || longer.len() > MOST {
+    if !by_rate.has_ignored_stamps() || !can_be_read_again || longer.len() > MOST.get() {
         return None;
     }
     let stamped = ReadOptions {
@@ -51,8 +53,8 @@ pub(super) fn contradicted(
         .or(stamped.accelerometer.as_ref())?;
     let (rate, lost, error) = rate_by_stamps(stream)?;
     let off = given / rate - 1.0;
-    let differs =
-        off.abs() > SAME.max(3.0 * error) && (ANOTHER.recip()..ANOTHER).contains(&(given / rate));
+    let differs = off.abs() > SAME.get().max(3.0 * error)
+        && (ANOTHER.get().recip()..ANOTHER.get()).contains(&(given / rate));
     if !differs {
         return None;
     }
@@ -74,7 +76,7 @@ pub(super) fn contradicted(
 fn rate_by_stamps(stream: &Stream) -> Option<(f64, u64, f64)> {
     let t = &stream.t;
     let whole = t.last()? - t.first()?;
-    if t.len() < FEWEST {
+    if t.len() < FEWEST.get() {
         return None;
     }
     if let Some(found) = bursts(t) {

@@ -9,24 +9,26 @@ use super::Samples;
 use crate::clock::even::{Bursts, bursts};
 use crate::order_statistic::nth_smallest;
 
-/// Fewer packets show no step that they have in common.
-const PACKETS: usize = 8;
+findings::tuning! {
+    /// Fewer packets show no step that they have in common.
+    PACKETS: usize = 8;
 
-/// Steps between packets differ from the usual one by no more than this, in steps between samples.
-const UNEVEN: f64 = 0.5;
+    /// Steps between packets differ from the usual one by no more than this, in steps between samples.
+    UNEVEN: f64 = 0.5;
 
-/// Share of the rows from which shared stamps are those of packets.
-const SHARE: f64 = 0.02;
+    /// Share of the rows from which shared stamps are those of packets.
+    SHARE: f64 = 0.02;
 
-/// Rows with one stamp differ from each other by no more than this, in usual differences of rows as far apart as a packet is
-/// long: several devices in one table differ from row to row, and not from packet to packet.
-const ALIKE: f64 = 2.0;
+    /// Rows with one stamp differ from each other by no more than this, in usual differences of rows as far apart as a packet is
+    /// long: several devices in one table differ from row to row, and not from packet to packet.
+    ALIKE: f64 = 2.0;
+}
 
 /// The rows of packets apart again, on the even clock behind their stamps (s); what is said of it. Other samples stay as they are.
 pub(crate) fn apart(name: &str, sensor: Sensor, samples: &mut Samples) -> Option<Finding> {
     let (twins, others) = (samples.twins.len(), samples.other_twins().count());
     let rows = samples.t.len() + twins;
-    if (twins as f64) < SHARE * rows as f64 || 2 * others < twins {
+    if (twins as f64) < SHARE.get() * rows as f64 || 2 * others < twins {
         return None;
     }
     let (t, values) = samples.apart();
@@ -59,7 +61,10 @@ fn of_equal_packets(t: &[f64]) -> Option<(Vec<f64>, f64, f64)> {
     let size = inner.first()?.len();
     let ends = [packets.first()?.len(), packets.last()?.len()];
     let is_whole = |packet: &&[f64]| packet.len() == size;
-    if inner.len() < PACKETS || !inner.iter().all(is_whole) || ends.iter().any(|end| *end > size) {
+    if inner.len() < PACKETS.get()
+        || !inner.iter().all(is_whole)
+        || ends.iter().any(|end| *end > size)
+    {
         return None;
     }
     let steps: Vec<f64> = inner
@@ -71,7 +76,7 @@ fn of_equal_packets(t: &[f64]) -> Option<(Vec<f64>, f64, f64)> {
     if step <= 0.0
         || steps
             .iter()
-            .any(|other| (other - usual).abs() > UNEVEN * step)
+            .any(|other| (other - usual).abs() > UNEVEN.get() * step)
     {
         return None;
     }
@@ -97,7 +102,7 @@ fn of_one_device(t: &[f64], values: &[Vector3<f64>]) -> bool {
     let usual = nth_smallest(packets, middle(values.len().saturating_sub(size)));
     let own = nth_smallest(within.iter().copied(), middle(within.len()));
     own.zip(usual)
-        .is_some_and(|(own, usual)| own <= ALIKE * usual)
+        .is_some_and(|(own, usual)| own <= ALIKE.get() * usual)
 }
 
 #[cfg(test)]

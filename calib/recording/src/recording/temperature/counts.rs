@@ -42,17 +42,20 @@ const OF_UNITS: [Formula; 4] = [
 
 /// A sensor in a room or near it, warm from its own current, °C.
 const USUAL: std::ops::RangeInclusive<f64> = 12.0..=60.0;
-/// Formulas of sensors that are offered.
-const OFFERED: usize = 3;
 
-/// No thermometer jumps by as much from one row to the next, °C; counts do.
-const JUMP: f64 = 2.0;
+findings::tuning! {
+    /// Formulas of sensors that are offered.
+    OFFERED: usize = 3;
+
+    /// No thermometer jumps by as much from one row to the next, °C; counts do.
+    JUMP: f64 = 2.0;
+}
 
 /// True for whole numbers that jump from row to row as no temperature in °C does.
 pub(crate) fn jump(readings: &[f64]) -> bool {
     let whole = readings.iter().all(|reading| reading.fract() == 0.0);
     let steps = readings.windows(2).map(|pair| (pair[1] - pair[0]).abs());
-    whole && nth_smallest(steps, readings.len() / 2).is_some_and(|step| step >= JUMP)
+    whole && nth_smallest(steps, readings.len() / 2).is_some_and(|step| step >= JUMP.get())
 }
 
 /// A formula that makes °C of readings.
@@ -86,7 +89,7 @@ pub(crate) fn formulas(readings: &[f64], column: &str) -> Vec<Offered> {
         .iter()
         .filter(|_| whole)
         .filter(fits)
-        .take(OFFERED);
+        .take(OFFERED.get());
     let of_units = OF_UNITS.iter().filter(fits).take(1);
     let offered = |formula: &Formula| Offered {
         entry: format!("{column}{}", formula.text),

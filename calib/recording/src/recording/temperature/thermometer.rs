@@ -9,11 +9,13 @@ use crate::recording::{Recording, Stream};
 use crate::rows::table::Table;
 use crate::source::place::in_file;
 
-/// Share of a recording over which the temperature has to be known; beyond its stamps it is taken as constant.
-const KNOWN: f64 = 0.5;
+findings::tuning! {
+    /// Share of a recording over which the temperature has to be known; beyond its stamps it is taken as constant.
+    KNOWN: f64 = 0.5;
 
-/// Steps between readings of the temperature that the first and last may miss of the recording.
-const MISSED: f64 = 3.0;
+    /// Steps between readings of the temperature that the first and last may miss of the recording.
+    MISSED: f64 = 3.0;
+}
 
 /// The columns of a file of a thermometer, by number.
 pub(crate) fn columns(look: &Look) -> Option<ColumnMap> {
@@ -61,11 +63,11 @@ fn misfit(recording: &Recording) -> Option<Finding> {
         return None;
     }
     let step = (last - first) / (readings.t.len() - 1).max(1) as f64;
-    if first <= from + MISSED * step && last >= to - MISSED * step {
+    if first <= from + MISSED.get() * step && last >= to - MISSED.get() * step {
         return None;
     }
     let common = (last.min(to) - first.max(from)) / (to - from);
-    let kind = match common >= KNOWN {
+    let kind = match common >= KNOWN.get() {
         true => Kind::TemperaturePartlyKnown,
         false => Kind::TemperatureOfAnotherClock,
     };

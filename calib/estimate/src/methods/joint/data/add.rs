@@ -298,7 +298,7 @@ fn parts(span: Span, length: f64) -> Vec<Span> {
     let count = if !span.lasts(WHOLE.get() * length) {
         1
     } else {
-        ((span.length() + INSTANT) / length).round() as usize
+        ((span.length() + INSTANT.get()) / length).round() as usize
     };
     let edge = |k: usize| span.from + span.length() * k as f64 / count as f64;
     (0..count)

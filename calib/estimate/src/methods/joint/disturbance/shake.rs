@@ -57,7 +57,7 @@ pub fn shakes(stream: &Stream, stretches: &[Span], step: &Vector3<f64>) -> Vec<S
     let Some(interval) = stream.median_step().filter(|s| *s > 0.0) else {
         return Vec::new();
     };
-    let count = (((WINDOW.get() + INSTANT) / interval).round() as usize).max(4);
+    let count = (((WINDOW.get() + INSTANT.get()) / interval).round() as usize).max(4);
     let cut: Vec<Stretch<'_>> = stretches
         .iter()
         .map(|span| Stretch::of(stream, *span, count))
@@ -233,7 +233,7 @@ pub fn gaps(stream: &Stream, rests: &[Span]) -> Vec<Vec<Span>> {
     let of = |rest: &Span| {
         stream.t[stream.between(rest.from, rest.to)]
             .windows(2)
-            .filter(|w| w[1] - w[0] > GAP_STEPS.get() * step + INSTANT)
+            .filter(|w| w[1] - w[0] > GAP_STEPS.get() * step + INSTANT.get())
             .map(|w| Span {
                 from: w[0],
                 to: w[1],

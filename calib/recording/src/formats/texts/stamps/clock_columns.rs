@@ -110,8 +110,10 @@ fn counted_on(row: &str, places: &[Range<usize>], fields: &[Field]) -> Option<f6
     (seconds >= 60.0 && (seconds / 60.0).floor() == minutes).then_some(seconds)
 }
 
-/// Numbers of a part of a second that show how far it counts.
-const ENOUGH: usize = 10;
+findings::tuning! {
+    /// Numbers of a part of a second that show how far it counts.
+    ENOUGH: usize = 10;
+}
 
 /// True for parts of a second that begin again before half of it, as hundredths do that are called milliseconds.
 fn counts_less(rows: &[&str], fields: &[Field]) -> bool {
@@ -127,7 +129,7 @@ fn counts_less(rows: &[&str], fields: &[Field]) -> bool {
     let before_half = parts.iter().all(|part| part * unit < 0.5);
     let is_of_seconds = fields.iter().any(|(_, unit)| *unit == 1.0)
         && fields.iter().filter(|(_, unit)| *unit < 1.0).count() == 1;
-    is_of_seconds && begins_again && before_half && all.len() >= ENOUGH
+    is_of_seconds && begins_again && before_half && all.len() >= ENOUGH.get()
 }
 
 fn parts(look: &Look) -> Option<Vec<Part>> {

@@ -22,8 +22,10 @@ pub(crate) static UNPADDED: TextFormat = TextFormat {
 /// Digits of a part with its zeros, and the text with them.
 const PARTS: [(usize, Change); 2] = [(3, |text| padded(text, 3)), (6, |text| padded(text, 6))];
 
-/// The step into a second is one of those within it, but for this factor.
-const STEADY: f64 = 3.0;
+findings::tuning! {
+    /// The step into a second is one of those within it, but for this factor.
+    STEADY: f64 = 3.0;
+}
 
 /// A stamp as its whole seconds and the digits behind them.
 struct Stamp<'a> {
@@ -89,7 +91,7 @@ fn lack_zeros(stamps: &[Stamp<'_>], digits: usize) -> bool {
     let usual = middle(&within).zip(middle(&into));
     back && within.iter().all(|step| *step >= 0.0)
         && usual.is_some_and(|(within, into)| {
-            within > 0.0 && (within / STEADY..=within * STEADY).contains(&into)
+            within > 0.0 && (within / STEADY.get()..=within * STEADY.get()).contains(&into)
         })
 }
 
