@@ -1,15 +1,12 @@
 //! `batch` as a line and its engine meet it: shards, resume, merge, bad devices among good, the prior.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
-mod common;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
+use crate::common::{json, stderr, stdout, stillpoint};
 use calib::recording::to_csv;
 use calib::simulate::{HandHeld, Motion, Spec};
-use common::{json, stderr, stdout, stillpoint};
 use serde_json::Value;
 
 /// A folder `devices` with `count` short sessions.

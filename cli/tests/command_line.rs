@@ -1,7 +1,4 @@
 //! The command line as scripts meet it: exit statuses, files left whole, one JSON document.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
-mod common;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
@@ -9,7 +6,7 @@ use std::process::{Command, Output, Stdio};
 use calib::recording::{stream_to_csv, to_csv};
 use calib::simulate::{HandHeld, Motion, Session, Spec};
 
-use common::{json, stderr, stillpoint};
+use crate::common::{json, stderr, stillpoint};
 
 fn status(output: &Output) -> i32 {
     output.status.code().unwrap()

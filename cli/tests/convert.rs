@@ -1,12 +1,8 @@
 //! `convert` loses nothing without a word.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
-
-mod common;
-
 use std::path::{Path, PathBuf};
 
-use common::{files, folder, json, status, stderr, stillpoint};
+use crate::common::{files, folder, json, status, stderr, stillpoint};
 
 /// A folder with `all.csv`: both sensors, a temperature that rises, a field, a pressure and marks.
 fn furnished() -> (tempfile::TempDir, PathBuf) {

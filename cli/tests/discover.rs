@@ -1,14 +1,11 @@
 //! `discover` from the command line: what it finds, what it writes, what it refuses.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
-mod common;
 
 use std::path::{Path, PathBuf};
 
 use calib::recording::to_csv;
 use calib::simulate::Spec;
 
-use common::{stderr, stdout, stillpoint};
+use crate::common::{stderr, stdout, stillpoint};
 
 const HIDDEN: &str = "gyro_g_sensitivity";
 

@@ -1,9 +1,6 @@
 //! Effects that a user defines in a file: simulated, listed, calibrated, applied.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod common;
-
-use common::{json, stillpoint};
+use crate::common::{json, stillpoint};
 
 /// Rates about two axes leak into the third.
 const CROSS: &str = r#"

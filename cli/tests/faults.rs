@@ -1,6 +1,5 @@
 //! A few faults while files are written; `stillpoint-tests --bin faults` tries hundreds.
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 #[path = "../../tests/src/faults.rs"]
 mod faults;

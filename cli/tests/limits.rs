@@ -1,11 +1,8 @@
 //! Limits: of memory, of time, of what messages quote; and what `--json` prints on failure.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
-mod common;
 
 use std::fmt::Write as _;
 
-use common::{folder, json, status, stderr, stillpoint};
+use crate::common::{folder, json, status, stderr, stillpoint};
 
 #[test]
 fn on_failure_json_is_one_error_object() {

@@ -1,9 +1,6 @@
 //! `--limits`: pass or fail by a file, and what fails without one.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod common;
-
-use common::{folder, json, stderr, stdout, stillpoint};
+use crate::common::{folder, json, stderr, stdout, stillpoint};
 use serde_json::Value;
 
 #[test]

@@ -1,17 +1,14 @@
 //! `live` with a simulated phone, a person who reads what it says, text that comes, and a browser.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
-
-mod common;
-
+use crate::common;
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Child, ChildStdin, Command, Stdio};
 use std::time::{Duration, Instant};
 
+use crate::common::{folder, json, status, stderr, stillpoint};
 use calib::Recording;
 use calib::recording::ReadOptions;
-use common::{folder, json, status, stderr, stillpoint};
 use stillpoint_tests::live::{Server, phone};
 
 /// Starts `stillpoint live` with a phone whose person reads `events.ndjson`.

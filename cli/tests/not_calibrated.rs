@@ -1,15 +1,12 @@
 //! A sensor that was recorded and could not be calibrated never looks as if it were.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
-mod common;
 
 use std::path::Path;
 
+use crate::common::{files, json, status, stderr, stdout, stillpoint};
 use calib::intervals::{Detector, segment};
 use calib::recording::to_csv;
 use calib::simulate::{HandHeld, Motion, Spec};
 use calib::{Recording, recording::Stream};
-use common::{files, json, status, stderr, stdout, stillpoint};
 use serde_json::Value;
 
 /// A session of 14 placements.

@@ -1,11 +1,8 @@
 //! Outputs: whole or not at all, nothing left behind, no input written over.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
-mod common;
 
 use std::path::Path;
 
-use common::{files, folder, json, status, stderr, stillpoint};
+use crate::common::{files, folder, json, status, stderr, stillpoint};
 
 #[test]
 fn an_existing_file_is_told_from_one_that_cannot_be_written() {

@@ -1,11 +1,8 @@
 //! `plan`: from nothing, from a recording, from a calibration.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod common;
-
+use crate::common::{folder, json, status, stderr, stdout, stillpoint};
 use calib::recording::to_csv;
 use calib::simulate::{HandHeld, Motion, Spec};
-use common::{folder, json, status, stderr, stdout, stillpoint};
 
 #[test]
 fn a_plan_of_twelve_placements_has_words_turns_predictions_and_pictures() {

@@ -1,13 +1,10 @@
 //! A formula for what no effect of the catalogue explains: shown, written as source, named once it is defined.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
-mod common;
 
 use calib::recording::to_csv;
 use calib::simulate::Spec;
 use sensor::{Axis, Covariate, Formula, Sensor, Term, emit_effect};
 
-use common::{stderr, stillpoint};
+use crate::common::{stderr, stillpoint};
 
 /// Specific force along two axes leaks into the rate about the third.
 const SWIRL: &str = r#"

@@ -1,11 +1,8 @@
 //! Calibrations that are used again: as they were written, edited, for another gravity.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
-mod common;
 
 use std::path::Path;
 
-use common::{folder, json, status, stderr, stillpoint};
+use crate::common::{folder, json, status, stderr, stillpoint};
 use serde_json::Value;
 
 fn run(path: &Path, call: &str) -> std::process::Output {

@@ -1,14 +1,11 @@
-//! Files of tables, end to end: with the tests of the workspace, or `cargo test -p stillpoint --features parquet,hdf5,xlsx --test tables`.
+//! Files of tables, end to end: with the tests of the workspace, or `cargo test -p stillpoint --features parquet,hdf5,xlsx --test cli tables`.
 
 #![cfg(all(feature = "parquet", feature = "hdf5", feature = "xlsx"))]
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
-
-mod common;
 
 use std::fs;
 use std::path::Path;
 
-use common::{folder, json, status, stderr, stillpoint};
+use crate::common::{folder, json, status, stderr, stillpoint};
 use file_formats::make::{SheetCell, hdf5, workbook};
 
 const NAMES: [&str; 7] = ["t", "ax", "ay", "az", "gx", "gy", "gz"];

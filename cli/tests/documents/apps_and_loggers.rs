@@ -1,7 +1,5 @@
 //! Every line of the manual's table of apps and loggers, run on a file as that program writes it.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
-
 use std::process::Command;
 
 use stillpoint_tests::layouts::{Samples, layouts};

@@ -1,8 +1,6 @@
 //! The manual as a book: every chapter is in its contents, every link and picture is there, and it can be built.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod blocks;
-
+use super::blocks;
 use std::collections::BTreeSet;
 use std::path::Path;
 use std::process::Command;

@@ -1,10 +1,6 @@
 //! `export` and `import` as a person calls them; every line of the manual's table of targets.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-#[path = "../common/mod.rs"]
-mod common;
-
-use common::{files, folder, json, status, stderr, stdout, stillpoint};
+use crate::common::{files, folder, json, status, stderr, stdout, stillpoint};
 
 const TARGETS: [&str; 12] = [
     "imu_tk",

@@ -1,17 +1,14 @@
 //! Every block of the book and of the project's README: what is shown of the program is what it does.
 //!
-//! `TRYCMD=overwrite cargo test -p stillpoint --test manual` writes today's output into the `console` blocks.
+//! `TRYCMD=overwrite cargo test --workspace --test cli manual` writes today's output into the `console` blocks.
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod blocks;
-#[path = "../common/mod.rs"]
-mod common;
-
+use super::blocks;
+use crate::common;
 use std::path::Path;
 
+use crate::common::{json, stillpoint};
 use blocks::{blocks, is_said, manual, pages, run};
-use common::{json, stillpoint};
 use stillpoint_tests::needed_data::skipped;
 
 /// Calls that need a device.

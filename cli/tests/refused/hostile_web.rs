@@ -1,6 +1,5 @@
 //! Web clients that mean no good, on the page of a session whose phone does not answer: each gets its refusal or nothing, and a
 //! browser its page in the meantime.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{Shutdown, SocketAddr, TcpListener, TcpStream};

@@ -1,16 +1,12 @@
 //! What the system refuses is said; it is never taken for something else, and nothing is left out for it. `tests/io_failures.py` lets
 //! every read and write of every command fail.
 #![cfg(target_os = "linux")]
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
-#[path = "../common/mod.rs"]
-mod common;
 
 use std::fs::File;
 use std::os::unix::fs::symlink;
 use std::process::Command;
 
-use common::{folder, status, stderr, stillpoint};
+use crate::common::{folder, status, stderr, stillpoint};
 
 #[test]
 fn help_and_version_that_a_full_disk_does_not_take_are_status_6() {

@@ -1,16 +1,11 @@
 //! The first screen: the verdict first, and no more than a terminal of 24 lines and 80 columns shows.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
-#[path = "../common/mod.rs"]
-mod common;
-#[path = "../../../tests/src/needed_data.rs"]
-mod needed_data;
 
 use std::path::{Path, PathBuf};
+use stillpoint_tests::needed_data;
 
+use crate::common::{status, stderr, stdout, stillpoint};
 use calib::recording::to_csv;
 use calib::simulate::{HandHeld, Motion, Spec};
-use common::{status, stderr, stdout, stillpoint};
 
 const LINES: usize = 24;
 const COLUMNS: usize = 80;

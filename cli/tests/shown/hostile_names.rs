@@ -1,13 +1,9 @@
 //! Names from outside stay text: in reports, pictures, JSON and on the terminal.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
-#[path = "../common/mod.rs"]
-mod common;
 
 use std::path::Path;
 use std::process::Command;
 
-use common::{folder, stderr, stdout, stillpoint};
+use crate::common::{folder, stderr, stdout, stillpoint};
 use stillpoint_tests::needed_data::skipped;
 
 /// Markup, an escape sequence in both spellings, a change of direction, a new line.

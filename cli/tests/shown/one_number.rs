@@ -1,14 +1,10 @@
 //! One quantity has one number: on the terminal, with `-v`, on the page, in the documents, in a batch.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
-#[path = "../common/mod.rs"]
-mod common;
 
 use std::path::Path;
 
+use crate::common::{status, stderr, stdout, stillpoint};
 use calib::recording::to_csv;
 use calib::simulate::{HandHeld, Motion, Spec};
-use common::{status, stderr, stdout, stillpoint};
 use serde_json::Value;
 
 /// What a command prints.

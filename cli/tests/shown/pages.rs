@@ -1,13 +1,8 @@
 //! Reports as a browser shows them: nothing sticks out, no text lies on another, the policy holds, the size is bounded.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
-
-#[path = "../common/mod.rs"]
-mod common;
-
 use std::path::Path;
 
-use common::{browsed, chromium, status, stderr, stillpoint};
+use crate::common::{browsed, chromium, status, stderr, stillpoint};
 
 /// A session of so many placements, 10 s each at 100 Hz.
 fn session(folder: &Path, name: &str, placements: usize, more: &str) {

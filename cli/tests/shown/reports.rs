@@ -1,13 +1,9 @@
 //! What a report says, where it goes, and recordings that a command must refuse or mark.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
-#[path = "../common/mod.rs"]
-mod common;
 
 use std::fmt::Write as _;
 use std::path::Path;
 
-use common::{stderr, stillpoint};
+use crate::common::{stderr, stillpoint};
 
 /// A plain CSV at 50 Hz: rests of `rest` seconds with the given specific forces, shaken by hand for
 /// three seconds between.

@@ -1,10 +1,6 @@
 //! What a terminal sees: widths, colours, silence, a file alone, completions and manual pages.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-#[path = "../common/mod.rs"]
-mod common;
-
-use common::{files, folder, status, stderr, stdout, stillpoint};
+use crate::common::{files, folder, status, stderr, stdout, stillpoint};
 
 const COMMANDS: [&str; 19] = [
     "batch",

@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use crate::bench::Bench;
-use crate::device::{Row, csv, good, rows, spec};
+use super::bench::Bench;
+use super::device::{Row, csv, good, rows, spec};
 
 /// A folder with `r.csv` and its calibration `cal.json`.
 fn calibrated() -> Bench {

@@ -2,13 +2,13 @@
 
 use file_formats::make::{self, ImuRow, Packer, Packing, Rows, zip};
 
-use crate::bench::{Bench, Run};
-use crate::device::{csv, good};
+use super::bench::{Bench, Run};
+use super::device::{csv, good};
 
 const STAMP: i64 = 1_700_000_000_000_000_000;
 
 pub fn imu() -> Vec<ImuRow> {
-    let row = |row: &crate::device::Row| {
+    let row = |row: &super::device::Row| {
         let stamp = STAMP + (row[0] * 1e9).round() as i64;
         (stamp, [row[1], row[2], row[3]], [row[4], row[5], row[6]])
     };

@@ -1,8 +1,8 @@
 //! Corruptions of a good recording that leave a file which looks well: by either method each is refused, or a warning
 //! names its kind and its place; and so does `evaluate` on what was written nevertheless.
 
-use crate::bench::{Bench, Run};
-use crate::device::{Row, csv, good, spoilt};
+use super::bench::{Bench, Run};
+use super::device::{Row, csv, good, spoilt};
 
 /// Where the recording changes.
 fn half() -> usize {

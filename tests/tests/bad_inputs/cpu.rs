@@ -5,14 +5,14 @@
 //!
 //! ```text
 //! cargo test --release --config 'profile.release.lto="off"' --config profile.release.codegen-units=16 \
-//!   -p stillpoint --test bad_inputs cpu -- --nocapture --test-threads 1
+//!   --workspace --test cli cpu -- --nocapture --test-threads 1
 //! ```
 
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
-use crate::bench::Bench;
-use crate::device::HEADER;
+use super::bench::Bench;
+use super::device::HEADER;
 
 const ROWS: usize = 100_000;
 /// What a call may take of the processor, s, in whatever profile the tests are built; the released program takes up to 5 of them.

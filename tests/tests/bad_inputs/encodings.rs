@@ -1,7 +1,7 @@
 //! Cases 1 to 25: what a text can be encoded, separated and quoted like.
 
-use crate::bench::Bench;
-use crate::device::{HEADER, csv, good, lines, table};
+use super::bench::Bench;
+use super::device::{HEADER, csv, good, lines, table};
 
 /// What `calibrate` says of this file.
 #[track_caller]

@@ -2,8 +2,8 @@
 
 use std::io::Write as _;
 
-use crate::bench::Bench;
-use crate::device::{csv, good, table};
+use super::bench::Bench;
+use super::device::{csv, good, table};
 
 #[test]
 fn case_026_compressed_text_is_opened_and_other_kinds_are_named() {

@@ -2,8 +2,8 @@
 
 use file_formats::make::{self, Packer};
 
-use crate::containers::{calibrate, imu, sensor};
-use crate::device::{HEADER, good, line};
+use super::containers::{calibrate, imu, sensor};
+use super::device::{HEADER, good, line};
 
 /// An element of a MAT file.
 fn element(kind: u32, bytes: &[u8]) -> Vec<u8> {

@@ -2,8 +2,8 @@
 
 use calib::simulate::{Fault, HandHeld, Motion, Spec};
 
-use crate::bench::{Bench, Run};
-use crate::device::{Row, at_rest, csv, good, rows, spec, spoilt};
+use super::bench::{Bench, Run};
+use super::device::{Row, at_rest, csv, good, rows, spec, spoilt};
 
 #[track_caller]
 fn calibrate(rows: &[Row], more: &[&str]) -> Run {

@@ -6,8 +6,8 @@ use serde_json::Value;
 
 use stillpoint_tests::needed_data::skipped;
 
-use crate::bench::{Bench, Run};
-use crate::device::{csv, good};
+use super::bench::{Bench, Run};
+use super::device::{csv, good};
 
 fn bench() -> Bench {
     Bench::with("r.csv", csv(good()))

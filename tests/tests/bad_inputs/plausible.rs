@@ -2,8 +2,8 @@
 
 use calib::simulate::{HandHeld, Motion};
 
-use crate::bench::{Bench, Run};
-use crate::device::{HEADER, Row, csv, good, lines, rows, spec, spoilt, table};
+use super::bench::{Bench, Run};
+use super::device::{HEADER, Row, csv, good, lines, rows, spec, spoilt, table};
 
 const G: f64 = 9.80665;
 const SI: &str = "t (s),ax (m/s^2),ay (m/s^2),az (m/s^2),gx (rad/s),gy (rad/s),gz (rad/s)";

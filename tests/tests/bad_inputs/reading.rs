@@ -1,8 +1,8 @@
 //! What is read of files that are no plain CSV: sensors that are there are found or asked about, units decided by data.
 
-use crate::bench::Bench;
-use crate::containers::{archive, calibrate, imu, sensor, tables};
-use crate::device::{csv, good};
+use super::bench::Bench;
+use super::containers::{archive, calibrate, imu, sensor, tables};
+use super::device::{csv, good};
 
 #[test]
 fn a_sensor_that_is_there_and_not_understood_stops_the_run() {
@@ -148,7 +148,7 @@ fn a_magnetometer_that_never_changes_is_kept_and_not_calibrated() {
             0..10 => "0,0,0".to_owned(),
             k => format!("{},-0.2,0.4", 0.3 + 1e-4 * f64::from(k % 7)),
         };
-        format!("{},{field}\n", crate::device::line(r))
+        format!("{},{field}\n", super::device::line(r))
     });
     let text = format!(
         "t,ax,ay,az,gx,gy,gz,mx (gauss),my (gauss),mz (gauss)\n{}",

@@ -1,7 +1,7 @@
 //! Cases 61 to 79: stamps.
 
-use crate::bench::{Bench, Run};
-use crate::device::{HEADER, Row, csv, good, lines, spoilt, table};
+use super::bench::{Bench, Run};
+use super::device::{HEADER, Row, csv, good, lines, spoilt, table};
 
 #[track_caller]
 fn calibrate(content: impl AsRef<[u8]>, more: &[&str]) -> Run {
@@ -12,7 +12,7 @@ fn calibrate(content: impl AsRef<[u8]>, more: &[&str]) -> Run {
 /// The good rows with stamps as text.
 fn stamped(stamp: impl Fn(&Row) -> String) -> String {
     let with = |row: &Row| {
-        let line = crate::device::line(row);
+        let line = super::device::line(row);
         let (_, values) = line.split_once(',').unwrap();
         format!("{},{values}", stamp(row))
     };
@@ -110,7 +110,7 @@ fn rebooted(at: &[usize]) -> String {
         if at.contains(&k) {
             begun = row[0] - 0.3;
         }
-        let line = crate::device::line(row);
+        let line = super::device::line(row);
         let (_, values) = line.split_once(',').unwrap();
         format!("{:.0},{values}", (row[0] - begun) * 1000.0)
     };
@@ -148,9 +148,9 @@ fn a_short_boot_before_the_recording_is_left_out() {
 #[test]
 fn devices_in_one_table_are_asked_for_by_every_command() {
     let rows = good().iter().flat_map(|row| {
-        let line = crate::device::line(row);
+        let line = super::device::line(row);
         let (t, values) = line.split_once(',').unwrap();
-        let other = crate::device::line(&row.map(|v| v + 0.2));
+        let other = super::device::line(&row.map(|v| v + 0.2));
         let (_, others) = other.split_once(',').unwrap();
         [format!("{t},A,{values}"), format!("{t},B,{others}")]
     });
@@ -281,7 +281,7 @@ fn slow(every: usize) -> Vec<Row> {
         turn: [2.0, 3.0],
         ..HandHeld::default()
     });
-    let rows = crate::device::rows(&spec);
+    let rows = super::device::rows(&spec);
     rows.into_iter().step_by(every).collect()
 }
 

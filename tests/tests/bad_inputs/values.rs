@@ -1,7 +1,7 @@
 //! Cases 80 to 103: values and their units.
 
-use crate::bench::{Bench, Run};
-use crate::device::{HEADER, Row, csv, good, lines, spoilt, table};
+use super::bench::{Bench, Run};
+use super::device::{HEADER, Row, csv, good, lines, spoilt, table};
 
 const G: f64 = 9.80665;
 
@@ -170,7 +170,7 @@ fn case_096_readings_that_the_system_has_corrected() {
 #[test]
 fn case_098_temperatures_that_cannot_be() {
     let with = |celsius: &dyn Fn(f64) -> f64| -> String {
-        let line = |row: &Row| format!("{},{:.3}", crate::device::line(row), celsius(row[0]));
+        let line = |row: &Row| format!("{},{:.3}", super::device::line(row), celsius(row[0]));
         let rows: Vec<String> = good().iter().map(line).collect();
         table("t,ax,ay,az,gx,gy,gz,temp", &rows)
     };

@@ -3,8 +3,6 @@
 //! Every file is made here. A case runs the program in a folder of its own and looks at the exit status, at what is said and
 //! at what is left in the folder. Cases 133 and 141 are of `batch` and stand with its tests, `cli/tests/batch.rs`.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
-
 mod bench;
 mod calibrations;
 mod containers;

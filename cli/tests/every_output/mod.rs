@@ -1,19 +1,16 @@
 //! Every option of every command that writes a file, and every one that reads one: no input is written over, nothing that stands
 //! in the way is harmed, and what cannot be written is found before anything is read.
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod calls;
-#[path = "../common/mod.rs"]
-mod common;
 
 use std::collections::BTreeMap;
 use std::os::unix::fs::{FileTypeExt, symlink};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
+use crate::common::{files, status, stderr, stillpoint};
 use calls::{CALLS, WITHOUT_INPUT, furnished};
-use common::{files, status, stderr, stillpoint};
 
 /// Every file below the folder with its bytes; a link by where it leads.
 fn everything(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {

@@ -1,20 +1,15 @@
 //! The commands of the phone experiment, on simulated recordings and on the phone's where at hand.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-#[cfg(unix)]
-mod blocks;
-#[path = "../common/mod.rs"]
-mod common;
-#[path = "../../../tests/src/needed_data.rs"]
-mod needed_data;
+use stillpoint_tests::needed_data;
 #[cfg(unix)]
 mod story;
 
+use super::blocks;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Output;
 
-use common::stillpoint;
+use crate::common::stillpoint;
 
 fn json(output: &Output) -> serde_json::Value {
     assert!(

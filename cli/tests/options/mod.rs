@@ -1,9 +1,7 @@
 //! Every option of every command changes the result, is refused with the reason, or is listed as changing nothing.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+use crate::common;
 mod cases;
-#[path = "../common/mod.rs"]
-mod common;
 mod inputs;
 
 use std::collections::{BTreeMap, HashMap};
