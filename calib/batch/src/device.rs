@@ -228,7 +228,7 @@ pub(crate) fn refused(record: Record, status: Status, reason: String) -> Record 
     }
 }
 
-/// Whether the system has not let a file be read.
+/// True where the system has not let a file be read.
 fn is_of_system(error: &Error) -> bool {
     let of_system = [Kind::Unreadable, Kind::ReadingStopped];
     of_system.contains(&error.finding().kind)

@@ -73,7 +73,7 @@ impl Store {
         Some(record)
     }
 
-    /// Whether an earlier run has left a record of a device.
+    /// True where an earlier run has left a record of a device.
     pub(crate) fn holds(&self, id: &str) -> bool {
         self.device(id).join("record.json").exists()
     }

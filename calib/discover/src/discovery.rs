@@ -115,7 +115,7 @@ pub(super) fn discover_in(session: &mut Session<'_>) -> Result<Discovery, Error>
     })
 }
 
-/// What is wrong with the recordings, and what explains them.
+/// Faults of the recordings, and the explanations of their residuals.
 type Seen = (Vec<Integrity>, Explained);
 
 /// The faults of the recordings, and what the base models lack where nothing spoils them.

@@ -19,7 +19,7 @@ findings::tuning! {
     /// clean session with flicker it was 5, of harmonics in the force on every axis 10.
     MUCH_LIKELIER: f64 = 9.0;
 
-    /// What the flicker of an axis gains (log) on average where there is none and its variance comes out above zero: ½ χ²₁.
+    /// Gain of the flicker of an axis (log) on average where there is none and its variance comes out above zero: ½ χ²₁.
     BY_CHANCE: f64 = 0.5;
 }
 

@@ -120,7 +120,7 @@ pub struct Session<'a> {
     parts: Vec<(usize, Choice)>,
     /// The recordings as they were read.
     pub originals: Vec<&'a Recording>,
-    /// What is asked of them, with the flicker and the latitude that the search has found since.
+    /// The request for them, with the flicker and the latitude that the search has found since.
     pub request: Request,
     /// The effects that may be missing.
     pub candidates: Vec<EffectRef>,

@@ -31,12 +31,12 @@ findings::tuning! {
     DISAGREES: f64 = 4.0;
 }
 
-/// What a recording that the fit did not see shows.
+/// Result of a recording that the fit did not see.
 #[derive(Clone, Debug)]
 pub struct Validated {
     /// The gap in each channel.
     pub gaps: Vec<Validation>,
-    /// What it says of each named effect.
+    /// Its verdict on each named effect.
     pub confirmations: Vec<Confirmation>,
     /// Doubts whether it is of the device and in its units, as read by the calibration of the others.
     pub doubts: Vec<Finding>,
@@ -129,7 +129,7 @@ fn doubts_of(recording: &Recording, discovery: &Discovery) -> Result<Vec<Finding
     }
 }
 
-/// What the validation recording says of every named effect, `before` and `with` being what the base models and everything named leave
+/// Verdicts of the validation recording on every named effect, `before` and `with` being what the base models and everything named leave
 /// of it.
 ///
 /// Of two calibrations, without and with the effect, the second predicts `d` less of the residuals `r` of the first. The share of `d`
@@ -171,7 +171,7 @@ fn confirmations(
     Ok(found)
 }
 
-/// What a calibration leaves of another recording, whose directions and biases are free.
+/// The residual of another recording under a calibration, whose directions and biases are free.
 struct Missed {
     /// Residuals, white-whitened (`m`).
     residuals: Vec<f64>,

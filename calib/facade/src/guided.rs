@@ -66,7 +66,7 @@ impl Session {
         }))
     }
 
-    /// What to do now.
+    /// The step to do now.
     pub fn instruction(&self) -> Instruction {
         self.0.instruction()
     }

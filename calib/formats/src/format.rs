@@ -19,7 +19,7 @@ pub struct Format {
     pub(crate) reads: Reads,
 }
 
-/// How the streams of sensors come out of a file.
+/// The ways in which streams of sensors come out of a file.
 #[derive(Debug)]
 pub(crate) enum Reads {
     /// From its begin to its end.

@@ -156,7 +156,7 @@ impl SensorAccumulator {
     }
 }
 
-/// What is made of samples that are no outliers.
+/// The curves of samples that are no outliers.
 #[derive(Debug, Default)]
 struct Cleaned {
     regular: Regular,

@@ -29,7 +29,7 @@ findings::tuning! {
     /// The errors of both sensors are in balance where that of the gyroscope is so much of what a quarter turn misses, as in the
     /// sessions that are best by their product without regard to the hand.
     IN_BALANCE: f64 = 0.49;
-    /// What a session costs whose norms of gravity alone do not tell the accelerometer's parameters, in `ln` of the errors.
+    /// The cost of a session whose norms of gravity alone do not tell the accelerometer's parameters, in `ln` of the errors.
     NOT_BY_NORMS: f64 = 1.0;
     /// Directions closer than this are one.
     SAME: f64 = 1e-6;
@@ -151,7 +151,7 @@ struct Table {
     first: Vec<Place>,
     later: Vec<Place>,
     hold: Vec<f64>,
-    /// What each says of the accelerometer by its norm alone.
+    /// Information of each on the accelerometer by its norm alone.
     norm: Vec<ForceRow>,
 }
 

@@ -292,7 +292,7 @@ fn text(recording: &Recording, choice: &Choice) -> String {
     text
 }
 
-/// What to do about turns that are not used; `None` where all are.
+/// Advice about turns that are not used; `None` where all are.
 fn turns_left_out(segmentation: &Segmentation) -> Option<String> {
     let fault = segmentation.turns.iter().find_map(|t| t.fault.as_ref())?;
     let advice = fault.finding().advice(Front::CommandLine)?;

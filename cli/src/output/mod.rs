@@ -10,7 +10,7 @@ pub use output::{Folder, Growing, is_same_file};
 
 use crate::exit::Failure;
 
-/// What to do where an output exists.
+/// The choice where an output exists.
 #[derive(Args, Clone, Copy, Debug, Default)]
 pub struct Replace {
     /// Replace existing files

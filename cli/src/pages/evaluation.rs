@@ -23,7 +23,7 @@ const OF_USE: f64 = 0.9;
 /// A rate at rest that is no rotation of the earth, rad/s: twice that.
 const FAR_FROM_ZERO: f64 = 1.5e-4;
 
-/// What comes after an evaluation.
+/// The step after an evaluation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Next {
     /// A calibration is named.
@@ -36,14 +36,14 @@ pub enum Next {
     Use(usize),
     /// The biases of the calibration of this place are estimated again.
     EstimateBias(usize),
-    /// What a finding advises.
+    /// The advice of a finding.
     Advice(String),
 }
 
-/// What to do where nothing could be compared.
+/// Advice where nothing could be compared.
 pub const RECORD_AT_REST: &str = "Record again and hold the device still now and then.";
 
-/// What to do where a calibration is of no use.
+/// Advice where a calibration is of no use.
 pub const CALIBRATE_THIS: &str = "Check that recording and calibration are of one device and one unit, then calibrate on this recording and compare.";
 
 /// A calibration by its name, with what it leaves.

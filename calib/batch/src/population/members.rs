@@ -1,4 +1,4 @@
-//! Which devices are of the type, and the fit to those.
+//! The devices that are of the type, and the fit to those.
 //!
 //! From a robust start devices are fitted and all judged again, each by a type that it has no say in. One is left out where
 //! chance explains so much in no more than one whole fleet of twenty. In a fleet of sessions with equal errors the distance of
@@ -28,7 +28,7 @@ findings::tuning! {
 /// A type and its devices.
 pub(super) struct Members {
     pub fit: Fit,
-    /// Whether each device is of the type; the fit is to those that are.
+    /// True for each device that is of the type; the fit is to these.
     pub of_type: Vec<bool>,
 }
 

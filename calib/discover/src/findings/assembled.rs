@@ -22,7 +22,7 @@ pub struct Found {
     pub effects: Vec<EffectFinding>,
     /// Faults of the recordings.
     pub faults: Vec<Integrity>,
-    /// What no name explains.
+    /// The residual that no name explains.
     pub rest: Option<Unexplained>,
     /// A formula for it.
     pub proposed: Option<Proposal>,

@@ -133,7 +133,7 @@ pub struct Validation {
     pub dof: f64,
 }
 
-/// What a recording that the fit did not see says of a named effect.
+/// A verdict on a named effect by a recording that the fit did not see.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Confirmation {
     /// The recording.
@@ -144,11 +144,11 @@ pub struct Confirmation {
     pub share: f64,
     /// Its standard error, the calibration's own errors in it.
     pub std: f64,
-    /// What follows.
+    /// The verdict.
     pub says: Says,
 }
 
-/// What a recording says of an effect.
+/// A verdict of a recording on an effect.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Says {
@@ -202,7 +202,7 @@ pub struct Findings {
     pub never_visible: ::findings::Findings,
     /// Gaps on recordings that the fit did not see.
     pub validation: Vec<Validation>,
-    /// What recordings that the fit did not see say of each named effect.
+    /// Verdicts on each named effect by recordings that the fit did not see.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub confirmations: Vec<Confirmation>,
     /// Random walk densities of the biases in the final model, m/s²/√s and rad/s/√s.

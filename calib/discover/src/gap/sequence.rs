@@ -86,7 +86,7 @@ impl Sequence {
         channel_of(&self.of_column(column.col_as_slice(0)))
     }
 
-    /// What the parameters leave of a white-whitened column (`m`), whitened.
+    /// The part of a white-whitened column (`m`) that no parameter explains, whitened.
     pub fn left_of(&self, column: &[f64]) -> Vec<f64> {
         let [.., whole] = &self.bases;
         whole.without_column(&self.whitening.finish_column(column))

@@ -136,7 +136,7 @@ pub struct Kept<'a> {
 }
 
 impl<'a> Kept<'a> {
-    /// Of which no product is known yet.
+    /// A spectrum of these columns, without any product yet.
     pub fn of(columns: &'a Columns) -> Self {
         Self {
             columns,

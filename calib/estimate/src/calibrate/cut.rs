@@ -15,7 +15,7 @@ use crate::methods::{self, Choice, cut_several};
 pub(super) struct Cut<'a> {
     /// The recordings.
     pub recordings: Vec<&'a Recording>,
-    /// How each was cut.
+    /// The settings by which each was cut.
     pub choices: Vec<Choice>,
 }
 

@@ -112,7 +112,7 @@ impl Calibration {
         self.verdict_of(&self.findings())
     }
 
-    /// What to do next: what a front end offers in its own commands, else the steps of the verdict.
+    /// The next steps: what a front end offers in its own commands, else the steps of the verdict.
     pub fn next_steps(&self) -> Vec<Step> {
         self.next.clone().unwrap_or_else(|| self.verdict().next)
     }

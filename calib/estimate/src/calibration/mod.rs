@@ -118,7 +118,7 @@ pub struct Calibration {
     /// Biases estimated again since, oldest first.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub history: Vec<BiasUpdate>,
-    /// What a front end offers next in its own commands; no part of the document, which is the same by whatever call it was made.
+    /// The steps that a front end offers next in its own commands; no part of the document, which is the same by whatever call it was made.
     #[serde(skip)]
     pub next: Option<Vec<Step>>,
     /// Recordings, options and conventions.

@@ -59,7 +59,7 @@ pub fn not_kept(lines: &[LimitLine]) -> Vec<&LimitLine> {
 }
 
 impl LimitLine {
-    /// What is judged, in words: a limit on a class of parameters is one on their standard errors.
+    /// The judged quantity, in words: a limit on a class of parameters is one on their standard errors.
     pub fn words(&self) -> String {
         match self.name.split_once('.') {
             Some((_, "scale" | "misalignment" | "bias")) => {

@@ -37,7 +37,7 @@ pub fn vertical_rate_at(latitude: f64) -> f64 {
 /// The rotation of the earth in what a gyroscope reads at rest, rad/s.
 #[derive(Clone, Copy, Debug)]
 pub struct AtRest {
-    /// What the latitude gives: the vertical part.
+    /// The part that the latitude gives: the vertical one.
     pub known: Vector3<f64>,
     /// Standard deviation of the rest: the horizontal part points anywhere, and without a latitude all of it does.
     pub std: Vector3<f64>,

@@ -17,7 +17,7 @@ pub enum Front {
     Python,
 }
 
-/// What the advice says of the use of a result.
+/// Advice on the use of a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum UseOfResult {
     /// Nothing.
@@ -44,7 +44,7 @@ pub(crate) struct Entry {
     pub text: &'static str,
     /// Template of the advice, an imperative, where no [`Remedy`] gives it. The form is that of `text`.
     pub advice: &'static str,
-    /// What the advice says of the use of the result.
+    /// Advice on the use of the result.
     pub use_of_result: UseOfResult,
     /// Usual ways out.
     pub remedies: Vec<Remedy>,

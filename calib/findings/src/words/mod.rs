@@ -100,7 +100,7 @@ impl Finding {
         text
     }
 
-    /// Where and what.
+    /// The place and the fact.
     fn stated(&self) -> String {
         let what = template::filled(entry(self.kind).text, self);
         match self.place.in_words() {

@@ -53,7 +53,7 @@ pub(super) fn flag(option: OptionName) -> String {
     format!("--{}", option.to_string().replace('_', "-"))
 }
 
-/// What gives an option in Rust.
+/// The field that gives an option in Rust.
 fn field(option: OptionName) -> &'static str {
     use OptionName as O;
     match option {

@@ -53,7 +53,7 @@ struct Topic {
     count: u64,
 }
 
-/// What zstd begins with: bags may be compressed message by message.
+/// The first bytes of zstd: bags may be compressed message by message.
 const ZSTD: &[u8] = b"\x28\xb5\x2f\xfd";
 /// A longer message is no reading.
 const LONGEST: u64 = 64 << 10;

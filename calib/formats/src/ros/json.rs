@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-/// What a message says.
+/// The content of a message.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Said {
     /// Stamp, ns.

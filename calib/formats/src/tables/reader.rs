@@ -6,7 +6,7 @@ use std::io::Write;
 use crate::store::Store;
 use crate::{Error, Limits};
 
-/// How a file's tables are found and written as text.
+/// A reader that finds the tables of a file and writes them as text.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reader {
     /// Finds the tables.

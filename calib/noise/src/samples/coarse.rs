@@ -14,7 +14,7 @@ findings::tuning! {
 pub struct Coarse {
     /// Smallest step, in the unit of the samples.
     pub step: f64,
-    /// How much the readings scatter, in the same unit.
+    /// Scatter of the readings, in the same unit.
     pub spread: f64,
 }
 
@@ -69,7 +69,7 @@ impl LeastSteps {
         self.least
     }
 
-    /// Of all axes; none where no axis changes.
+    /// The least of all axes; none where no axis changes.
     pub fn least(&self) -> Option<f64> {
         Some(self.least.min()).filter(|step| step.is_finite())
     }

@@ -37,7 +37,7 @@ findings::tuning! {
 /// Samples that were left out.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Outliers {
-    /// How many samples.
+    /// Number of samples.
     pub count: usize,
     /// The first of them, s.
     pub times: Vec<f64>,
@@ -72,7 +72,7 @@ pub(crate) struct WithoutOutliers {
     found: Outliers,
 }
 
-/// What is usual on an axis.
+/// The usual change and scatter of an axis.
 #[derive(Clone, Copy, Debug)]
 struct Usual {
     /// Mean change from sample to sample; none before the first is judged.
@@ -117,7 +117,7 @@ impl WithoutOutliers {
         }
     }
 
-    /// What was found.
+    /// The outliers that were found.
     pub fn found(&self) -> &Outliers {
         &self.found
     }

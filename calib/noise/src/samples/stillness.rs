@@ -202,7 +202,7 @@ findings::tuning! {
 }
 
 impl Stillness {
-    /// That of a recording in motion from beginning to end.
+    /// The stillness of a recording in motion from beginning to end.
     pub(crate) fn nowhere(whole: Span) -> Self {
         Self {
             motions: vec![whole],

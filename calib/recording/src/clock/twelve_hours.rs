@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-/// What stands behind the hours before noon and after it, or before them, without points and blanks.
+/// Marks behind the hours before noon and after it, or before them, without points and blanks.
 const HALVES: [(&str, bool); 8] = [
     ("am", false),
     ("pm", true),
@@ -14,7 +14,7 @@ const HALVES: [(&str, bool); 8] = [
     ("午後", true),
 ];
 
-/// Whether a word is a half of the day, and that after noon: `PM`, `p. m.`, `下午`.
+/// The half of the day that a word is, true after noon: `PM`, `p. m.`, `下午`.
 fn half(word: &str) -> Option<bool> {
     let letters: String = word
         .chars()

@@ -23,7 +23,7 @@ findings::tuning! {
     IN_A_ROW: usize = 4;
     /// Places that are compared together.
     CHUNK: usize = 50;
-    /// Of what is between devices their mean over these places keeps more than this share of the square; of a beat less.
+    /// The mean over these places keeps more than this share of the squared difference between devices; of a beat it keeps less.
     KEPT: f64 = 0.4;
     /// Readings that far apart are those of different devices, in units of what those of one are apart.
     APART: f64 = 3.0;

@@ -7,7 +7,7 @@ use super::names::{
 use crate::recording::options::{ColumnMap, Role};
 use crate::units::TimeUnit;
 
-/// What two columns called after the time are.
+/// The roles of two columns called after the time.
 pub(super) struct Choice {
     /// The time.
     pub time: usize,

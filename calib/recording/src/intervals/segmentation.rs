@@ -112,11 +112,11 @@ pub struct Segmentation {
     /// The detector's level at rest of accelerometer and gyroscope, raw unit⁴; `None` where the
     /// rests were given.
     pub level_at_rest: [Option<f64>; 2],
-    /// Which part of the recording this is, where it is one.
+    /// The part of the recording that this is, where it is one.
     pub part: Option<Part>,
 }
 
-/// What stands between the name of a recording and the number of a part of it.
+/// Words between the name of a recording and the number of a part of it.
 const PART: &str = " (part ";
 
 /// A part of a recording that is cut.

@@ -12,7 +12,7 @@ use crate::recording::Stream;
 findings::tuning! {
     /// So many equal readings in a row at an extreme may be a peak that is cut off.
     RUN: usize = 3;
-    /// What is cut off is higher than this many least steps: rounding and noise make a round peak flat over less.
+    /// A peak that is cut off is higher than this many least steps: rounding and noise make a round peak flat over less.
     HIGHER: f64 = 4.0;
     /// Readings in such runs below which nothing is said.
     FEWEST: usize = 6;

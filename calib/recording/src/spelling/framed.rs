@@ -18,10 +18,10 @@ findings::tuning! {
     FEWEST: usize = 10;
 }
 
-/// What encloses rows, with its end.
+/// Marks that enclose rows, each with its end.
 const ENCLOSING: [(&str, &str); 3] = [("(", ")"), ("[", "]"), ("", ";")];
 
-/// What most rows have around them.
+/// The frame around most rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Frame {
     /// Strokes between the cells, and perhaps at both ends.

@@ -19,7 +19,7 @@ pub(super) static GROUPED: Spelling = Spelling {
 /// Marks between groups that are never decimal marks: apostrophes and blanks.
 const APART: [char; 6] = ['\'', '\u{2019}', '\u{a0}', '\u{202f}', '\u{2009}', ' '];
 
-/// What a cell is by its marks.
+/// Kinds of numbers by their marks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Number {
     /// A whole number.
@@ -32,7 +32,7 @@ enum Number {
     Decimal(char),
 }
 
-/// What `cell` is; `None` for what is no number.
+/// The kind of number in `cell`; `None` for no number.
 fn number(cell: &str) -> Option<Number> {
     let digits = cell.trim_start_matches(['+', '-', '\u{2212}']);
     let is_mark = |c: char| matches!(c, '.' | ',') || APART.contains(&c);

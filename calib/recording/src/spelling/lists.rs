@@ -52,7 +52,7 @@ fn split(line: &str, separator: char) -> Option<Vec<&str>> {
     })
 }
 
-/// What brackets enclose.
+/// The text within brackets.
 fn enclosed(text: &str) -> Option<&str> {
     let inner = ["()", "[]", "{}"].into_iter().find_map(|pair| {
         let inner = text.strip_prefix(&pair[..1])?;

@@ -21,7 +21,7 @@ findings::tuning! {
 /// Years, in four digits and in two.
 const YEARS: [std::ops::Range<u32>; 2] = [2001..2100, 10..60];
 
-/// What is read of the digits of a date and a time of day.
+/// Orders of the digits of a date and a time of day.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Order {
     /// Both: the year is first.

@@ -10,9 +10,9 @@ pub(crate) type Respell = Box<dyn FnOnce(Box<dyn Read + Send>) -> Box<dyn Read +
 /// A way to spell numbers.
 #[derive(Debug)]
 pub(crate) struct Spelling {
-    /// What is spelt so, in a remark.
+    /// The spelling, in a remark.
     pub spelling: &'static str,
-    /// What it is read as.
+    /// The reading of it, in a remark.
     pub read_as: &'static str,
     /// True where a format of dates that is given says how it is spelt.
     pub of_dates: bool,

@@ -117,7 +117,7 @@ fn rename_shared(found: &mut [(String, PathBuf)], other: impl Fn(&Path) -> Optio
     }
 }
 
-/// What tells the samples behind a calibration from others; its own numbers where it does not say.
+/// The hashes that tell the samples behind a calibration from others; its own numbers where it does not say.
 fn samples(calibration: &Calibration) -> Vec<String> {
     let inputs = &calibration.provenance.inputs;
     let own = inputs.iter().map(|input| input.samples_sha256.clone());

@@ -79,7 +79,7 @@ pub fn reasons(calibration: &Calibration) -> Vec<String> {
     reasons
 }
 
-/// Which limit fails, and why.
+/// The limit that fails, and the reason.
 fn reason(line: &LimitLine, calibration: Option<&Calibration>) -> String {
     let is_own = line.built_in && line.value.is_some() && line.kind != Bound::Present;
     let which = if is_own { "built-in limit" } else { "limit" };

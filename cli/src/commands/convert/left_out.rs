@@ -1,4 +1,4 @@
-//! What the file has and its plain form has not.
+//! Columns of the file that its plain form has not.
 
 use calib::Recording;
 use calib::recording::Stream;

@@ -278,7 +278,7 @@ pub fn validated(findings: &Findings) -> Vec<String> {
     own.chain(findings.validation.iter().map(of)).collect()
 }
 
-/// What the validation recording says of an effect.
+/// The verdict of the validation recording on an effect.
 pub fn confirmed(own: &Confirmation) -> String {
     let name = last_part(&own.recording);
     let effect = &own.effect;

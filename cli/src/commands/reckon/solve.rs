@@ -228,7 +228,7 @@ pub(super) fn equations(
     })
 }
 
-/// What is said of a recording with several motions.
+/// The remark on a recording with several motions.
 fn several(name: &str, taken: &Motion, all: &[Motion]) -> String {
     let others = all.iter().filter(|other| other.span != taken.span);
     let listed: Vec<String> = others

@@ -104,7 +104,7 @@ fn decay_of(
     Some((within.slowest(&found)?, false))
 }
 
-/// What a decay adds to the rows.
+/// The column that a decay adds to the rows.
 fn column_of(fit: &JointFit, means: &[MeanSensitivity], decay: &Decay) -> Vec<f64> {
     let mut column = vec![0.0; fit.residuals.len()];
     for own in means {
@@ -154,7 +154,7 @@ fn rested<'a>(
     })
 }
 
-/// What is said of a decay.
+/// The finding of a decay.
 fn said(decay: &Decay) -> Finding {
     let squares = decay.at_first.iter().map(|error| error.norm_squared());
     let size = (squares.sum::<f64>() / decay.at_first.len().max(1) as f64).sqrt();

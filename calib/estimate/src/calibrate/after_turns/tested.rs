@@ -59,7 +59,7 @@ impl Tested {
         self.means.variance().is_some()
     }
 
-    /// What the means alone gain.
+    /// Gain by the means alone.
     pub fn gain_of_means(&self) -> f64 {
         self.means.most()
     }
@@ -91,7 +91,7 @@ impl Tested {
         self.factor / self.variance.sqrt()
     }
 
-    /// What the readings and the means know of the factor: inverse variances.
+    /// Information of the readings and of the means on the factor: inverse variances.
     fn weights(&self) -> (f64, f64) {
         let means = self.means.variance();
         let means = means.map_or(0.0, |(variance, _)| variance.recip());

@@ -2,14 +2,14 @@
 
 use nalgebra::Vector3;
 
-/// What an error right after a turn goes with.
+/// Causes of an error right after a turn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
     /// Nothing: a bias.
     Turn,
     /// The force.
     Force,
-    /// What the force has changed by: a part of the reading follows it late.
+    /// The change of the force: a part of the reading follows it late.
     Change,
 }
 

@@ -92,7 +92,7 @@ impl<'a> Cut<'a> {
         Some(Self { stream, steps })
     }
 
-    /// What cutting off adds to a mean, in the unit of the readings: half a step against the mean sign. What is cut to zero lies on either side
+    /// The shift of a mean by cutting off, in the unit of the readings: half a step against the mean sign. What is cut to zero lies on either side
     /// of it: of an axis that is level, some readings are too large, some too small, and some are right.
     fn shift(&self, mean: &Mean) -> Vector3<f64> {
         let own = &self.stream.values[self.stream.between(mean.span.from, mean.span.to)];

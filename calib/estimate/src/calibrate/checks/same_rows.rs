@@ -67,7 +67,7 @@ type Place = (usize, usize);
 /// Where [`STEPS`] steps of known hash are, of every so many-th row.
 type Known = HashMap<u64, Place>;
 
-/// Where readings are and where they are again.
+/// The place of readings, and that where they are again.
 fn same_readings(streams: &[Option<&Stream>]) -> Option<[Place; 2]> {
     let mut known = Known::new();
     for (k, stream) in streams.iter().enumerate() {
@@ -184,7 +184,7 @@ fn runs(steps: &[(u8, u8)]) -> impl Iterator<Item = (usize, u64)> {
     often.map(|(end, hash, _)| (end - STEPS, hash))
 }
 
-/// Whether each axis rises, falls or stays from every row to the next.
+/// The direction of each axis from every row to the next: up, down or none.
 fn directions<'a>(
     rows: impl Iterator<Item = &'a Vector3<f64>> + Clone,
 ) -> impl Iterator<Item = [i8; 3]> {

@@ -7,7 +7,7 @@ use recording::FieldUnit;
 pub enum Unit {
     /// Millionths of a tesla.
     Microtesla,
-    /// That of the readings, which nobody states.
+    /// The unit of the readings, which nobody states.
     OfReadings,
 }
 
@@ -20,7 +20,7 @@ impl Unit {
         }
     }
 
-    /// As findings have it.
+    /// Its name in findings.
     pub fn in_words(self) -> &'static str {
         match self {
             Self::Microtesla => "µT",
@@ -28,7 +28,7 @@ impl Unit {
         }
     }
 
-    /// As files have it.
+    /// Its name in files.
     pub fn in_files(self) -> &'static str {
         match self {
             Self::Microtesla => "uT",
@@ -40,9 +40,9 @@ impl Unit {
 /// Units of the readings and of the field.
 #[derive(Clone, Copy, Debug)]
 pub struct Units {
-    /// Of the readings.
+    /// Unit of the readings.
     pub reading: Unit,
-    /// Of the field, to which a given strength brings readings of any unit.
+    /// Unit of the field, to which a given strength brings readings of any unit.
     pub field: Unit,
 }
 

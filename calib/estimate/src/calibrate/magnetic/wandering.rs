@@ -38,7 +38,7 @@ pub fn told_from_the_field(
     Some(found.number("size", size, units.field.in_words()))
 }
 
-/// What is left of the readings that are used, recording by recording in the order of time.
+/// Residuals of the readings that are used, recording by recording in the order of time.
 fn in_order(fit: &MagneticFit) -> Vec<Vec<Vector3<f64>>> {
     let mut all: Vec<Vec<Vector3<f64>>> = vec![Vec::new(); fit.biases.len()];
     for (placement, left) in fit.placements.iter().zip(&fit.left) {

@@ -1,4 +1,4 @@
-//! What may change in an accelerometer, and from which static interval on.
+//! The changes that an accelerometer may have, and from which static interval on.
 
 use nalgebra::{Rotation3, Vector3};
 use sensor::Sensor;

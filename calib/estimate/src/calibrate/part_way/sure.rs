@@ -1,4 +1,4 @@
-//! How well the lengths of forces determine their directions.
+//! The certainty of directions that the lengths of forces determine.
 
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 

@@ -89,7 +89,7 @@ pub struct SensorInput {
     /// Unit of the readings in the file, as `deg/s`; absent in files of older versions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file_unit: Option<String>,
-    /// What told it: `option`, `file`, `samples`, or `nothing` where it was assumed.
+    /// The source of the unit: `option`, `file`, `samples`, or `nothing` where it was assumed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file_unit_by: Option<String>,
     /// Axes that options read with the other sign, as `gx`: `T` and `bias` are for readings so flipped.

@@ -1,4 +1,4 @@
-//! Whether another multiplier finds static intervals that fit another accelerometer.
+//! A check that another multiplier finds static intervals that fit another accelerometer.
 
 use nalgebra::Vector3;
 use recording::averages::root_mean_square;

@@ -5,7 +5,7 @@ use super::literal::Literal;
 use crate::Error;
 use crate::error::{cut, damaged};
 
-/// What every array begins with.
+/// The first bytes of every array.
 pub(super) const SIGNATURE: &[u8] = b"\x93NUMPY";
 
 /// More columns are none of a recording.

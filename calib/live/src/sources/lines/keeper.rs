@@ -116,7 +116,7 @@ impl SharedKeeper {
         self.keeper().is_none()
     }
 
-    /// What `act` has to tell of the keeper; nothing where it is closed.
+    /// The answer of `act` on the keeper; nothing where it is closed.
     fn with(&self, act: impl FnOnce(&mut Keeper) -> Result<Option<Kept>, Error>) -> Option<Told> {
         act(self.keeper().as_mut()?).transpose()
     }

@@ -128,7 +128,7 @@ pub(crate) fn step_of_bursts(t: &[f64]) -> Option<f64> {
     Some(mean_step(&arrivals.runs(t), period).unwrap_or(period))
 }
 
-/// How samples arrive, some of them together.
+/// The arrivals of samples, some of them together.
 #[derive(Clone, Copy, Debug)]
 struct Arrivals {
     /// The usual time over many steps, per step.

@@ -80,7 +80,7 @@ pub(super) fn spread(values: impl Iterator<Item = f64> + Clone) -> Option<f64> {
     Some((high - low) / CENTRAL)
 }
 
-/// What is taken of several bursts: the least late one where lateness is one-sided, else the middle one.
+/// The burst that stands for several: the least late one where lateness is one-sided, else the middle one.
 #[derive(Clone, Copy, Debug)]
 enum Level {
     Least,

@@ -49,7 +49,7 @@ impl Scatter {
         Self::about(stamps, period)
     }
 
-    /// That of an even clock whose stamps are rounded to a step that is a little shorter than its own: now and then two of them pass
+    /// The scatter of an even clock whose stamps are rounded to a step that is a little shorter than its own: now and then two of them pass
     /// from stamp to stamp. `None` of others, and where samples are lost: these leave the even clock.
     pub fn rounded(stamps: &[f64]) -> Option<Self> {
         let step = crate::recording::stream::median_step(stamps)?;

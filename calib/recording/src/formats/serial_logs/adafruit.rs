@@ -1,4 +1,4 @@
-//! What Adafruit's example programs print: a line for each sensor, called in words.
+//! The lines of Adafruit's example programs: a line for each sensor, called in words.
 
 use std::io::Read;
 
@@ -18,7 +18,7 @@ pub(crate) static ADAFRUIT: TextFormat = TextFormat {
     parts: blocks,
 };
 
-/// What the lines of a sensor begin with, its units behind the numbers ...
+/// The words before the numbers of a sensor, its units behind the numbers ...
 const ACCELERATION: [&str; 3] = ["Acceleration X:", "Accel X:", "Acceleration: X:"];
 const ROTATION: [&str; 4] = ["Rotation X:", "Gyro X:", "Gyro: X:", "Rotation: X:"];
 /// ... and what they begin with where no units follow.

@@ -28,7 +28,7 @@ findings::tuning! {
     FEWEST: usize = 12;
 }
 
-/// What the numbers of a line are, by their places.
+/// The roles of the numbers of a line, by their places.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Layout {
     count: usize,
@@ -88,7 +88,7 @@ fn are_of_several(lines: &[Said<'_>]) -> bool {
 struct Gathered {
     sensor: Sensor,
     layout: Layout,
-    /// Of a line before those of the axes.
+    /// The stamp of a line before those of the axes.
     clock: Option<String>,
     time: Option<String>,
     axes: [Option<String>; 3],

@@ -22,7 +22,7 @@ pub(crate) static HEADINGS: TextFormat = TextFormat {
     parts,
 };
 
-/// What a line is.
+/// The kinds of lines.
 #[derive(Clone, Debug, PartialEq)]
 enum Said<'a> {
     /// Words: the sensor that they name first, and the unit behind `in`.

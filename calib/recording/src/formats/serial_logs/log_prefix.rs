@@ -1,4 +1,4 @@
-//! What a logger of firmware writes before a message: `I (12345) imu: ..` of ESP-IDF, `[12345][I][main.cpp:42] loop(): ..` of
+//! Words of a logger of firmware before a message: `I (12345) imu: ..` of ESP-IDF, `[12345][I][main.cpp:42] loop(): ..` of
 //! Arduino, `[00:00:12.345,678] <inf> imu: ..` of Zephyr; and what a terminal writes before a line.
 
 use crate::clock::time_of_day::{TimeOfDay, seconds};

@@ -8,7 +8,7 @@ use crate::recording::options::Role;
 use crate::spelling::number_with_unit;
 use crate::units::TimeUnit;
 
-/// What such a line says.
+/// The content of such a line.
 #[derive(Debug, PartialEq)]
 pub(super) struct Said<'a> {
     /// The sensor and the axis; `None` for the time.
@@ -120,7 +120,7 @@ impl<'a> Words<'a> {
         self.names.iter().any(ends)
     }
 
-    /// How many words call an axis by themselves.
+    /// Number of words that call an axis by themselves.
     fn axes(&self) -> usize {
         self.names
             .iter()

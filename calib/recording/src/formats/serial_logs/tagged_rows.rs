@@ -15,7 +15,7 @@ pub(crate) static TAGGED_ROWS: TextFormat = TextFormat {
     parts,
 };
 
-/// What the first cell of such a row is called.
+/// The word in the first cell of such a row.
 const TAG: &str = "imu";
 
 findings::tuning! {

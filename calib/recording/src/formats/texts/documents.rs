@@ -30,7 +30,7 @@ findings::tuning! {
     DEEPEST: usize = 8;
 }
 
-/// What was read of a document.
+/// The readings of a document.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Message {
     /// The keys that the next line may be within, with their indents.

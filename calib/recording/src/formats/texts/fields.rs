@@ -136,7 +136,7 @@ impl Gather for Instants {
     }
 }
 
-/// What else a row says in words, as the device that it is of.
+/// The other words of a row, which name the device that it is of.
 fn device_of(cells: &[String], time: &str, value: &str) -> String {
     let is_word = |cell: &&String| {
         let begins = cell.starts_with(char::is_alphabetic);

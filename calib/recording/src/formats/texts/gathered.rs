@@ -10,7 +10,7 @@ use crate::rows::parts::{Change, Part};
 use crate::source::rewrite::rewritten;
 use crate::units::{Stated, TimeUnit};
 
-/// What is gathered of a sensor from line to line.
+/// Readings of a sensor that are gathered from line to line.
 pub(super) trait Gather: Sized + Send + 'static {
     /// Begins below a header; `None` where it is none.
     fn below(header: &[String], sensor: Sensor) -> Option<Self>;

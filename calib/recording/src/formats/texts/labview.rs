@@ -42,7 +42,7 @@ enum Stamps {
     Step,
 }
 
-/// What the lines above the rows say.
+/// The settings in the lines above the rows.
 #[derive(Debug, Default)]
 struct Settings {
     comma: bool,

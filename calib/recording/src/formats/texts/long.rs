@@ -21,7 +21,7 @@ pub(crate) static LONG: TextFormat = TextFormat {
     parts,
 };
 
-/// What the rows of a sensor are called.
+/// The name of the rows of a sensor.
 struct Label {
     /// Words in small letters without punctuation, or numbers in a column that is called after a type.
     words: &'static [&'static str],

@@ -40,7 +40,7 @@ fn axis_of(name: &str) -> Option<Role> {
     role_of(name, None).filter(|role| role.sensor().is_some())
 }
 
-/// What is between the names; of the rows it may not be the most frequent, as their decimal marks may be commas.
+/// The separator of the names; of the rows it may not be the most frequent, as their decimal marks may be commas.
 fn separator(look: &Look, names: &[String]) -> Option<char> {
     let header = look.far_lines().find(|line| cells(line) == names)?;
     let splits = |separator: &char| header.split(*separator).count() == names.len();

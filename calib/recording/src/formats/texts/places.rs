@@ -1,4 +1,4 @@
-//! Where the cells of a line are, for changing one of them.
+//! The places of the cells of a line, for changing one of them.
 
 use std::ops::Range;
 

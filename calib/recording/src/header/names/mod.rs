@@ -96,7 +96,7 @@ fn role_of_word(name: &str, only: Option<Sensor>) -> Option<Role> {
     }
 }
 
-/// What stands beside the letter of an axis: `x-axis`, `Achse X`, `x轴`.
+/// Words beside the letter of an axis: `x-axis`, `Achse X`, `x轴`.
 const BESIDE_AXES: [&str; 5] = ["axis", "achse", "axe", "轴", "軸"];
 
 /// The angles that browsers call turns about the axes by, with their axes.

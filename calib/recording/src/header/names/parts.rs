@@ -4,9 +4,9 @@ use super::words::{is_field, sensor_of};
 use crate::units::field::FieldUnit;
 use crate::units::{self, AccelUnit, GyroUnit, TimeUnit};
 
-/// What a unit in a name begins with, in the width of letters and in that of signs.
+/// Brackets that open a unit in a name, in the width of letters and in that of signs.
 pub(crate) const OPENING: [char; 7] = ['(', '[', '{', '（', '［', '【', '〔'];
-/// What it ends with.
+/// Brackets that close it.
 const CLOSING: [char; 7] = [')', ']', '}', '）', '］', '】', '〕'];
 
 findings::tuning! {
@@ -33,9 +33,9 @@ pub(crate) fn take_apart(name: &str) -> (String, Option<&str>) {
     (compact(word), unit)
 }
 
-/// What a run of an experiment is called where it is the last.
+/// The name of the last run of an experiment.
 const LATEST: &str = "latest";
-/// What runs are called that have a number.
+/// Names of runs that have a number.
 const RUNS: [&str; 5] = ["run", "data set", "messreihe", "durchlauf", "essai"];
 
 /// A name without the run that programs of laboratories write around it: `Run 1: Time (s)`, `Latest: Time (s)`, `Time (s) Run #1`.

@@ -39,7 +39,7 @@ pub(crate) fn said_rate(head: &[u8]) -> Option<f64> {
     rates.all(|rate| rate == first).then_some(first)
 }
 
-/// What a line states, in small letters: `Fs;50` is one statement, and `rate = 100 Hz, range = 4 g` are two.
+/// The statements of a line, in small letters: `Fs;50` is one statement, and `rate = 100 Hz, range = 4 g` are two.
 fn clauses(line: &str) -> Vec<String> {
     let line = line.to_lowercase();
     let has_number = |part: &str| part.contains(|c: char| c.is_ascii_digit());

@@ -41,7 +41,7 @@ findings::tuning! {
     SAME: f64 = 1.5;
 }
 
-/// What both sensors see of one interval.
+/// An interval as both sensors see it.
 struct Turned {
     interval: usize,
     /// Its begin, s, and its length, s.
@@ -97,7 +97,7 @@ pub(in crate::readings) fn found(
     })
 }
 
-/// What is seen of an interval from `from` to `to`.
+/// An interval from `from` to `to` as both sensors see it.
 fn turned(interval: usize, [from, to]: [f64; 2], force: &Stream, rate: &Stream) -> Option<Turned> {
     let length = to - from;
     let block = BLOCK * length;

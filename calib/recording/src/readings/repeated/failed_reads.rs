@@ -19,7 +19,7 @@ findings::tuning! {
     /// Zeros are no chance where they come so many times as often as what chance makes as likely: on all axes as on one alone, on one axis as
     /// the readings next to zero.
     OFTEN: usize = 10;
-    /// Of more rows nobody knows which are the readings.
+    /// Largest share of such rows: of more nobody knows which are the readings.
     MOST: f64 = 0.7;
     /// Up to this share a line between the neighbours takes their place, and the rows stay where stamps of arrival are put in order by their
     /// number. More of such values would pass for noise that averages out.

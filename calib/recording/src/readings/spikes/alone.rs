@@ -79,7 +79,7 @@ struct Search<'a> {
     other: &'a Stream,
     /// The gyroscope's.
     rates: &'a Stream,
-    /// What its readings usually reach.
+    /// The size that its readings usually reach.
     reach: f64,
 }
 

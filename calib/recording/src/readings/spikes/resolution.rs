@@ -28,7 +28,7 @@ findings::tuning! {
     USUAL_SHARE: f64 = 0.98;
 }
 
-/// What nearly all readings reach.
+/// The size that nearly all readings reach.
 pub(super) fn usual_reach(values: &[Vector3<f64>]) -> f64 {
     let rank = (USUAL_SHARE.get() * values.len() as f64) as usize;
     nth_smallest(values.iter().map(Vector3::amax), rank).unwrap_or(0.0)

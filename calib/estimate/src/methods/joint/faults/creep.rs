@@ -42,7 +42,7 @@ fn suspects(site: &Site<'_>) -> Vec<Suspect> {
     rests.map(|k| creep_in_interval(site, k)).collect()
 }
 
-/// What a creep through static interval `k` adds to the rows.
+/// The column that a creep through static interval `k` adds to the rows.
 pub(super) fn creep_in_interval(site: &Site<'_>, k: usize) -> Suspect {
     let rows = site.rows;
     let rest = &rows.data.rests[k];

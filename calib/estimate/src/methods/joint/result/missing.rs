@@ -45,7 +45,7 @@ impl Missing {
     }
 }
 
-/// What the rows say of an error: `e` is what the parameters leave of its column, and `r` the residual, both whitened.
+/// Evidence of the rows on an error: `e` is what the parameters leave of its column, and `r` the residual, both whitened.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Evidence {
     /// `eᵀr`.
@@ -134,7 +134,7 @@ impl JointFit {
         })
     }
 
-    /// What the rows say of errors of the accelerometer at rest, each by its column of the rows (`m × k`); where they misfit, they scatter as
+    /// Evidence of the rows on errors of the accelerometer at rest, each by its column of the rows (`m × k`); where they misfit, they scatter as
     /// they do.
     pub(crate) fn evidence_for(&self, columns: Mat<f64>) -> Vec<Evidence> {
         let beside = Beside::of(self, self.noise_whitening_with_scatter());
@@ -252,7 +252,7 @@ impl Beside {
         (explained.squared_norm_l2(), basis.ncols(), is_negative)
     }
 
-    /// What the parameters leave of columns (`m × k`), whitened.
+    /// The part of columns (`m × k`) that no parameter explains, whitened.
     fn left(&self, mut columns: Mat<f64>) -> Mat<f64> {
         self.whitening.white.apply(columns.as_mut());
         let columns = Columns::cut(&columns, self.whitening.groups());

@@ -174,7 +174,7 @@ struct At {
     /// Up to a constant.
     log_likelihood: f64,
     coefficients: DVector<f64>,
-    /// Of the coefficients.
+    /// Variances of the coefficients.
     variances: DVector<f64>,
 }
 

@@ -5,7 +5,7 @@ use crate::remedy::Remedy;
 
 use crate::words::entry::{Entry, UseOfResult, care};
 
-/// What can be done with a recording of two parts.
+/// Advice for a recording of two parts.
 const ONE_PART: &str =
     "do not use this calibration; split the recording at this place and calibrate the longer part";
 

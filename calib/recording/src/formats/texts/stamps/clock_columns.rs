@@ -39,7 +39,7 @@ const FIELDS: [(&[&str], f64); 6] = [
     ),
 ];
 
-/// What stands before the names of fields: `UTC_Hour`.
+/// Words before the names of fields: `UTC_Hour`.
 const CLOCKS: [&str; 4] = ["utc", "gps", "local", "rtc"];
 
 /// A field's column and its seconds.

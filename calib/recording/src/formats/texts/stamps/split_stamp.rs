@@ -22,7 +22,7 @@ pub(crate) static SPLIT_STAMP: TextFormat = TextFormat {
 /// Ends of the names of whole seconds that are not called a time.
 const SECONDS: [&str; 6] = ["unix", "epoch", "sec", "secs", "second", "seconds"];
 
-/// What the column of the part is called, so that it is no time of its own.
+/// The name of the column of the part, so that it is no time of its own.
 const PART: &str = "part";
 
 /// The two columns of a stamp.
@@ -92,7 +92,7 @@ impl Columns {
     }
 }
 
-/// What stands before the last word of a name with several.
+/// The words before the last one of a name.
 fn stem(name: &str) -> Option<&str> {
     let (stem, _) = name.rsplit_once(|c: char| !c.is_alphanumeric())?;
     Some(stem).filter(|stem| !stem.is_empty())
