@@ -3,22 +3,18 @@
 
 #[path = "../../tests/tests/bad_inputs/mod.rs"]
 mod bad_inputs;
-mod batch;
 mod command_line;
+mod commands;
 mod common;
-mod convert;
-mod discover;
 mod documents;
 mod effect_file;
 mod every_output;
 mod faults;
 mod limits;
 mod limits_file;
-mod live;
 mod not_calibrated;
 mod options;
 mod outputs;
-mod plan;
 mod proposed;
 mod refused;
 mod sealed;
