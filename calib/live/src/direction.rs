@@ -16,7 +16,7 @@ impl Direction {
     ///
     /// # Examples
     /// ```
-    /// let all = live::Direction::all();
+    /// let all = stillpoint_live::Direction::all();
     /// assert_eq!(all.len(), 26);
     /// assert_eq!(all[0].signs, [0, 0, 1]);
     /// ```

@@ -93,7 +93,7 @@ pub struct Placement {
 ///
 /// # Examples
 /// ```
-/// use live::{Aim, Instruction, Session};
+/// use stillpoint_live::{Aim, Instruction, Session};
 /// let session = Session::new(Aim::default());
 /// assert_eq!(session.instruction(), Instruction::Wait);
 /// ```

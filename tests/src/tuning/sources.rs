@@ -6,7 +6,15 @@ use std::path::Path;
 use crate::rust_files::rust_files;
 
 /// Folders of the crates whose tuning constants stand in tables.
-const CRATES: [&str; 2] = ["calib/discover", "calib/estimate"];
+const CRATES: [&str; 7] = [
+    "calib/batch",
+    "calib/discover",
+    "calib/estimate",
+    "calib/live",
+    "calib/noise",
+    "calib/plan",
+    "calib/recording",
+];
 
 /// One constant.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -14,7 +14,8 @@ in a table of the file that uses it (`findings::tuning!`); this page is written 
 
 The study takes each constant at half and at twice its value through the same sessions, a calibration or a search each. `3 + 2` says that
 3 of them have other findings and 2 more have a number that moved by more than a tenth of its standard error; `·` says that nothing
-moved, and a blank that no session comes to the constant, as few of them have any one fault; `fails` that a run with it has no end.
+moved, and a blank that no session comes to the constant, as few of them have any one fault, or that it has not been measured yet; `fails`
+that a run with it has no end.
 ";
 
 /// A constant with what was measured of it.
@@ -39,10 +40,10 @@ pub fn page(constants: &[Constant], moved: &HashMap<String, [String; 2]>) -> Str
         .filter(|both| both.iter().all(|moved| moved == STILL));
     let _ = writeln!(
         page,
-        "\nOf {} constants the {} sessions come to {}; of these {} move nothing at half or at twice their value.",
+        "\nOf {} constants {} have been measured in {} sessions; of these {} move nothing at half or at twice their value.",
         constants.len(),
-        sessions(),
         reached.count(),
+        sessions(),
         still.count()
     );
     let mut file = "";

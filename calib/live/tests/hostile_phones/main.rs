@@ -10,8 +10,8 @@ use std::time::{Duration, Instant};
 
 use calib::recording::ReadOptions;
 use kinds::{KINDS, Kind, body};
-use live::{Aim, Error, Event, Opening, Phyphox, Session, Source, Waits};
 use server::Server;
+use stillpoint_live::{Aim, Error, Event, Opening, Phyphox, Session, Source, Waits};
 
 const WAITS: Waits = Waits {
     answer: Duration::from_millis(300),
