@@ -1,5 +1,6 @@
 //! Local gravity: given, worked out from the place, or assumed with what that leaves unknown.
 
+use findings::OptionName;
 use serde::{Deserialize, Serialize};
 
 /// Standard gravity, m/s².
@@ -170,6 +171,19 @@ impl GravitySource {
                 ANOMALY.get().hypot(SOME_HEIGHT.get() * BY_HEIGHT)
             }
             Self::Assumed => ANYWHERE.get(),
+        }
+    }
+
+    /// Options that give the same `gravity` (m/s²) again, each with its number.
+    pub fn options(&self, gravity: f64) -> Vec<(OptionName, f64)> {
+        match *self {
+            Self::Given => vec![(OptionName::Gravity, gravity)],
+            Self::Place { latitude, altitude } => {
+                let altitude = altitude.map(|height| (OptionName::Altitude, height));
+                let latitude = (OptionName::Latitude, latitude);
+                [latitude].into_iter().chain(altitude).collect()
+            }
+            Self::Assumed => Vec::new(),
         }
     }
 }

@@ -23,6 +23,7 @@
 
 mod document;
 mod finding;
+mod inputs;
 mod kind;
 mod level;
 mod list;
@@ -35,6 +36,7 @@ mod verdict;
 mod words;
 
 pub use finding::{Consequence, Detail, Finding, Number, Place};
+pub use inputs::Inputs;
 pub use kind::Kind;
 pub use level::Level;
 pub use list::Findings;

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::finding::Finding;
+use crate::inputs::Inputs;
 use crate::level::Level;
 use crate::remedy::Remedy;
 use crate::words::{Front, command, remedies};
@@ -89,14 +90,14 @@ pub struct Verdict {
 impl Verdict {
     /// Builds the verdict from findings, with `RECORDING` as the file name in the commands.
     pub fn of(findings: &[Finding]) -> Self {
-        Self::of_recordings(findings, &[])
+        Self::of_inputs(findings, &Inputs::default())
     }
 
-    /// Builds the verdict from findings in these recordings, whose names stand in the commands.
+    /// Builds the verdict from findings in these inputs, which stand in the commands.
     ///
     /// Findings are ordered by level. Within a level, the one with the larger error of a corrected reading comes first
     /// ([`Finding::severity`]). A kind counts once.
-    pub fn of_recordings(findings: &[Finding], recordings: &[&str]) -> Self {
+    pub fn of_inputs(findings: &[Finding], inputs: &Inputs<'_>) -> Self {
         let sorted = gravest_first(findings);
         let level = match sorted.first().map(|gravest| gravest.level) {
             Some(Level::Bad | Level::Error) => Grade::Bad,
@@ -115,7 +116,7 @@ impl Verdict {
             level,
             reason: reason.map(|finding| finding.reason()),
             reasons,
-            next: next(level, &sorted, recordings),
+            next: next(level, &sorted, inputs),
         }
     }
 
@@ -139,7 +140,7 @@ pub fn gravest_first(findings: &[Finding]) -> Vec<&Finding> {
 }
 
 /// Steps out of the gravest findings; of a result that can be used, its use.
-fn next(level: Grade, sorted: &[&Finding], recordings: &[&str]) -> Vec<Step> {
+fn next(level: Grade, sorted: &[&Finding], inputs: &Inputs<'_>) -> Vec<Step> {
     let mut steps: Vec<Step> = Vec::new();
     let mut add = |text: String, command: Option<String>| {
         if steps.len() < MOST_STEPS && !steps.iter().any(|own| own.text == text) {
@@ -154,7 +155,7 @@ fn next(level: Grade, sorted: &[&Finding], recordings: &[&str]) -> Vec<Step> {
         let first = finding.remedies.first();
         if let Some(remedy) = first.filter(|remedy| !remedy.is_if_wrong()) {
             let text = finding.step(remedy);
-            add(text, command::of(remedy, finding, recordings));
+            add(text, command::of(remedy, finding, inputs));
         }
     }
     if level != Grade::Bad {

@@ -1,6 +1,6 @@
 //! `cal.json` with sensors that are not calibrated: the reason stands in the place of the sensor.
 
-use findings::{Finding, Findings, Kind, Level, Step, Verdict};
+use findings::{Finding, Findings, Inputs, Kind, Level, Step, Verdict};
 use sensor::Sensor;
 use serde::de::Error as _;
 use serde::ser::Error as _;
@@ -119,8 +119,11 @@ impl Calibration {
 
     fn verdict_of(&self, findings: &[Finding]) -> Verdict {
         let inputs = self.provenance.inputs.iter();
-        let names: Vec<&str> = inputs.map(|input| input.recording.as_str()).collect();
-        Verdict::of_recordings(findings, &names)
+        let inputs = Inputs {
+            recordings: inputs.map(|input| input.recording.as_str()).collect(),
+            place: self.gravity_source.options(self.gravity),
+        };
+        Verdict::of_inputs(findings, &inputs)
     }
 
     /// Why a sensor is not calibrated, if it was recorded and is not.

@@ -1,20 +1,24 @@
 //! Commands that carry a remedy out.
 
 use crate::finding::Finding;
+use crate::inputs::Inputs;
 use crate::remedy::{OptionName, Remedy};
 
 use super::remedies::{flag, turning_back};
 use super::shell::quoted;
 
 /// The command line of a remedy; none where no command does it.
-pub fn of(remedy: &Remedy, finding: &Finding, recordings: &[&str]) -> Option<String> {
-    let names = match recordings {
+pub fn of(remedy: &Remedy, finding: &Finding, inputs: &Inputs<'_>) -> Option<String> {
+    let names = match inputs.recordings.as_slice() {
         [] => "RECORDING".to_owned(),
         all => all.iter().map(|r| input(r)).collect::<Vec<_>>().join(" "),
     };
-    let calibrate = |options: &str| format!("stillpoint calibrate {names} {options} -o cal.json");
+    let place = |(option, value): &(OptionName, f64)| format!(" {} {value}", flag(*option));
+    let place: String = inputs.place.iter().map(place).collect();
+    let calibrate =
+        |options: &str| format!("stillpoint calibrate {names}{place} {options} -o cal.json");
     Some(match remedy {
-        Remedy::Discover => format!("stillpoint discover {names} -o findings.json"),
+        Remedy::Discover => format!("stillpoint discover {names}{place} -o findings.json"),
         Remedy::AddPlacements { .. } | Remedy::AddTurns { .. } | Remedy::Plan => {
             "stillpoint plan cal.json".into()
         }
@@ -75,21 +79,34 @@ mod tests {
     #[test]
     fn commands_have_the_names_of_the_recordings_as_a_shell_reads_them() {
         let found = Finding::of(Kind::Misfit);
-        let command = of(&Remedy::Discover, &found, &["my phone/rec 1"]);
+        let of_recording = |name| Inputs {
+            recordings: vec![name],
+            place: Vec::new(),
+        };
+        let command = of(&Remedy::Discover, &found, &of_recording("my phone/rec 1"));
         let expected = "stillpoint discover 'my phone/rec 1' -o findings.json";
         assert_eq!(command.as_deref(), Some(expected));
-        let command = of(&Remedy::Discover, &found, &["a/acc.csv + a/gyro.csv"]);
+        let command = of(
+            &Remedy::Discover,
+            &found,
+            &of_recording("a/acc.csv + a/gyro.csv"),
+        );
         let expected =
             "stillpoint discover --accel-file a/acc.csv --gyro-file a/gyro.csv -o findings.json";
         assert_eq!(command.as_deref(), Some(expected));
     }
 
     #[test]
-    fn a_setting_has_its_value() {
+    fn a_setting_has_its_value_and_the_gravity_that_was_given() {
         let found = Finding::of(Kind::Misfit);
         let remedy = Remedy::set_to(OptionName::Columns, "az=az*0.5");
-        let command = of(&remedy, &found, &["a.csv"]);
-        let expected = "stillpoint calibrate a.csv --columns 'az=az*0.5' -o cal.json";
+        let inputs = Inputs {
+            recordings: vec!["a.csv"],
+            place: vec![(OptionName::Gravity, 9.81)],
+        };
+        let command = of(&remedy, &found, &inputs);
+        let expected =
+            "stillpoint calibrate a.csv --gravity 9.81 --columns 'az=az*0.5' -o cal.json";
         assert_eq!(command.as_deref(), Some(expected));
     }
 }

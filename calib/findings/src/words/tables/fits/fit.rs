@@ -45,7 +45,7 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
         },
         Kind::PlacementsMissing => Entry {
             reason: "more placements are needed[ to know {parameter}]",
-            text: "more placements are needed: {found}[; {parameter} is known to {error} only]",
+            text: "more placements are needed[ to know {parameter} better than to {error}]: there are {found}",
             remedies: vec![Remedy::Plan],
             ..care(0.1)
         },
