@@ -145,6 +145,6 @@ mod tests {
             }
             compared += 1;
         }
-        assert_eq!(compared, 26);
+        assert!(compared >= 26);
     }
 }

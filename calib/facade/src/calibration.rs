@@ -140,6 +140,24 @@ impl Calibration {
         all
     }
 
+    /// Names of the parameters that were estimated together, and their covariance (`n × n`, by rows, in their units): those of the sensors
+    /// and of effects. A sensor of one dimension has its own, in the file.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, _) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, None)?;
+    /// # let calibration = stillpoint::calibrate(&[recording], &stillpoint::Request::default())?;
+    /// let (names, covariance) = calibration.covariance();
+    /// let k = names.iter().position(|name| name == "gyro.b_z").unwrap();
+    /// let bias = calibration.parameters().into_iter().find(|p| p.name == "gyro.b_z").unwrap();
+    /// assert!((covariance[k][k].sqrt() / bias.std.unwrap() - 1.0).abs() < 1e-9);
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
+    pub fn covariance(&self) -> (&[String], &[Vec<f64>]) {
+        (&self.inner.parameters, &self.inner.covariance)
+    }
+
     /// `T` (3 × 3, by rows, no unit) and `b` (3, in the unit of the readings, m/s² or rad/s) of a sensor; `None` where it
     /// was not calibrated.
     ///

@@ -5,7 +5,9 @@ use std::path::Path;
 use std::sync::Arc;
 
 use calib::effect_file::{catalogue_with, parse_effects};
-use sensor::{AnyEffect, AnyScalarSensor, EffectRef, ScalarSensorRef, Sensor};
+use sensor::{
+    AnyEffect, AnyScalarSensor, EffectRef, ScalarSensorRef, Sensor, is_linear_in_name_only,
+};
 
 use crate::Error;
 
@@ -64,7 +66,7 @@ impl Catalogue {
     /// With an effect of one's own.
     ///
     /// # Errors
-    /// [`ErrorKind::Usage`](crate::ErrorKind::Usage) where the name is taken.
+    /// [`ErrorKind::Usage`](crate::ErrorKind::Usage) where the name is taken, and where the effect says `LINEAR` and is not.
     ///
     /// # Examples
     /// ```
@@ -208,6 +210,9 @@ impl Catalogue {
             Some(other) if other.is(&effect) => Ok(()),
             Some(_) => Err(Error::usage(
                 Finding::of(Kind::EffectTaken).detail("name", effect.name()),
+            )),
+            None if is_linear_in_name_only(&*effect) => Err(Error::usage(
+                Finding::of(Kind::EffectNotLinear).detail("name", effect.name()),
             )),
             None => {
                 self.effects.push(effect);

@@ -48,7 +48,7 @@ mod simulate;
 
 pub use allan::{Noise, allan};
 pub use calib::Evaluation;
-pub use calib::calibrate::{Frame, GyroBias};
+pub use calib::calibrate::{Frame, GyroBias, Outcome};
 pub use calib::discover::{EffectFinding, Verdict};
 pub use calib::intervals::DetectorOptions;
 pub use calib::methods::joint::ClockMode;

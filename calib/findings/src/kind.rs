@@ -1236,6 +1236,8 @@ kinds! {
     ParameterUnknown = "parameter_unknown",
     /// The name of an effect is that of another.
     EffectTaken = "effect_taken",
+    /// An effect says that it is linear, and is not.
+    EffectNotLinear = "effect_not_linear",
     /// A name means something else already.
     NameTaken = "name_taken",
     /// A name is not in snake case.

@@ -1,6 +1,7 @@
 //! An error effect: an additive error in SI units at the true signal.
 
 mod any_effect;
+mod linear;
 mod needs;
 
 use nalgebra::{Matrix3, Vector3};
@@ -11,6 +12,7 @@ use crate::kinematics::{Kinematics, Sensor};
 use crate::param::Param;
 use crate::quantity::Quantity;
 pub use any_effect::{AnyEffect, EffectRef, ModelScalar, Nature};
+pub use linear::is_linear_in_name_only;
 pub use needs::{observed_needs, silent_at_rest};
 
 /// An error that a sensor adds to the true signal: `raw = base⁻¹(truth + Σ effect(truth))`.
@@ -62,7 +64,7 @@ pub trait Effect: Send + Sync + 'static {
     /// made of it.
     const FORMULA: Option<&'static str> = None;
     /// True if the error is `F p`: linear in the parameters, with an `F` that does not depend on this sensor's own
-    /// signal. Fits of such an effect are faster; `false` is always right.
+    /// signal. Fits of such an effect are faster; `false` is always right, and a wrong `true` corrects readings wrongly.
     const LINEAR: bool = false;
     /// Quantities that the effect depends on. An effect is refused if one of them is not known,
     /// and the message names it. `None`: they are determined by trial ([`observed_needs`]).

@@ -33,8 +33,8 @@ pub use definition::{
     Formula, Term, emit_effect, error_code,
 };
 pub use effect::{
-    AnyEffect, Effect, EffectRef, ModelScalar, Nature, mat3, observed_needs, off_diagonal,
-    silent_at_rest,
+    AnyEffect, Effect, EffectRef, ModelScalar, Nature, is_linear_in_name_only, mat3,
+    observed_needs, off_diagonal, silent_at_rest,
 };
 pub use kinematics::{Kinematics, REFERENCE_TEMPERATURE, Sensor, Since};
 pub use model::Model;

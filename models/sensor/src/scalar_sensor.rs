@@ -56,7 +56,8 @@ pub trait ScalarSensor: Send + Sync + 'static {
     /// Quantities of the truth that the reading depends on; a recording in which one cannot be known is refused.
     const NEEDS: &'static [Quantity] = &[];
 
-    /// The reading of a true `signal` at `truth`, for parameters `p` in the order of `PARAMS`.
+    /// The reading of a true `signal` at `truth`, for parameters `p` in the order of `PARAMS`. It goes up or down with the signal everywhere,
+    /// also a little beyond the range, where noise takes it: a correction solves it for the signal.
     fn reading<D: Scalar>(&self, signal: D, truth: &Kinematics<f64>, p: &[D]) -> D;
 }
 

@@ -1,7 +1,7 @@
 //! Faults of a recording that the final fit shows: disturbances, and turns whose rate jumps between samples.
 
 use ::findings::{Finding, Kind};
-use estimate::methods::joint::{Flagged, Reason, Scope};
+use estimate::methods::joint::{Flagged, OUTLYING_TURN, Reason, Scope};
 
 use super::integrity::{Integrity, Size};
 use crate::search::Either;
@@ -39,7 +39,7 @@ pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<In
             let fault = flagged.fault;
             let (size, unit) = (fault.size(size, flagged.span), fault.unit);
             let is_of_a_turn = fault.scope == Scope::Turn;
-            let (name, kind) = match is_of_a_turn && lost {
+            let (name, kind) = match fault == &OUTLYING_TURN && lost {
                 true => ("lost_samples", Kind::TurnWithoutSamples),
                 false => (fault.name, fault.kind),
             };

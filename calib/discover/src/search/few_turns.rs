@@ -1,6 +1,6 @@
 //! Evidence that a few turns make.
 
-use estimate::methods::joint::{Scope, without};
+use estimate::methods::joint::{OUTLYING_TURN, without};
 use faer::Mat;
 
 use crate::family::Family;
@@ -28,7 +28,7 @@ impl Turns {
         let is_knocked = state.fit.data.misses_something_between_samples();
         is_knocked.then(|| {
             let suspects = state.suspects.iter();
-            let turns = suspects.filter(|s| s.fault.scope == Scope::Turn);
+            let turns = suspects.filter(|s| s.fault == &OUTLYING_TURN);
             Self(turns.map(|turn| state.explained_by(turn)).collect())
         })
     }

@@ -1,6 +1,6 @@
 //! Turns that miss by so much that they hide each other and everything else.
 
-use estimate::methods::joint::{Column, Scope, Suspect};
+use estimate::methods::joint::{Column, OUTLYING_TURN, Suspect};
 use nalgebra::{DMatrix, DVector};
 use recording::averages::median;
 
@@ -28,7 +28,7 @@ pub(super) fn outlying_turns(state: &State) -> Vec<NamedClaim> {
     let suspects: Vec<&Suspect> = state
         .suspects
         .iter()
-        .filter(|s| s.fault.scope == Scope::Turn)
+        .filter(|s| s.fault == &OUTLYING_TURN)
         .collect();
     let turns = Turns::of(state, &suspects);
     let most = (SHARE.get() * suspects.len() as f64) as usize;

@@ -31,7 +31,7 @@ const TO_SHOW: [(&[&str], &str); 7] = [
     ),
     (
         &["accel_"],
-        "more orientations, edges and corners among them",
+        "more orientations, edges and corners among them (an error that motion alone shows stays hidden: the accelerometer is judged at rest)",
     ),
 ];
 

@@ -49,7 +49,9 @@ pub fn silent_at_rest(effect: &dyn AnyEffect) -> Vec<(usize, Vec<Quantity>)> {
 }
 
 /// Instants and parameters that an effect is tried at.
-fn trials(effect: &dyn AnyEffect) -> impl Iterator<Item = (Kinematics<f64>, Vec<f64>)> + '_ {
+pub(super) fn trials(
+    effect: &dyn AnyEffect,
+) -> impl Iterator<Item = (Kinematics<f64>, Vec<f64>)> + '_ {
     (0..4).flat_map(move |k| {
         [1.0, -0.7].into_iter().map(move |size| {
             let value = |(k, p): (usize, &crate::Param)| match p.nominal {

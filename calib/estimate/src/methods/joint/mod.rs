@@ -47,8 +47,8 @@ pub use data::budget::IN_A_SEARCH;
 pub(crate) use data::budget::STATIC_INTERVALS;
 pub use data::{Chunk, Data, LostTurn, Mean, Rest, Source, TurnSamples};
 pub use faults::{
-    DISTURBED_INTERVAL, FAULTS, Fault, FaultRef, Flagged, RATE_EXCURSION, Reason, Scope, Seen,
-    Site, Suspect, suspects, suspects_beside_biases,
+    DISTURBED_INTERVAL, FAULTS, Fault, FaultRef, Flagged, OUTLYING_TURN, RATE_EXCURSION, Reason,
+    Scope, Seen, Site, Suspect, suspects, suspects_beside_biases,
 };
 pub use fit::JointFit;
 pub use noise::SensorNoise;

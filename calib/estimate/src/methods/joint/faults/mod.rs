@@ -14,13 +14,14 @@ mod sudden_slip;
 pub use disturbed_interval::DISTURBED_INTERVAL;
 pub(crate) use disturbed_interval::shaken;
 pub use fault::{Fault, FaultRef, Flagged, Reason, Scope, Seen, Site, Suspect};
+pub use outlying_turn::OUTLYING_TURN;
 pub use rate_excursion::RATE_EXCURSION;
 
 /// All faults, in the order of their parameters.
 pub static FAULTS: &[FaultRef] = &[
     &creep::CREEP,
     &DISTURBED_INTERVAL,
-    &outlying_turn::OUTLYING_TURN,
+    &OUTLYING_TURN,
     &RATE_EXCURSION,
     &settling::SETTLING,
     &sudden_slip::SUDDEN_SLIP,

@@ -18,6 +18,10 @@ pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
             "[{key}: ]`{name}` is another effect already",
             "choose another name",
         ),
+        Kind::EffectNotLinear => error(
+            "the effect {name} says that it is linear, and is not: its error goes with its own sensor's signal, or not evenly with its parameters",
+            "leave its `LINEAR` out, which is always right",
+        ),
         Kind::NameTaken => error(
             "[{key}: ]`{name}` means something else already",
             "choose another name",
