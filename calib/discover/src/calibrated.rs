@@ -26,10 +26,8 @@ pub(super) fn calibrated(
     held: Vec<HeldShape>,
 ) -> Result<Calibration, Error> {
     let held = determined(session, search, held)?;
-    let mut calibration = match search.last.fitted_in_full(session)? {
-        Some(fit) => written(&fit, session.request.latitude.is_some(), session)?,
-        None => calibration(session, &search.last)?,
-    };
+    let fit = search.last.fitted_in_full(session)?;
+    let mut calibration = written(&fit, session.request.latitude.is_some(), session)?;
     say_held(&mut calibration, &held);
     let fit = &search.last.fit;
     let differ = differences(fit, &session.recordings_of_parts(), true)?;

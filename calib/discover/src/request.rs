@@ -3,6 +3,7 @@
 use std::borrow::{Borrow, Cow};
 use std::sync::Arc;
 
+use ::findings::Kind;
 use effects::{catalogue_of, follows_turns, stands_in_the_room};
 use estimate::calibrate::{
     Instant, Prepared, corrected_before, leave_out, of_the_detector, own_effects,
@@ -13,7 +14,7 @@ use estimate::methods::{Choice, cut, cut_several};
 use recording::intervals::Detector;
 use recording::watch::{Stage, Watch};
 use recording::{Error, Recording};
-use sensor::{EffectRef, Nature, Role, Sensor};
+use sensor::{EffectRef, Nature, Quantity, Role, Sensor};
 
 /// Settings of a search for missing effects.
 #[derive(Clone, Debug)]
@@ -74,6 +75,16 @@ impl Request {
         };
         let mut all = self.catalogue.clone();
         all.retain(|effect| !is_given(effect) && is_looked_for(effect));
+        all
+    }
+
+    /// Those of them that may be missing from recordings of which this is said. A device that turns while it should rest moves gravity in its
+    /// axes, and its gyroscope reads that rate: biases that go by time alone would be named for it.
+    fn candidates_beside(&self, said: &::findings::Findings) -> Vec<EffectRef> {
+        let mut all = self.candidates();
+        if said.has(Kind::RestsTurn) {
+            all.retain(|effect| effect.needs() != [Quantity::Time]);
+        }
         all
     }
 
@@ -173,12 +184,12 @@ impl<'a> Session<'a> {
             parts.map(move |part| (number, part))
         });
         Ok(Self {
+            candidates: request.candidates_beside(&remarks),
             remarks,
             originals: ready.originals,
             parts: parts.collect(),
             recordings: ready.recordings.into_iter().zip(choices).collect(),
             request: request.clone(),
-            candidates: request.candidates(),
             clocks: None,
             base: None,
         })

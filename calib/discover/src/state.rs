@@ -124,29 +124,26 @@ impl State {
         })
     }
 
-    /// Fits the model with what a search leaves out, `None` where that is nothing. Where nobody says the latitude the earth's rotation is
-    /// uncertainty: at rest its vertical part does what the diagonal of a g-sensitivity does, and the rotation is one of the things that are
-    /// looked for. Where the device turns at rest, rates and turns scatter by that.
+    /// Fits the model with what a search leaves out. Where nobody says the latitude the earth's rotation is uncertainty: at rest its vertical part
+    /// does what the diagonal of a g-sensitivity does, and the rotation is one of the things that are looked for. What the model misses makes static
+    /// intervals and turns scatter, and a search takes them for walks. Where the device turns at rest, rates and turns scatter by that.
     ///
     /// # Errors
     /// As [`fit_joint`].
-    pub fn fitted_in_full(&self, session: &Session<'_>) -> Result<Option<JointFit>, Error> {
+    pub fn fitted_in_full(&self, session: &Session<'_>) -> Result<JointFit, Error> {
         let request = joint_request(session, &self.extension);
         let of_the_earth = request.gyroscope.effects();
         let earth = session.request.latitude.is_none() && !earth::is_among(of_the_earth);
         let turns = session.remarks.has(Kind::RestsTurn);
-        if !earth && !turns {
-            return Ok(None);
-        }
-        let fit = fit_joint(&JointRequest {
+        fit_joint(&JointRequest {
             earth,
             disturbances: turns,
+            scatter: true,
             compared: false,
             before: Some(&*self.fit).filter(|_| !turns),
             from_its_minimum: request.from_its_minimum && !turns,
             ..request
-        })?;
-        Ok(Some(fit))
+        })
     }
 
     /// The model with its biases' noise taken as known.

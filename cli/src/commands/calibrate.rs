@@ -2,6 +2,7 @@
 
 mod arguments;
 pub mod clocks;
+pub mod field;
 mod first_screen;
 pub mod joint;
 mod judgement;

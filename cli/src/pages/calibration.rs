@@ -8,8 +8,9 @@ use sensor::Sensor;
 use super::coverage::{self, Coverage};
 use super::session::Session;
 use super::{noise, parameters, provenance, quantiles, residuals, verdict};
+use crate::commands::calibrate::field::field_unit;
 use crate::commands::calibrate::tables::{
-    PARAMETERS, coefficients, field, field_unit, over_noise, parameters as rows,
+    PARAMETERS, coefficients, field, over_noise, parameters as rows,
 };
 use crate::commands::calibrate::{left_out, limits};
 use crate::exit::Failure;

@@ -4,7 +4,7 @@ use calib::Calibration;
 use calib::calibrate::STANDARD_GRAVITY;
 use calib::calibration::Triad;
 
-use crate::commands::calibrate::tables::field_unit;
+use crate::commands::calibrate::field::field_unit;
 use crate::report::{Figure, Group, Picture, Row};
 use crate::show;
 

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use ::findings::{Finding, Kind};
-use estimate::calibrate::{changes_part_way, cut_towards_zero, late_clock};
+use estimate::calibrate::{cut_towards_zero, is_read_otherwise, late_clock};
 use estimate::methods::joint::SensorNoise;
 use recording::intervals::{Rails, Segmentation, Span};
 use recording::readings::{Symptom, altered_bias};
@@ -11,6 +11,7 @@ use recording::{Recording, Stamps, Stream, even_clock};
 use sensor::Sensor;
 use serde::Serialize;
 
+use super::part_way::read_otherwise;
 use crate::request::Session;
 use crate::state::State;
 
@@ -33,7 +34,7 @@ findings::tuning! {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Integrity {
     /// `saturation`, `quantisation`, `dead_zone`, `rezeroing`, `lost_samples`, `outlying_turn`, `undersampled_motion`, `mount_slip` or
-    /// `disturbed_interval`, `scale_change`, `clock_offset`, `cut_towards_zero`; `time_offset` where it is another in every recording.
+    /// `disturbed_interval`, `scale_change`, `sign_change`, `columns_swap_part_way`, `clock_offset`, `cut_towards_zero`; `time_offset` where it is another in every recording.
     pub name: Cow<'static, str>,
     /// The recording.
     pub recording: String,
@@ -105,9 +106,8 @@ impl Integrity {
                 | Kind::CutTowardsZero
                 | Kind::DeadZone
                 | Kind::Rezeroed
-                | Kind::ScaleChange
                 | Kind::ClockOffset
-        )
+        ) || is_read_otherwise(&self.finding)
     }
 }
 
@@ -127,11 +127,8 @@ pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
             ),
             (Sensor::Gyroscope, &recording.gyroscope, &source.gyroscope),
         ];
-        all.extend(scale_changes(
-            recording,
-            &choice.segmentation,
-            session.request.gravity,
-        ));
+        let otherwise = read_otherwise(session, base, recording, &choice.segmentation).into_iter();
+        all.extend(otherwise.map(|found| Integrity::of(found.kind.name(), &recording.name, found)));
         let late = late_clock(recording);
         all.extend(late.map(|found| Integrity::of("clock_offset", &recording.name, found)));
         let altered = altered_bias(recording, &choice.segmentation);
@@ -172,19 +169,6 @@ fn cut_off(session: &Session<'_>, base: &State) -> Option<Integrity> {
     let found = cut_towards_zero(&base.fit, &session.recordings_of_parts())?;
     let recording = found.place.recording.clone().unwrap_or_default();
     Some(Integrity::of("cut_towards_zero", &recording, found))
-}
-
-/// A scale factor of the accelerometer that changes part of the way: no law of the sensor follows a range that is switched.
-fn scale_changes(
-    recording: &Recording,
-    segmentation: &Segmentation,
-    gravity: f64,
-) -> Option<Integrity> {
-    let changes = changes_part_way(recording, segmentation, gravity, None);
-    let found = changes
-        .into_iter()
-        .find(|found| found.kind == Kind::ScaleChange)?;
-    Some(Integrity::of("scale_change", &recording.name, found))
 }
 
 /// Returns true if the other sensor loses its samples at the same time.

@@ -1,7 +1,7 @@
 //! All that was found, as it is written to findings.json.
 
 use ::findings::{Finding, Kind};
-use estimate::calibrate::{untested_linearity, withdraw_beside_a_cut};
+use estimate::calibrate::{untested_linearity, withdraw_explained};
 use estimate::calibration::Calibration;
 use estimate::methods::joint::SensorNoise;
 
@@ -60,7 +60,7 @@ impl Found {
             remainder.for_each(|found| found.consequence.clear());
         }
         calibration.warnings.extend(said);
-        withdraw_beside_a_cut(&mut calibration.warnings);
+        withdraw_explained(&mut calibration.warnings);
         let untested = untested_linearity(&calibration);
         calibration.warnings.extend(untested);
         let ranking = search.first_ranking.iter();

@@ -21,6 +21,10 @@ findings::tuning! {
     /// Stamps are late beyond what delays of the gyroscope do if by more standard errors than this.
     MUCH_LATER: f64 = 3.0;
 
+    /// Stamps are late by more than this share of a sample's step: to the square of the step, differences of samples and means over windows are
+    /// not the motion at an instant.
+    OF_A_STEP: f64 = 0.05;
+
     /// The chance that stamps which are late by the same in all recordings are said to be late by different times.
     LATE_APART: f64 = 1e-3;
 }
@@ -103,7 +107,8 @@ fn late(state: &State, session: &Session<'_>) -> Option<(EffectRef, Delay)> {
     let effect = candidates.iter().find(|e| is_late(e))?;
     let found = delay(state)?;
     // What delays the gyroscope's axes delays them against the accelerometer too.
-    if found.delay.abs() <= 2.0 * gyroscope_delay(state) + MUCH_LATER.get() * found.std {
+    let of_gyroscope = 2.0 * gyroscope_delay(state) + MUCH_LATER.get() * found.std;
+    if found.delay.abs() <= of_gyroscope.max(least(session)) {
         return None;
     }
     (late_evidence(&found, candidates.len()) > session.request.threshold())
@@ -120,6 +125,7 @@ fn late_apart(state: &State, session: &Session<'_>) -> Vec<Integrity> {
     let needed = session.request.threshold() + (all.len() as f64).ln();
     let late = all
         .iter()
+        .filter(|(_, own)| own.delay.abs() > least(session))
         .filter(|(_, own)| late_evidence(own, candidates.len()) > needed);
     let fault = |(recording, own): &(usize, Delay)| {
         let data = &state.fit.data;
@@ -144,6 +150,14 @@ fn late_apart(state: &State, session: &Session<'_>) -> Vec<Integrity> {
         })
     };
     late.filter_map(fault).collect()
+}
+
+/// The least delay that samples can show, s.
+fn least(session: &Session<'_>) -> f64 {
+    let ready = session.ready().into_iter();
+    let streams = ready.flat_map(|own| own.accelerometer.iter().chain(&own.gyroscope));
+    let steps = streams.filter_map(|own| own.median_step());
+    OF_A_STEP.get() * steps.fold(0.0, f64::max)
 }
 
 /// Returns true if the time offsets of the recordings differ significantly at level `alpha`.
@@ -177,4 +191,28 @@ fn gyroscope_delay(state: &State) -> f64 {
 
 fn late_evidence(found: &Delay, candidates: usize) -> f64 {
     -found.log_p - (2.0 * candidates as f64).ln()
+}
+
+#[cfg(test)]
+mod tests {
+    use simulate::Spec;
+
+    use super::*;
+    use crate::request::Request;
+    use crate::state::Extension;
+
+    fn is_found(late_by: f64) -> bool {
+        let mut spec = Spec::hand_held(21);
+        let given = std::collections::BTreeMap::from([("d".to_owned(), late_by)]);
+        spec.effects.insert("time_offset".into(), given);
+        let recordings = [spec.run().unwrap().recording];
+        let session = Session::new(&recordings, &Request::new(spec.gravity)).unwrap();
+        let base = State::fit(&session, Extension::default()).unwrap();
+        late(&base, &session).is_some()
+    }
+
+    #[test]
+    fn a_delay_of_a_hundredth_of_a_step_is_none() {
+        assert!(is_found(8e-3) && !is_found(1e-4));
+    }
 }

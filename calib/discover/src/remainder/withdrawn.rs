@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use ::findings::Kind;
 use estimate::methods::joint::{BiasNoise, Known};
 use faer::Mat;
 use nalgebra::{DMatrix, DVector};
@@ -81,8 +82,12 @@ pub(crate) fn without_undetermined(
     session: &Session<'_>,
     search: &mut Search,
 ) -> Result<bool, Error> {
-    let known = search.last.fit.shared_uncertainty();
-    let fit = Arc::clone(&search.last.fit);
+    // Of a device that turns while it should rest that motion is in the fit that its calibration is written of.
+    let fit = match session.remarks.has(Kind::RestsTurn) {
+        true => Arc::new(search.last.fitted_in_full(session)?),
+        false => Arc::clone(&search.last.fit),
+    };
+    let known = fit.shared_uncertainty();
     let values = &fit.parameters;
     let by_chance_alone = |effect: &EffectRef| {
         let of = |p: &sensor::Param| format!("{}.{}", effect.name(), p.name);

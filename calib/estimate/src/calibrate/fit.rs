@@ -7,6 +7,7 @@ use recording::{Error, Recording};
 
 use super::bias::count_motion;
 use super::cut::Cut;
+use super::explained::withdraw_explained;
 use super::magnetic::with_magnetometer;
 use super::outcome::Outcome;
 use super::request::{Method, Request};
@@ -73,6 +74,7 @@ impl Fit<'_> {
             checks::say_dead_axes(&mut outcome.calibration.failed_gates, recording);
         }
         outcome.calibration.warnings.extend(warnings);
+        withdraw_explained(&mut outcome.calibration.warnings);
         count_motion(&mut outcome.calibration);
         outcome
     }

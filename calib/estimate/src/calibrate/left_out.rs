@@ -1,14 +1,14 @@
 //! Effects that a model leaves out; the standard errors assume that the sensors have none of them.
 
 use faer::Mat;
-use nalgebra::Vector3;
-use sensor::{EffectRef, Model, Quantity, Role, Sensor};
+use nalgebra::{DMatrix, Vector3};
+use sensor::{EffectRef, Kinematics, Model, Quantity, Role, Sensor};
 use solver::Problem;
 
 use super::static_norm::StaticNorms;
 use crate::calibration::{LeftOut, catalogue};
 use crate::methods::joint::{JointFit, effect_slopes};
-use crate::methods::left_out::squares_added;
+use crate::methods::left_out::{squares_added, squares_added_beside};
 use crate::methods::{AccelerometerFit, Fitted};
 use crate::residuals::{GravityNorm, StaticMean};
 use crate::truth::supposed;
@@ -40,6 +40,41 @@ pub(super) fn left_out_by_norms(fit: &AccelerometerFit, norms: &StaticNorms) -> 
         .filter(|effect| effect.sensor() == Sensor::Accelerometer)
         .filter_map(of)
         .collect()
+}
+
+/// The same of a magnetometer whose field is in units of so many `microtesla`; `larger` fits a model with one effect more, its parameters the
+/// last: values and covariance.
+pub(super) fn left_out_of_magnetometer(
+    model: &Model,
+    fitted: &Fitted,
+    microtesla: f64,
+    larger: impl Fn(&Model) -> Option<(Vec<f64>, DMatrix<f64>)>,
+) -> Vec<LeftOut> {
+    let of = |effect: EffectRef| {
+        let (values, covariance) = larger(&model.clone().with(effect.clone()))?;
+        let sizes = (0..effect.params().len()).map(|k| effect.typical_of(k));
+        let sizes: Vec<f64> = sizes.collect();
+        let sizes = in_unit(&effect, sizes, microtesla);
+        let added = squares_added_beside(&values, &covariance, &sizes)?;
+        worst(&effect, fitted, fitted.free.iter().zip(added))
+    };
+    candidates(std::slice::from_ref(model))
+        .filter(|effect| effect.sensor() == Sensor::Magnetometer)
+        .filter_map(of)
+        .collect()
+}
+
+/// Coefficients of an effect of the magnetometer in a unit of so many `microtesla`, where all errors are that much smaller.
+fn in_unit(effect: &EffectRef, sizes: Vec<f64>, microtesla: f64) -> Vec<f64> {
+    let error = |field: f64| {
+        let truth = Kinematics {
+            magnetic_field: Vector3::repeat(field),
+            ..Kinematics::at_rest(Vector3::zeros())
+        };
+        effect.error_f64(&truth, &sizes).norm()
+    };
+    let factor = error(microtesla) / microtesla / error(1.0);
+    sizes.iter().map(|size| size * factor).collect()
 }
 
 /// The effects of the catalogue that are functions of their sensor's signal, with coefficients alone, and that no model has.

@@ -12,6 +12,7 @@ mod assemble;
 mod bias;
 mod checks;
 mod cut;
+mod explained;
 mod fit;
 mod inputs;
 mod joint;
@@ -33,10 +34,10 @@ pub use bias::count_motion;
 pub(crate) use checks::few_directions;
 pub use checks::{
     Said, corrected_before, cut_towards_zero, implausible, implausible_base, not_in_one_plane,
-    of_the_detector, readings_of_the_device, too_fast, untested_linearity, withdraw_beside_a_cut,
-    without_copies,
+    of_the_detector, readings_of_the_device, too_fast, untested_linearity, without_copies,
 };
 pub use cut::{leave_out, of_one_recording_each};
+pub use explained::{is_read_otherwise, withdraw_explained};
 pub use joint::{Account, LatitudeDoubt, is_determined, refuse_unobservable, written_down};
 pub use magnetic::{FIELDS, beside_the_others};
 pub use outcome::Outcome;

@@ -12,6 +12,7 @@
 
 use faer::linalg::solvers::{DenseSolveCore, Solve};
 use faer::{Mat, Side};
+use nalgebra::{DMatrix, DVector};
 
 /// The mean square error of each parameter that an effect of the sizes `size` adds if it is left out; `residuals` are those
 /// of the fit (`m × 1`), whitened as the columns are.
@@ -42,6 +43,28 @@ pub fn squares_added(
             .map(|k| errors[(k, k)].max(0.0))
             .collect(),
     )
+}
+
+/// The same by a fit that estimates the effect too: `values` and `covariance` are those of the parameters and, last, of the effect.
+///
+/// With `V` the blocks of that covariance and `e` the effect as found, `A = −V_pe V_ee⁻¹`, `S = V_ee⁻¹`, `c = C S e`.
+///
+/// `None` where that fit does not determine the effect.
+pub fn squares_added_beside(
+    values: &[f64],
+    covariance: &DMatrix<f64>,
+    size: &[f64],
+) -> Option<Vec<f64>> {
+    let (own, count) = (values.len().checked_sub(size.len())?, size.len());
+    let known = covariance.view((own, own), (count, count)).into_owned();
+    let known = known.try_inverse()?;
+    let moved = covariance.view((0, own), (own, count)) * &known;
+    let usual = DVector::from_iterator(count, size.iter().map(|size| size.powi(-2)));
+    let given = (&known + DMatrix::from_diagonal(&usual)).try_inverse()?;
+    let expected = &given * (&known * DVector::from_column_slice(&values[own..]));
+    let square = given + &expected * expected.transpose();
+    let errors = &moved * square * moved.transpose();
+    Some(errors.diagonal().iter().map(|own| own.max(0.0)).collect())
 }
 
 #[cfg(test)]
@@ -102,5 +125,29 @@ mod tests {
         let residuals = Mat::from_fn(4, 1, |i, _| [0.0, 0.0, 20.0, 0.0][i]);
         let added = squares_added(&r, &e, &residuals, |_| 1e6).unwrap()[0];
         assert!((added - (4.0 * 4.0 + 1.0 / 25.0)).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_fit_that_estimates_the_effect_says_the_same() {
+        let (r, size) = (parameters(), [0.3, 2.0]);
+        let e = Mat::from_fn(9, 2, |i, k| ((i * 5 + k * 3 + 1) % 7) as f64 - 3.0);
+        let y = DVector::from_fn(9, |i, _| ((i * 4 + i * i) % 11) as f64 - 5.0);
+        let both = DMatrix::from_fn(9, 5, |i, k| match k.checked_sub(3) {
+            Some(k) => e[(i, k)],
+            None => r[(i, k)],
+        });
+        let fit = |columns: &DMatrix<f64>| {
+            let covariance = (columns.transpose() * columns).try_inverse().unwrap();
+            (&covariance * columns.transpose() * &y, covariance)
+        };
+        let (values, covariance) = fit(&both);
+        let alone = both.columns(0, 3).into_owned();
+        let left = &y - &alone * fit(&alone).0;
+        let left = Mat::from_fn(9, 1, |i, _| left[i]);
+        let expected = squares_added(&r, &e, &left, |k| size[k]).unwrap();
+        let found = squares_added_beside(values.as_slice(), &covariance, &size).unwrap();
+        for (found, expected) in found.into_iter().zip(expected) {
+            assert!((found / expected - 1.0).abs() < 1e-9, "{found} {expected}");
+        }
     }
 }

@@ -40,11 +40,17 @@ impl Rails {
             let upwards: Vec<f64> = values.iter().map(|v| v[axis]).collect();
             let downwards: Vec<f64> = upwards.iter().map(|v| -v).collect();
             let (step, longest) = (least_step(&upwards), longest_by_chance(&upwards));
-            let ends = [(downwards, -1.0), (upwards, 1.0)];
-            ends.map(|(values, sign)| {
-                let found = rail(&values, step, longest);
-                (found.filter(|end| far.reached(axis, sign * end)), values)
-            })
+            let ends = [downwards, upwards];
+            let found = ends.each_ref().map(|values| rail(values, step, longest));
+            let found = match found {
+                [None, None] => found,
+                [low, high] => {
+                    let [low, high] = far.ends(axis, [low.map(|end| -end), high]);
+                    [low.map(|end| -end), high]
+                }
+            };
+            let [low, high] = ends;
+            [(found[0], low), (found[1], high)]
         });
         let known = sides.iter().flatten().find_map(|(rail, _)| *rail);
         let rails = sides.map(|axis| {

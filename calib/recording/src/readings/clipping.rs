@@ -73,17 +73,17 @@ fn limits(values: &[Vector3<f64>], axis: usize) -> Limits {
         equal += usize::from(pair[0][axis] == pair[1][axis]);
     }
     let coarse = equal as f64 > REPEATS.get() * all as f64;
-    let is_far = |limit: f64| Excursion::of(values).reached(axis, limit);
     let step = least_step(values, axis).unwrap_or(0.0);
-    let cut_off = |limit: f64| {
-        !coarse
-            && low < high
-            && cut_off_at(values, axis, step, limit) >= FEWEST.get()
-            && is_far(limit)
+    let cut_off =
+        |limit: f64| !coarse && low < high && cut_off_at(values, axis, step, limit) >= FEWEST.get();
+    let found = [low, high].map(|limit| cut_off(limit).then_some(limit));
+    let [low, high] = match found {
+        [None, None] => found,
+        _ => Excursion::of(values).ends(axis, found),
     };
     Limits {
-        low: if cut_off(low) { low } else { f64::NEG_INFINITY },
-        high: if cut_off(high) { high } else { f64::INFINITY },
+        low: low.unwrap_or(f64::NEG_INFINITY),
+        high: high.unwrap_or(f64::INFINITY),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use calib::Calibration;
 
+use super::field::field_reading_unit;
 use crate::show;
 
 /// An effect that makes no standard error so many times as large is not shown.
@@ -24,11 +25,13 @@ pub const HEADER: [&str; 5] = [
 
 /// The effects that would enlarge a standard error most, with the parameter whose it is; `units` are those of the biases.
 pub fn rows(calibration: &Calibration, units: [&str; 2]) -> Vec<[String; 5]> {
+    let field = field_reading_unit(calibration);
     let enlarged = calibration.enlarged_by_more_than(WORTH_SHOWING).into_iter();
     let row = |own: calib::calibration::Enlarged<'_>| {
         let unit = match own.by.parameter.split_once(".b_") {
             Some(("accel", _)) => units[0],
-            Some(_) => units[1],
+            Some(("gyro", _)) => units[1],
+            Some(_) => field,
             None => "",
         };
         let error = |value: f64| show::error(Some(value));

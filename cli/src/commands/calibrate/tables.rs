@@ -6,6 +6,7 @@ use calib::calibrate::Outcome;
 use calib::calibration::{Calibration, EffectValues, MagneticField, RecordingField, Triad};
 use sensor::{PLACES, Sensor, base_names};
 
+use super::field::{field_reading_unit, field_unit};
 use super::{clocks, joint, left_out};
 use crate::pages::session::short_names;
 use crate::show;
@@ -183,25 +184,6 @@ fn uneven(field: &MagneticField, unit: &str) -> String {
         "it differs by {} {unit} per axis from one static interval to the next, beyond the noise\n",
         show::error(Some(field.unevenness))
     )
-}
-
-/// Unit of the corrected field.
-pub fn field_unit(calibration: &Calibration) -> &'static str {
-    let field = calibration.magnetic_field.as_ref();
-    in_words(field.map(|field| field.unit.as_str()))
-}
-
-/// Unit of the magnetometer's readings.
-fn field_reading_unit(calibration: &Calibration) -> &'static str {
-    let field = calibration.magnetic_field.as_ref();
-    in_words(field.map(MagneticField::unit_of_readings))
-}
-
-fn in_words(unit: Option<&str>) -> &'static str {
-    match unit {
-        Some("uT") | None => "µT",
-        Some(_) => "reading",
-    }
 }
 
 /// For which time the bias holds and how much it moved, where that is known; `factor` carries SI units to `unit`.

@@ -116,7 +116,13 @@ fn left_out(calibration: &Calibration) -> Option<String> {
             left.clone(),
         ))
     };
-    let all = calibration.left_out.iter().filter_map(of);
+    // Of a magnetometer nothing is planned.
+    let is_planned = |left: &&LeftOut| !left.parameter.starts_with("mag.");
+    let all = calibration
+        .left_out
+        .iter()
+        .filter(is_planned)
+        .filter_map(of);
     let (share, with_it, left) = all.max_by(|a, b| a.0.total_cmp(&b.0))?;
     let (factor, unit) = unit_of(&left.parameter);
     (share > 1.0).then(|| {

@@ -1,6 +1,7 @@
 //! A magnetometer from recording to corrected field.
 
 mod bound;
+mod left_out;
 
 use calib::calibrate::{Method, Request, calibrate};
 use calib::calibration::{Calibration, apply, effect_named};

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 use recording::intervals::Span;
 
+use super::hypothesis::{Hypothesis, Whose};
 use super::rested::{Rested, changes};
 use super::tested::Tested;
 use super::way::Way;
@@ -58,13 +59,13 @@ struct Tried {
 impl Tried {
     fn of(rests: &[Rested<'_>], tau: f64) -> Self {
         let changes = changes(rests, tau);
-        let sound = rests.iter().zip(&changes).filter(|(own, _)| own.is_sound);
+        let sound = rests.iter().zip(&changes);
+        let sound = sound.filter(|(own, _)| own.shows_decay());
         let seen: Vec<_> = sound
             .map(|(own, change)| (own, change, own.at_first(tau)))
             .collect();
         let mut tested = Vec::new();
-        let is_tried = |way: &Way| tau <= SLOWEST_WITHIN.get() || way.is_seen_in_means();
-        for way in Way::ALL.into_iter().filter(is_tried) {
+        for way in Way::ALL {
             let alike = way.may_be_alike().then_some(None);
             for axis in (0..3).map(Some).chain(alike) {
                 let factors = seen.iter().filter_map(|(own, change, at_first)| {
@@ -81,11 +82,6 @@ impl Tried {
         }
     }
 
-    /// The same error with this time constant.
-    fn same(&self, of: &Tested) -> Option<&Tested> {
-        self.find(of.way, of.axis)
-    }
-
     fn find(&self, way: Way, axis: Option<usize>) -> Option<&Tested> {
         let mut own = self.tested.iter();
         own.find(|own| own.way == way && own.axis == axis)
@@ -95,8 +91,8 @@ impl Tried {
     fn decay(&self, rests: &[Rested<'_>], way: Way, factors: &Vector3<f64>) -> Decay {
         let each = rests.iter().zip(&self.changes);
         let at_first = each.map(|(rest, change)| {
-            let along = way.of(&rest.force, change);
-            along.component_mul(factors)
+            let factors = factors * f64::from(u8::from(rest.follows_turn));
+            way.of(&rest.force, change).component_mul(&factors)
         });
         Decay {
             tau: self.tau,
@@ -112,13 +108,21 @@ impl Tried {
     }
 
     /// The error as found: where one axis shows it alone, each has a factor of its own.
-    fn as_found(&self, rests: &[Rested<'_>], found: &Tested) -> Decay {
+    fn as_found(&self, rests: &[Rested<'_>], found: &Hypothesis) -> Decay {
         let own = |axis| self.find(found.way, axis).map_or(0.0, Tested::factor);
-        let factors = match found.axis {
-            None => Vector3::repeat(own(None)),
-            Some(_) => Vector3::from_fn(|axis, _| own(Some(axis))),
+        let factors = match found.whose {
+            Whose::Alike => Vector3::repeat(own(None)),
+            Whose::Axis(_) | Whose::Each => Vector3::from_fn(|axis, _| own(Some(axis))),
         };
         self.decay(rests, found.way, &factors)
+    }
+
+    /// What is asked of these errors: within the intervals the slowest are slopes of any size, so that those are only asked of means that say
+    /// something of them.
+    fn asked(&self) -> Vec<Hypothesis> {
+        let mut all = Hypothesis::all(&self.tested);
+        all.retain(|own| self.tau <= SLOWEST_WITHIN.get() || own.is_in_means());
+        all
     }
 }
 
@@ -131,7 +135,8 @@ pub struct Trials<'a> {
 impl<'a> Trials<'a> {
     /// By the readings within the intervals; `None` where these are too few.
     pub fn within(rests: &'a [Rested<'a>]) -> Option<Self> {
-        (rests.iter().filter(|own| own.is_sound).count() >= FEWEST.get()).then(|| Self {
+        let shows = rests.iter().filter(|own| own.shows_decay());
+        (shows.count() >= FEWEST.get()).then(|| Self {
             rests,
             all: TIME_CONSTANTS.map(|tau| Tried::of(rests, tau)).into(),
         })
@@ -140,7 +145,7 @@ impl<'a> Trials<'a> {
     /// The errors of a factor of one that the means of the intervals can tell from scale factors and biases.
     pub fn seen_in_means(&self) -> Vec<Decay> {
         let of = |tried: &Tried| {
-            let own = tried.tested.iter().filter(|own| own.way.is_seen_in_means());
+            let own = tried.tested.iter().filter(|own| own.is_seen_in_means());
             let own = own.map(|own| tried.of_one(self.rests, own));
             own.collect::<Vec<_>>()
         };
@@ -150,7 +155,7 @@ impl<'a> Trials<'a> {
     /// The trials with what the means say of those, in their order.
     pub fn with_means(&self, evidence: &[Evidence]) -> Self {
         let mut evidence = evidence.iter().copied();
-        let mut with = |own: &Tested| match own.way.is_seen_in_means() {
+        let mut with = |own: &Tested| match own.is_seen_in_means() {
             true => own.with(evidence.next().unwrap_or_default()),
             false => *own,
         };
@@ -165,19 +170,24 @@ impl<'a> Trials<'a> {
         }
     }
 
-    /// The likeliest error, where chance does not explain it and nothing contradicts it.
-    pub fn found(&self) -> Option<Tested> {
-        let tested = self.all.iter().flat_map(|own| &own.tested);
-        let tests = tested.clone().count();
-        let best = tested.max_by(|a, b| a.gain().total_cmp(&b.gain()))?;
-        (best.p_value() * (tests as f64) < LEVEL.get() && best.agrees()).then_some(*best)
+    /// The least likely error by chance, where chance does not explain it and nothing contradicts it.
+    pub fn found(&self) -> Option<Hypothesis> {
+        let asked: Vec<Hypothesis> = self.all.iter().flat_map(Tried::asked).collect();
+        let tests = asked.len() as f64;
+        let agreeing = asked.into_iter().filter(Hypothesis::agrees);
+        let p_values = agreeing.map(|own| (own.p_value(), own));
+        let (p, best) = p_values.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        (p * tests < LEVEL.get()).then_some(best)
     }
 
     /// The slowest decay of that error that nothing rules out.
-    pub fn slowest(&self, found: &Tested) -> Option<Decay> {
+    pub fn slowest(&self, found: &Hypothesis) -> Option<Decay> {
         let least = found.gain() - RULED_OUT.get();
         let mut slowest_first = self.all.iter().rev();
-        let is_open = |own: &&Tried| own.same(found).is_some_and(|own| own.gain() > least);
+        let is_open = |own: &&Tried| {
+            let same = own.asked().into_iter().find(|own| own.is_same(found));
+            same.is_some_and(|own| own.gain() > least)
+        };
         let open = slowest_first.find(is_open)?;
         Some(open.as_found(self.rests, found))
     }
@@ -215,6 +225,7 @@ mod tests {
             turned: 0.0,
             force: Vector3::new(0.0, 0.0, 9.8),
             drift: Vector3::zeros(),
+            follows_turn: true,
             is_sound: true,
         };
         let rests: Vec<_> = all.iter().map(|values| rest(values)).collect();
@@ -230,6 +241,30 @@ mod tests {
         let off = found.at_first[3].x * found.mean_left(&span, 0.0);
         // Of .05 that fade with 2 s a mean of 6 s has .0158.
         assert!((0.014..0.15).contains(&off), "{off}: {found:?}");
+    }
+
+    #[test]
+    fn before_the_first_turn_nothing_fades() {
+        let (t, values) = ([0.0, 1.0], [Vector3::z(); 2]);
+        let of = |follows_turn| Rested {
+            recording: 0,
+            t: &t,
+            values: &values,
+            unit: 1.0,
+            turned: 0.0,
+            force: Vector3::z(),
+            drift: Vector3::zeros(),
+            follows_turn,
+            is_sound: true,
+        };
+        let rests = [of(false), of(true)];
+        let tried = Tried {
+            tau: 2.0,
+            changes: vec![Vector3::zeros(); 2],
+            tested: Vec::new(),
+        };
+        let decay = tried.decay(&rests, Way::Force, &Vector3::repeat(1.0));
+        assert_eq!(decay.at_first, [Vector3::zeros(), Vector3::z()]);
     }
 
     #[test]

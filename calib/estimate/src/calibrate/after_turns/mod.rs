@@ -1,6 +1,7 @@
 //! Readings of an accelerometer that still change after each turn, and what that does to the parameters.
 
 mod decay;
+mod hypothesis;
 mod rested;
 mod tested;
 mod way;
@@ -129,7 +130,6 @@ fn rested<'a>(
     let rest = &rests[k];
     let mut flagged = fit.flagged.iter();
     let disturbed = flagged.any(|a| a.recording == rest.recording && a.interval == rest.interval);
-    // Before the first of a recording is no turn.
     let is_first = k == 0 || rests[k - 1].recording != rest.recording;
     let stream = recordings.get(rest.recording)?.accelerometer.as_ref()?;
     let moved = motions.get(rest.recording).copied().flatten();
@@ -150,7 +150,8 @@ fn rested<'a>(
         turned: rest.turned,
         force: fit.data.mean_force(rest)?,
         drift: modelled + moved.unwrap_or_default(),
-        is_sound: !disturbed && !is_first,
+        follows_turn: !is_first,
+        is_sound: !disturbed,
     })
 }
 

@@ -21,11 +21,18 @@ pub struct Rested<'a> {
     pub force: Vector3<f64>,
     /// Slope by what is known otherwise, m/s³.
     pub drift: Vector3<f64>,
+    /// False of the first of a recording: before it is no turn.
+    pub follows_turn: bool,
     /// False of one that was disturbed.
     pub is_sound: bool,
 }
 
 impl Rested<'_> {
+    /// Returns true if its readings show what fades after a turn.
+    pub fn shows_decay(&self) -> bool {
+        self.is_sound && self.follows_turn
+    }
+
     /// The error right after the turn by the readings of this interval alone, where it fades with `tau`, and its weight: the error has the
     /// variance of a reading over that. The mean of the interval has no part in it, and so has no parameter of a calibration.
     pub fn at_first(&self, tau: f64) -> (Vector3<f64>, f64) {
@@ -79,6 +86,7 @@ mod tests {
             turned,
             force: Vector3::new(x, 0.0, 0.0),
             drift: Vector3::zeros(),
+            follows_turn: true,
             is_sound: true,
         };
         let rests = [of(0.0, 1.0), of(5.0, 3.0), of(10.0, 3.0)];

@@ -2,7 +2,7 @@
 
 use super::way::Way;
 use crate::methods::joint::Evidence;
-use crate::methods::small_sample::{by_chance, normal_score, two_sided};
+use crate::methods::small_sample::normal_score;
 
 findings::tuning! {
     /// Readings and means that differ by more standard errors than this speak of two errors.
@@ -43,6 +43,16 @@ impl Tested {
         })
     }
 
+    /// Returns true if the means of static intervals tell it from scale factors and biases. What comes again after every turn looks like those, but
+    /// for what was read before the first turn: that tells one factor, and not one of each axis.
+    pub fn is_seen_in_means(&self) -> bool {
+        match self.way {
+            Way::Change => true,
+            Way::Force => self.axis.is_none(),
+            Way::Turn => false,
+        }
+    }
+
     /// The same error with what the means of the intervals say of it.
     pub fn with(self, means: Evidence) -> Self {
         Self { means, ..self }
@@ -64,19 +74,6 @@ impl Tested {
         self.means.most()
     }
 
-    /// Log-likelihood over none, by both: no part of a mean is in the readings about it, so that the two are independent.
-    pub fn gain(&self) -> f64 {
-        0.5 * self.score().powi(2)
-    }
-
-    /// Probability of so much by chance, in this one test.
-    pub fn p_value(&self) -> f64 {
-        match self.is_in_means() {
-            true => by_chance(self.score().powi(2), 1.0),
-            false => two_sided(self.t().abs(), self.spare),
-        }
-    }
-
     /// Returns true if the readings and the means may have one factor.
     pub fn agrees(&self) -> bool {
         let apart = self.factor - self.means.factor();
@@ -86,9 +83,9 @@ impl Tested {
         })
     }
 
-    /// Student's statistic of the readings within intervals.
-    fn t(&self) -> f64 {
-        self.factor / self.variance.sqrt()
+    /// The normal score of the readings within intervals.
+    pub fn score_within(&self) -> f64 {
+        normal_score(self.factor / self.variance.sqrt(), self.spare)
     }
 
     /// Information of the readings and of the means on the factor: inverse variances.
@@ -98,9 +95,10 @@ impl Tested {
         (self.variance.recip(), means)
     }
 
-    /// The normal score of both together, each weighted by what it knows (Stouffer 1949).
-    fn score(&self) -> f64 {
-        let within = normal_score(self.t(), self.spare);
+    /// The normal score of both together, each weighted by what it knows (Stouffer 1949): no part of a mean is in the readings about it, so
+    /// that the two are independent.
+    pub fn score(&self) -> f64 {
+        let within = self.score_within();
         let means = self.means.variance().map_or(0.0, |(variance, spare)| {
             normal_score(self.means.factor() / variance.sqrt(), spare)
         });
@@ -129,7 +127,7 @@ mod tests {
     fn two_that_agree_say_more_than_one() {
         let both = tested(0.5);
         let alone = both.with(Evidence::default());
-        assert!(both.agrees() && both.p_value() < 1e-2 * alone.p_value());
+        assert!(both.agrees() && both.score() > 1.3 * alone.score());
         assert!((both.factor() - 0.5).abs() < 1e-12, "{both:?}");
     }
 

@@ -29,9 +29,4 @@ impl Way {
     pub fn may_be_alike(self) -> bool {
         self != Self::Turn
     }
-
-    /// Returns true if the means of static intervals tell it from scale factors and biases: what comes again after every turn looks like those.
-    pub fn is_seen_in_means(self) -> bool {
-        self == Self::Change
-    }
 }

@@ -1,7 +1,7 @@
 //! An accelerometer whose readings are cut off towards zero instead of rounded.
 
 use faer::Mat;
-use findings::{Finding, Findings, Kind};
+use findings::{Finding, Kind};
 use nalgebra::Vector3;
 use recording::readings::least_step;
 use recording::{Recording, Stream};
@@ -57,24 +57,6 @@ pub fn cut_towards_zero(fit: &JointFit, recordings: &[&Recording]) -> Option<Fin
             .number("step", step, "m/s^2")
             .affects("corrected_reading", 0.5 * step, "m/s^2"),
     )
-}
-
-/// Takes back what is said of readings that are cut off beside that: half a step is what the model misses, and what goes on like a bias.
-pub fn withdraw_beside_a_cut(warnings: &mut Findings) -> Vec<Finding> {
-    if !warnings.has(Kind::CutTowardsZero) {
-        return Vec::new();
-    }
-    let is_of_cut = |found: &Finding| match found.kind {
-        Kind::EffectMissing | Kind::Misfit => true,
-        Kind::BiasMoved | Kind::BiasWandered | Kind::BiasUnsteady => {
-            found.place.sensor == Some(Sensor::Accelerometer)
-        }
-        _ => false,
-    };
-    let own = warnings.iter().filter(|found| is_of_cut(found));
-    let own = own.cloned().collect();
-    warnings.retain(|found| !is_of_cut(found));
-    own
 }
 
 /// The readings of an accelerometer and their steps.
@@ -133,20 +115,5 @@ mod tests {
             spread: 1.0,
         };
         assert_eq!(cut.shift(&mean), Vector3::new(-0.01, 0.0075, 0.0));
-    }
-
-    #[test]
-    fn of_a_cut_nothing_else_is_said_of_the_accelerometer_and_the_gyroscope_keeps_its_own() {
-        let of = |kind, sensor| Finding::of(kind).of_sensor(sensor);
-        let mut found: Findings = vec![
-            of(Kind::BiasUnsteady, Sensor::Accelerometer),
-            of(Kind::BiasUnsteady, Sensor::Gyroscope),
-            of(Kind::Misfit, Sensor::Accelerometer),
-        ]
-        .into();
-        assert!(withdraw_beside_a_cut(&mut found).is_empty());
-        found.push(of(Kind::CutTowardsZero, Sensor::Accelerometer));
-        assert_eq!(withdraw_beside_a_cut(&mut found).len(), 2);
-        assert_eq!(found.iter().count(), 2);
     }
 }

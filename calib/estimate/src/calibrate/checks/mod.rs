@@ -18,7 +18,7 @@ mod unknowable;
 pub use coning::too_fast;
 pub(crate) use coverage::few_directions;
 pub use coverage::not_in_one_plane;
-pub use cut_towards_zero::{cut_towards_zero, withdraw_beside_a_cut};
+pub use cut_towards_zero::cut_towards_zero;
 pub(super) use dead_axes::{dead_axes, say_dead_axes};
 pub(super) use determined::{
     ForceEvidence, RateEvidence, accelerometer_is_determined, gyroscope_is_determined,

@@ -19,6 +19,7 @@ pub use self::written_down::{Account, written_down};
 use super::bias::count_motion_of;
 use super::checks;
 use super::cut::Cut;
+use super::explained::withdraw_explained;
 use super::outcome::Outcome;
 use super::request::Request;
 use super::same_device::{differences, of_one_device};
@@ -96,7 +97,7 @@ pub(super) fn calibrate(
     warnings.extend(differ.findings());
     // That is no effect of the sensor.
     warnings.extend(checks::cut_towards_zero(&fit, &of_parts));
-    let of_a_cut = checks::withdraw_beside_a_cut(&mut warnings);
+    let of_a_cut = withdraw_explained(&mut warnings);
     let mut calibration = Calibration {
         warnings,
         ..calibration

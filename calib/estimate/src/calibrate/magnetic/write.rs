@@ -54,7 +54,7 @@ pub fn write(calibration: &mut Calibration, written: &Written<'_>) {
         let moved = calibration.parameter_values() + shift;
         calibration.write_parameters(&moved, &covariance);
     }
-    let fitted = fitted(written);
+    let fitted = fitted(fit, written.model);
     calibration.magnetometer = Some(triad(written, &fitted));
     calibration.magnetic_field = Some(field(written));
     let effects = assemble::effect_values(written.model, &fitted);
@@ -93,16 +93,16 @@ fn triad(written: &Written<'_>, fitted: &Fitted) -> Triad {
 }
 
 /// The fit as those of the other sensors are written down.
-fn fitted(written: &Written<'_>) -> Fitted {
-    let own = &written.fit.model;
-    let mut parameters = written.model.parameters();
+pub fn fitted(fit: &MagneticFit, model: &Model) -> Fitted {
+    let own = &fit.model;
+    let mut parameters = model.parameters();
     parameters.values_mut().copy_from_slice(&own.values);
     let row = |i: usize| own.covariance.row(i).iter().copied().collect();
     Fitted {
         free: parameters.names().to_vec(),
         parameters,
         covariance: (0..own.covariance.nrows()).map(row).collect(),
-        rank: written.fit.rank,
+        rank: fit.rank,
         condition: 1.0,
         unobservable: Vec::new(),
     }

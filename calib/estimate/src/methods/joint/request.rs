@@ -31,6 +31,9 @@ pub struct JointRequest<'a> {
     /// and turns may scatter beyond all noise. Otherwise the noise is white noise and walks, with a scatter of the
     /// turns only where they miss grossly.
     pub disturbances: bool,
+    /// True if static intervals and turns may scatter, without that search too, where the model misses by far more than the noise: a walk would
+    /// take what differs from one to the next.
+    pub scatter: bool,
     /// Disturbances known in advance, by their place in the data: each has parameters of its own, with or without a
     /// search.
     pub known: Vec<Known>,
@@ -72,6 +75,7 @@ impl<'a> JointRequest<'a> {
             bias_noise: None,
             flicker: false,
             disturbances: true,
+            scatter: false,
             known: Vec::new(),
             held: Vec::new(),
             starts: Vec::new(),

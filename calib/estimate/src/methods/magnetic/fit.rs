@@ -78,6 +78,17 @@ pub fn chi2_at(request: &MagneticRequest<'_>, uneven: f64) -> Result<f64, Error>
     Ok(2.0 * minimum.report.cost)
 }
 
+/// The fit to the placements as they are marked, where the field differs by `uneven` from place to place.
+///
+/// # Errors
+/// As [`fit_magnetometer`].
+pub fn fit_at(request: &MagneticRequest<'_>, uneven: f64) -> Result<MagneticFit, Error> {
+    let start = start_of(request)?;
+    let problem = problem_of(request, &start);
+    let minimum = problem.minimum(&start, uneven, None)?;
+    Judged::new(&problem, &start, uneven, &minimum)?.written()
+}
+
 fn start_of(request: &MagneticRequest<'_>) -> Result<Start, Error> {
     let (placements, changes) = (&request.placements, &request.changes);
     linear_start(placements, changes, request.recordings, request.strength)

@@ -27,6 +27,6 @@ mod result;
 mod start;
 mod unevenness;
 
-pub use fit::{MagneticRequest, chi2_at, fit_magnetometer};
+pub use fit::{MagneticRequest, chi2_at, fit_at, fit_magnetometer};
 pub use fitted::{Field, Fitted, MagneticFit, OwnBias};
 pub use placement::{HeadingChange, Placement, Rest};

@@ -6,7 +6,7 @@ use calib::Calibration;
 use calib::calibration::{EffectParameter, EffectValues, Triad};
 use sensor::{PLACES, Sensor, base_names};
 
-use crate::commands::calibrate::tables::field_unit;
+use crate::commands::calibrate::field::field_unit;
 use crate::pages::parameters::overall;
 use crate::pages::session::short_names;
 use crate::{show, terminal};

@@ -100,6 +100,9 @@ impl Run<'_> {
             let known = self.known(&rows, x);
             let all: Vec<&Suspect> = known.iter().collect();
             analysis.allow_scatter_of_gross_turns(&rows, &all);
+            if self.request.scatter {
+                analysis.allow_scatter_where_misfit(&rows, &all);
+            }
             (self.measured(&analysis, &all, before), known)
         };
         Weights {
