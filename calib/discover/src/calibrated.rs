@@ -25,8 +25,7 @@ pub(super) fn calibrated(
     search: &mut Search,
     held: Vec<HeldShape>,
 ) -> Result<Calibration, Error> {
-    let held = determined(session, search, held)?;
-    let fit = search.last.fitted_in_full(session)?;
+    let (fit, held) = determined(session, search, held)?;
     let mut calibration = written(&fit, session.request.latitude.is_some(), session)?;
     say_held(&mut calibration, &held);
     let fit = &search.last.fit;
@@ -101,13 +100,15 @@ fn written(
 }
 
 /// Withdraws names until these recordings determine the final model: where they leave a parameter open, the one goes without which they
-/// do not, that with the most parameters first, or else the least evident one. Returns what they do not show of the shapes that are left.
+/// do not, that with the most parameters first, or else the least evident one. Returns its full fit, and what they do not show of the shapes that
+/// are left.
 fn determined(
     session: &Session<'_>,
     search: &mut Search,
     mut held: Vec<HeldShape>,
-) -> Result<Vec<HeldShape>, Error> {
-    while !is_determined(&search.last.fit) {
+) -> Result<(JointFit, Vec<HeldShape>), Error> {
+    let mut fit = search.last.fitted_in_full(session)?;
+    while !is_determined(&fit) {
         let extension = search.last.extension.clone();
         let less = |effect: &EffectRef| {
             let mut less = extension.clone();
@@ -123,13 +124,15 @@ fn determined(
         effects.sort_by_key(|effect| std::cmp::Reverse(effect.params().len()));
         let helps = |effect: &&EffectRef| {
             let state = search.fit(session, less(effect));
-            state.is_ok_and(|state| is_determined(&state.fit))
+            let fit = state.and_then(|state| state.fitted_in_full(session));
+            fit.is_ok_and(|fit| is_determined(&fit))
         };
         let gone = effects.iter().find(helps).cloned().unwrap_or(weakest);
         search.withdraw_to(session, less(&gone))?;
         held = settle(session, &mut search.last);
+        fit = search.last.fitted_in_full(session)?;
     }
-    Ok(held)
+    Ok((fit, held))
 }
 
 /// Returns the finding that a temperature is missing from some of the recordings; `None` where none lacks it.
