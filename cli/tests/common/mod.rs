@@ -1,5 +1,4 @@
 //! Running the program as a person or a script would.
-#![allow(dead_code, clippy::unwrap_used)]
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};

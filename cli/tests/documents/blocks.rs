@@ -1,7 +1,5 @@
 //! The blocks of code in the book and in the project's README, and running them as a reader would.
 
-#![allow(dead_code, clippy::unwrap_used)]
-
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 

@@ -123,9 +123,10 @@ fn late_apart(state: &State, session: &Session<'_>) -> Vec<Integrity> {
         return Vec::new();
     };
     let needed = session.request.threshold() + (all.len() as f64).ln();
+    let least = least(session);
     let late = all
         .iter()
-        .filter(|(_, own)| own.delay.abs() > least(session))
+        .filter(|(_, own)| own.delay.abs() > least)
         .filter(|(_, own)| late_evidence(own, candidates.len()) > needed);
     let fault = |(recording, own): &(usize, Delay)| {
         let data = &state.fit.data;

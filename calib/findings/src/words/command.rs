@@ -13,8 +13,14 @@ pub fn of(remedy: &Remedy, finding: &Finding, inputs: &Inputs<'_>) -> Option<Str
         [] => "RECORDING".to_owned(),
         all => all.iter().map(|r| input(r)).collect::<Vec<_>>().join(" "),
     };
+    // An option is given once: the one that the remedy sets takes the place of the one that was given.
+    let set = match remedy {
+        Remedy::Set { any_of } => any_of.first().map(|first| first.option),
+        _ => None,
+    };
+    let given = inputs.place.iter().filter(|own| Some(own.0) != set);
     let place = |(option, value): &(OptionName, f64)| format!(" {} {value}", flag(*option));
-    let place: String = inputs.place.iter().map(place).collect();
+    let place: String = given.map(place).collect();
     let calibrate =
         |options: &str| format!("stillpoint calibrate {names}{place} {options} -o cal.json");
     Some(match remedy {
@@ -107,6 +113,22 @@ mod tests {
         let command = of(&remedy, &found, &inputs);
         let expected =
             "stillpoint calibrate a.csv --gravity 9.81 --columns 'az=az*0.5' -o cal.json";
+        assert_eq!(command.as_deref(), Some(expected));
+    }
+
+    #[test]
+    fn an_option_that_is_set_anew_is_given_once() {
+        let found = Finding::of(Kind::LatitudeDoubtful);
+        let inputs = Inputs {
+            recordings: vec!["a.csv"],
+            place: vec![(OptionName::Latitude, 48.0), (OptionName::Altitude, 500.0)],
+        };
+        let command = of(
+            &Remedy::set_to(OptionName::Latitude, "-33"),
+            &found,
+            &inputs,
+        );
+        let expected = "stillpoint calibrate a.csv --altitude 500 --latitude -33 -o cal.json";
         assert_eq!(command.as_deref(), Some(expected));
     }
 }

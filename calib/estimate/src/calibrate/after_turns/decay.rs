@@ -205,6 +205,21 @@ mod tests {
         ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64 - 0.5
     }
 
+    /// An interval with z up.
+    fn rested<'a>(t: &'a [f64], values: &'a [Vector3<f64>], follows_turn: bool) -> Rested<'a> {
+        Rested {
+            recording: 0,
+            t,
+            values,
+            unit: 1.0,
+            turned: 0.0,
+            force: 9.8 * Vector3::z(),
+            drift: Vector3::zeros(),
+            follows_turn,
+            is_sound: true,
+        }
+    }
+
     /// Eight intervals of 6 s whose readings of x are off by `error` right after the turn, with a ripple for noise.
     fn decays(error: f64, tau: f64) -> Option<Decay> {
         let t: Vec<f64> = (0..600).map(|k| f64::from(k) * 0.01).collect();
@@ -217,18 +232,7 @@ mod tests {
             (0..).zip(&t).map(of).collect()
         };
         let all: Vec<_> = (0..8).map(values).collect();
-        let rest = |values| Rested {
-            recording: 0,
-            t: &t,
-            values,
-            unit: 1.0,
-            turned: 0.0,
-            force: Vector3::new(0.0, 0.0, 9.8),
-            drift: Vector3::zeros(),
-            follows_turn: true,
-            is_sound: true,
-        };
-        let rests: Vec<_> = all.iter().map(|values| rest(values)).collect();
+        let rests: Vec<_> = all.iter().map(|values| rested(&t, values, true)).collect();
         let trials = Trials::within(&rests)?;
         trials.slowest(&trials.found()?)
     }
@@ -245,26 +249,15 @@ mod tests {
 
     #[test]
     fn before_the_first_turn_nothing_fades() {
-        let (t, values) = ([0.0, 1.0], [Vector3::z(); 2]);
-        let of = |follows_turn| Rested {
-            recording: 0,
-            t: &t,
-            values: &values,
-            unit: 1.0,
-            turned: 0.0,
-            force: Vector3::z(),
-            drift: Vector3::zeros(),
-            follows_turn,
-            is_sound: true,
-        };
-        let rests = [of(false), of(true)];
+        let (t, values) = ([0.0, 1.0], [9.8 * Vector3::z(); 2]);
+        let rests = [false, true].map(|follows_turn| rested(&t, &values, follows_turn));
         let tried = Tried {
             tau: 2.0,
             changes: vec![Vector3::zeros(); 2],
             tested: Vec::new(),
         };
         let decay = tried.decay(&rests, Way::Force, &Vector3::repeat(1.0));
-        assert_eq!(decay.at_first, [Vector3::zeros(), Vector3::z()]);
+        assert_eq!(decay.at_first, [Vector3::zeros(), 9.8 * Vector3::z()]);
     }
 
     #[test]

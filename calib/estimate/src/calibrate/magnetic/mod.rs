@@ -6,6 +6,7 @@
 
 mod collect;
 mod inertial;
+mod left_out;
 mod missing;
 mod source;
 mod stepped;
@@ -18,17 +19,17 @@ use findings::{Finding, Kind};
 use inertial::Inertial;
 use recording::averages::median;
 use recording::{Error, FieldUnit, Recording, figure};
-use sensor::{EffectRef, Model, Quantity, Sensor};
+use sensor::{EffectRef, Quantity, Sensor};
 
-use self::units::{Unit, Units};
+use self::left_out::left_out;
+use self::units::Units;
 use super::bias::count_motion_of;
 use super::checks::turned_field;
-use super::left_out::left_out_of_magnetometer;
 use super::outcome::Outcome;
 use super::request::{Method, Request};
 use crate::calibration::Calibration;
 use crate::methods::Choice;
-use crate::methods::magnetic::{MagneticRequest, fit_at, fit_magnetometer};
+use crate::methods::magnetic::{MagneticRequest, fit_magnetometer};
 
 /// Strengths of a magnetic field that may be given, µT. The earth's is 22 to 67.
 pub const FIELDS: std::ops::RangeInclusive<f64> = 1.0..=1000.0;
@@ -180,20 +181,7 @@ fn fitted(
         },
     );
     if !is_divided {
-        let (placements, uneven) = (fit.placements.clone(), fit.unevenness);
-        let request = MagneticRequest { placements, ..base };
-        let larger = |model: &Model| {
-            let fit = fit_at(&request.clone().with_model(model), uneven).ok()?;
-            Some((fit.model.values, fit.model.covariance))
-        };
-        let microtesla = match units.field {
-            Unit::Microtesla => 1.0,
-            Unit::OfReadings => {
-                EARTH.get() / fit.fields.last().map_or(EARTH.get(), |own| own.strength)
-            }
-        };
-        let fitted = write::fitted(&fit, &model);
-        let left_out = left_out_of_magnetometer(&model, &fitted, microtesla, larger);
+        let left_out = left_out(base, &fit, units.field);
         outcome.calibration.left_out.extend(left_out);
     }
     outcome.calibration.warnings.extend(step);
@@ -269,9 +257,6 @@ fn common_unit(recordings: &[&Recording], request: &Request) -> Result<Option<Fi
 }
 
 findings::tuning! {
-    /// Strength of the earth's field, µT, where readings have no unit: what it is where people live, to within a third.
-    EARTH: f64 = 45.0;
-
     /// Readings of recordings without a unit whose lengths differ by more are in different units: bias included, no device's are.
     OTHER_UNIT: f64 = 5.0;
 }
