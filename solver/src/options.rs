@@ -96,7 +96,9 @@ impl std::fmt::Debug for OwnVariant {
 
 impl PartialEq for OwnVariant {
     fn eq(&self, other: &Self) -> bool {
-        self.name == other.name && std::ptr::addr_eq(self.descent, other.descent)
+        self.name == other.name
+            && std::ptr::addr_eq(self.descent, other.descent)
+            && std::ptr::fn_addr_eq(self.search, other.search)
     }
 }
 

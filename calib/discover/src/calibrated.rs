@@ -119,6 +119,8 @@ fn determined(
         let effects = search.names.iter().filter_map(|name| name.claim.effect());
         let mut effects: Vec<EffectRef> = effects.cloned().collect();
         let Some(weakest) = effects.last().cloned() else {
+            // One turn or two that are far off make all of them scatter.
+            fit = search.last.fitted_without_outliers(session)?;
             break;
         };
         effects.sort_by_key(|effect| std::cmp::Reverse(effect.params().len()));

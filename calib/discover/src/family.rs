@@ -164,10 +164,7 @@ pub fn coefficients(effect: &EffectRef) -> (Vec<usize>, Option<usize>) {
 
 /// Returns true if the error is not linear in this parameter, so that it is tried at some values.
 fn is_shape(p: &Param) -> bool {
-    matches!(
-        p.role_by_name(),
-        Role::Shape | Role::TimeConstant | Role::Instant
-    )
+    matches!(p.role, Role::Shape | Role::TimeConstant | Role::Instant)
 }
 
 /// The values at which a parameter that shapes an effect is tried.
@@ -200,7 +197,7 @@ pub(super) fn effect_family(state: &State, effect: &EffectRef, catalogue: &[Effe
     let (linear, shape) = coefficients(effect);
     let nominal: Vec<f64> = effect.params().iter().map(|p| p.nominal).collect();
     let values: Vec<Option<f64>> = match shape {
-        Some(k) if effect.params()[k].role_by_name() == Role::Instant => {
+        Some(k) if effect.params()[k].role == Role::Instant => {
             state.boundaries().into_iter().map(Some).collect()
         }
         Some(k) => tried(&effect.params()[k])
@@ -210,7 +207,7 @@ pub(super) fn effect_family(state: &State, effect: &EffectRef, catalogue: &[Effe
             .collect(),
         None => vec![None],
     };
-    let role = shape.map(|k| effect.params()[k].role_by_name());
+    let role = shape.map(|k| effect.params()[k].role);
     let is_instant = role == Some(Role::Instant);
     let mut parts = if is_instant {
         vec![steps(state, effect, &linear, &values)]

@@ -131,17 +131,28 @@ impl State {
     /// # Errors
     /// As [`fit_joint`].
     pub fn fitted_in_full(&self, session: &Session<'_>) -> Result<JointFit, Error> {
+        self.fitted_with(session, session.remarks.has(Kind::RestsTurn))
+    }
+
+    /// The same without the static intervals and turns that are off, as a calibration of the base models leaves them out.
+    ///
+    /// # Errors
+    /// As [`fit_joint`].
+    pub fn fitted_without_outliers(&self, session: &Session<'_>) -> Result<JointFit, Error> {
+        self.fitted_with(session, true)
+    }
+
+    fn fitted_with(&self, session: &Session<'_>, disturbances: bool) -> Result<JointFit, Error> {
         let request = joint_request(session, &self.extension);
         let of_the_earth = request.gyroscope.effects();
         let earth = session.request.latitude.is_none() && !earth::is_among(of_the_earth);
-        let turns = session.remarks.has(Kind::RestsTurn);
         fit_joint(&JointRequest {
             earth,
-            disturbances: turns,
+            disturbances,
             scatter: true,
             compared: false,
-            before: Some(&*self.fit).filter(|_| !turns),
-            from_its_minimum: request.from_its_minimum && !turns,
+            before: Some(&*self.fit).filter(|_| !disturbances),
+            from_its_minimum: request.from_its_minimum && !disturbances,
             ..request
         })
     }
@@ -333,7 +344,7 @@ pub fn joint_request<'a>(session: &'a Session<'_>, extension: &Extension) -> Joi
         }
         if let Some((k, value)) = shape {
             let parameter = &effect.params()[*k];
-            if extension.settles && parameter.role_by_name() == Role::TimeConstant {
+            if extension.settles && parameter.role == Role::TimeConstant {
                 starts.push((format!("{}.{}", effect.name(), parameter.name), *value));
             } else {
                 hold(&parameter.name, *value);

@@ -40,7 +40,7 @@ pub fn settle(session: &Session<'_>, last: &mut State) -> Vec<HeldShape> {
     let shaped = effects.filter_map(|(effect, shape)| {
         let (k, value) = (*shape)?;
         let parameter = &effect.params()[k];
-        (parameter.role_by_name() == Role::TimeConstant).then_some(HeldShape {
+        (parameter.role == Role::TimeConstant).then_some(HeldShape {
             effect: effect.name().to_owned(),
             parameter: parameter.clone(),
             value,

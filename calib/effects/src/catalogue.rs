@@ -57,33 +57,6 @@ pub fn force_sensitivity() -> EffectRef {
     gyroscope::FORCE_SENSITIVITY.into()
 }
 
-/// Returns true if the effect of that name is the rotation of the earth.
-pub fn is_earth_rotation(name: &str) -> bool {
-    earth_rotation().name() == name
-}
-
-/// Returns the quantities that the effect of that name depends on; empty if the catalogue does not have it.
-fn needs_of(name: &str) -> Vec<Quantity> {
-    effect_named(name).map_or_else(Vec::new, |effect| effect.needs())
-}
-
-/// Returns true if the effect depends on the sign of a temperature change, and so needs a rising and a falling
-/// temperature.
-pub fn looks_at_warming(name: &str) -> bool {
-    needs_of(name).contains(&Quantity::Warming)
-}
-
-/// Returns true if the effect is zero at constant temperature, judged by the quantities it needs or by its name. For an
-/// effect written as text only the name is known.
-pub fn looks_at_temperature(name: &str) -> bool {
-    name.contains("temperature") || needs_of(name).into_iter().any(Quantity::is_thermal)
-}
-
-/// Returns true if the effect is zero without vibration, judged as in [`looks_at_temperature`].
-pub fn looks_at_vibration(name: &str) -> bool {
-    name.contains("vibration") || needs_of(name).contains(&Quantity::Vibration)
-}
-
 #[cfg(test)]
 mod tests {
     use nalgebra::Vector3;

@@ -8,6 +8,5 @@ pub mod effect_file;
 
 pub use catalogue::{
     catalogue, catalogue_of, earth_rotation, effect_named, follows_turns, force_sensitivity,
-    is_earth_rotation, looks_at_temperature, looks_at_vibration, looks_at_warming, relaxation,
-    room_field, stands_in_the_room,
+    relaxation, room_field, stands_in_the_room,
 };

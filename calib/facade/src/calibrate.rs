@@ -8,6 +8,17 @@ use findings::{Finding, Kind, Level};
 
 use crate::{Calibration, Error, Method, Recording, Request};
 
+/// Settings that mean nothing where each axis is held up and down once.
+const IGNORED: [&str; 7] = [
+    "effects",
+    "sections",
+    "left_out",
+    "gyro_recordings",
+    "nominal_rate",
+    "field",
+    "sensors",
+];
+
 /// Calibrates both sensors from recordings of one device: scale factors, misalignments and biases with standard errors.
 ///
 /// Several recordings share scale factors and misalignments and have biases of their own where the data ask for it. The
@@ -42,7 +53,7 @@ pub fn calibrate(recordings: &[Recording], request: &Request) -> Result<Calibrat
     let all: Vec<&calib::Recording> = recordings.iter().map(AsRef::as_ref).collect();
     let turned: Vec<&calib::Recording> = others.iter().map(AsRef::as_ref).collect();
     if let Method::SixPosition { first_order } = request.method {
-        refuse_for_six_positions(request)?;
+        request.refuse("six-position", &IGNORED)?;
         let gravity = request.local_gravity()?;
         how.watch.step(Stage::Fitting)?;
         let mut solved = six_position::calibrate(&all, &how.detector, gravity, first_order)?;
@@ -60,24 +71,4 @@ pub fn calibrate(recordings: &[Recording], request: &Request) -> Result<Calibrat
     let limits = built_in(&outcome.calibration);
     outcome.calibration.state_limits(limits);
     Ok(Calibration::made(outcome, recordings))
-}
-
-/// Refuses what the method would ignore.
-fn refuse_for_six_positions(request: &Request) -> Result<(), Error> {
-    let ignored = [
-        ("effects", !request.effects.is_empty()),
-        ("sections", !request.sections.is_empty()),
-        ("left_out", !request.left_out.is_empty()),
-        ("gyro_recordings", !request.gyro_recordings.is_empty()),
-        ("nominal_rate", request.nominal_rate.is_some()),
-        ("catalogue", !request.catalogue.sensors().is_empty()),
-    ];
-    match ignored.iter().find(|(_, given)| *given) {
-        Some((name, _)) => Err(Error::usage(
-            Finding::of(Kind::NotOfThisMethod)
-                .detail("setting", *name)
-                .detail("method", "six-position"),
-        )),
-        None => Ok(()),
-    }
 }

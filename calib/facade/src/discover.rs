@@ -9,6 +9,19 @@ use calib::limits::built_in;
 
 use crate::{Calibration, Error, Recording, Request};
 
+/// Settings that mean nothing to a search.
+const IGNORED: [&str; 9] = [
+    "method",
+    "effects",
+    "sections",
+    "gyro_recordings",
+    "nominal_rate",
+    "frame",
+    "integrator",
+    "gyro_bias",
+    "field",
+];
+
 /// Result of an effect search, with the content of `findings.json`.
 #[derive(Clone, Debug)]
 pub struct Findings(Arc<Discovery>);
@@ -120,6 +133,7 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Findings,
     if recordings.is_empty() {
         return Err(Error::usage(Finding::of(Kind::RecordingsMissing)));
     }
+    request.refuse("search", &IGNORED)?;
     let how = request.for_discovery(recordings.len())?;
     let recordings: Vec<Recording> = recordings.iter().map(Recording::at_hand_speed).collect();
     let all: Vec<&calib::Recording> = recordings.iter().map(AsRef::as_ref).collect();

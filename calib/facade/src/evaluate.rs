@@ -6,6 +6,7 @@ use calib::calibration::{check_units, doubts, in_unit_of};
 use calib::gravity::GravitySource;
 use calib::methods::cut;
 use calib::watch::Stage;
+use findings::Findings;
 
 use crate::{Calibration, Error, Evaluation, Recording, Request};
 
@@ -45,15 +46,21 @@ pub fn evaluate(
     };
     let recording = recording.as_ref();
     how.watch.step(Stage::Cutting)?;
-    if let Some(calibration) = calibration.filter(|_| !request.force_device) {
-        check_units(calibration, recording)?;
-        doubts(calibration, recording)?;
+    let mut warnings = Findings::new();
+    if let Some(calibration) = calibration {
+        if !request.force_device {
+            check_units(calibration, recording)?;
+            warnings.extend(doubts(calibration, recording)?);
+        }
+        warnings.extend(calibration.doubts_biases_of(recording));
     }
     let gravity = match (how.gravity_source, calibration) {
         (GravitySource::Assumed, Some(calibration)) => calibration.gravity,
         _ => how.gravity,
     };
     let choice = cut(recording, &how.detector, how.choose_multiplier, gravity)?;
-    let evaluated = calib::evaluate(recording, &choice.segmentation, calibration, gravity)?;
-    Ok(evaluated)
+    Ok(Evaluation {
+        warnings,
+        ..calib::evaluate(recording, &choice.segmentation, calibration, gravity)?
+    })
 }

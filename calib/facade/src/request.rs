@@ -162,6 +162,36 @@ impl Request {
         })
     }
 
+    /// Refuses settings that a method would ignore.
+    ///
+    /// # Errors
+    /// The first of `ignored` that is not at its default.
+    pub(crate) fn refuse(&self, method: &str, ignored: &[&str]) -> Result<(), Error> {
+        let usual = matches!(self.method, Method::Auto | Method::Joint);
+        let given = [
+            ("method", !usual),
+            ("effects", !self.effects.is_empty()),
+            ("sections", !self.sections.is_empty()),
+            ("left_out", !self.left_out.is_empty()),
+            ("gyro_recordings", !self.gyro_recordings.is_empty()),
+            ("nominal_rate", self.nominal_rate.is_some()),
+            ("frame", self.frame != Frame::default()),
+            ("integrator", self.integrator != Integrator::default()),
+            ("gyro_bias", self.gyro_bias != GyroBias::default()),
+            ("field", self.field.is_some()),
+            ("sensors", !self.catalogue.sensors().is_empty()),
+        ];
+        let mut given = given.into_iter().filter(|(_, is_given)| *is_given);
+        match given.find(|(name, _)| ignored.contains(name)) {
+            None => Ok(()),
+            Some((name, _)) => Err(Error::usage(
+                Finding::of(Kind::NotOfThisMethod)
+                    .detail("setting", name)
+                    .detail("method", method),
+            )),
+        }
+    }
+
     /// For the estimators, with sections for `recordings` recordings.
     pub(crate) fn for_calibration(&self, recordings: usize) -> Result<CalibRequest, Error> {
         let gravity = self.local_gravity()?;

@@ -64,7 +64,7 @@ fn coefficients(
         .unwrap_or(if names_one { 0.0 } else { 1.0 });
     let draw = |k: usize, p: &sensor::Param, random: &mut Random| {
         let drawn = random.sign() * random.uniform(0.5..1.5) * size * effect.typical_of(k);
-        match (p.role_by_name(), p.nominal) {
+        match (p.role, p.nominal) {
             // A step is only seen if it lies within the recording.
             (Role::Instant, _) => random.uniform(0.3 * end..0.7 * end),
             (_, 0.0) => drawn,

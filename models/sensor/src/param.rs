@@ -74,15 +74,6 @@ impl Param {
         self
     }
 
-    /// Returns the role. For an effect written as text, the names `tau` and `t0` determine it.
-    pub fn role_by_name(&self) -> Role {
-        match (self.role, &*self.name) {
-            (Role::Coefficient, "tau") => Role::TimeConstant,
-            (Role::Coefficient, "t0") => Role::Instant,
-            (role, _) => role,
-        }
-    }
-
     /// The same with a size of its own in a consumer-grade device.
     #[must_use]
     pub const fn sized(mut self, typical: f64) -> Self {

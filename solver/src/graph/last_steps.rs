@@ -40,7 +40,7 @@ impl Run<'_> {
                 break;
             }
             let (offset, step) = (self.offset, self.step.clone());
-            if self.last_step(damping) {
+            if self.last_step(damping, least) {
                 let slow = self.offset > SLOW * offset;
                 if slow && dot(&step, &self.step) < 0.0 {
                     damping = (4.0 * damping).max(TELLING);
@@ -66,21 +66,24 @@ impl Run<'_> {
         }
     }
 
-    /// One of the last steps; `false`, and back where it was, if it shortened nothing.
-    fn last_step(&mut self, damping: f64) -> bool {
+    /// One of the last steps; `false`, and back where it was, if it shortened nothing. Equations that nobody solves again stay those of the
+    /// point that was tried, a last step away.
+    fn last_step(&mut self, damping: f64, least: f64) -> bool {
         let (offset, relative_step) = (self.offset, self.relative_step);
         let (cost, square) = (self.normal.cost, self.normal.square);
         let next = self.stepped();
         let before = std::mem::replace(&mut self.values, next);
         let length = relative_step * self.size();
-        let better = self.linearize().is_ok()
+        let is_finite = self.linearize().is_ok();
+        let better = is_finite
             && self.normal.cost <= cost * (1.0 + ROUNDING)
             && self.solve(damping)
             && self.offset * self.normal.square.sqrt() < offset * square.sqrt();
         let tried = self.normal.cost;
         if !better {
             self.values = before;
-            if offset > self.options.gradient_tolerance || self.bounded.is_some() {
+            let unknown = offset > self.options.gradient_tolerance || self.bounded.is_some();
+            if unknown || damping > least || !is_finite {
                 // The point before was finite.
                 let _ = self.linearize();
             }

@@ -73,7 +73,7 @@ pub(crate) struct Run<'a> {
 /// Relative offset at which the steps of the loop end.
 fn near(options: &Options) -> f64 {
     match options.last_digits {
-        true => NEAR,
+        true => NEAR.max(options.gradient_tolerance),
         false => options.gradient_tolerance,
     }
 }

@@ -1,6 +1,6 @@
 //! Parameters against time and station.
 
-use statrs::distribution::{ContinuousCDF, FisherSnedecor, StudentsT};
+use calib::methods::chance;
 
 use super::robust::{median, spread};
 
@@ -72,11 +72,10 @@ pub fn over_time(points: &[(f64, f64)]) -> Option<TimeDrift> {
     let times = near.iter().map(|p| p.0);
     let length =
         times.clone().fold(f64::NEG_INFINITY, f64::max) - times.fold(f64::INFINITY, f64::min);
-    let student = StudentsT::new(0.0, 1.0, n - 2.0).ok()?;
     Some(TimeDrift {
         change: slope * length,
         std: std * length,
-        p_value: 2.0 * student.sf((slope / std).abs()),
+        p_value: chance::of_t(slope / std, n - 2.0),
     })
 }
 
@@ -114,13 +113,12 @@ pub fn by_station(points: &[(String, f64)]) -> Option<StationShift> {
         .map(|(_, all)| all.iter().map(|v| (v - mean(all)).powi(2)).sum::<f64>())
         .sum();
     let ratio = (between / (groups - 1.0)) / (within / (count - groups));
-    let fisher = FisherSnedecor::new(groups - 1.0, count - groups).ok()?;
     Some(StationShift {
         means: stations
             .iter()
             .map(|(name, all)| (name.clone(), all.len(), mean(all)))
             .collect(),
-        p_value: fisher.sf(ratio),
+        p_value: chance::of_f(ratio, [groups - 1.0, count - groups]),
     })
 }
 

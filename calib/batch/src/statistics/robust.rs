@@ -3,8 +3,9 @@
 //! Orthogonalised Gnanadesikan–Kettenring estimate (Maronna & Zamar 2002, Technometrics 44, section 2) over medians and median
 //! absolute deviations, two rounds, reweighted at the 0.9 quantile.
 
+use calib::methods::chance;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
-use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
+use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 /// Median absolute deviation of a normal distribution times this is its standard deviation.
 const OF_NORMAL: f64 = 1.482_602_218_505_602;
@@ -145,14 +146,13 @@ pub fn outliers(sample: &[DVector<f64>], alpha: f64) -> Vec<Outlier> {
     // Of a device that had no say in a covariance of `m` others the distance is an F (Hardin & Rocke 2005, JCGS 14, section 3).
     let (m, q) = (KEPT * sample.len() as f64, p as f64);
     let to_f = m * (m - q) / (q * (m + 1.0) * (m - 1.0));
-    let freedom = FisherSnedecor::new(q, m - q);
-    let (Some(factor), Ok(freedom)) = (scatter.clone().cholesky(), freedom) else {
+    let Some(factor) = scatter.clone().cholesky() else {
         return Vec::new();
     };
     let far = |(index, v): (usize, &DVector<f64>)| {
         let d = v - &centre;
         let squared = d.dot(&factor.solve(&d));
-        let p_value = (freedom.sf(squared * to_f) * sample.len() as f64).min(1.0);
+        let p_value = (chance::of_f(squared * to_f, [q, m - q]) * sample.len() as f64).min(1.0);
         let z = |k: usize| d[k] / scatter[(k, k)].sqrt();
         let parameter = (0..p).max_by(|a, b| z(*a).abs().total_cmp(&z(*b).abs()))?;
         (p_value < alpha).then(|| Outlier {

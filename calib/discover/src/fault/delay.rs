@@ -1,9 +1,9 @@
 //! Accelerometer stamps that are late: only the moving accelerometer shows them.
 
+use estimate::methods::chance;
 use estimate::methods::joint::TurnSensitivity;
 use nalgebra::{Matrix4, Vector3, Vector4};
 use sensor::Kinematics;
-use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use crate::state::State;
 
@@ -161,8 +161,7 @@ fn by_equations(turns: &[Turn]) -> Option<Delay> {
     let covariance = inverse * meat * inverse * (count / (count - 4.0));
     let std = covariance[(0, 0)].sqrt();
     let t = estimate[0] / std;
-    let law = StudentsT::new(0.0, 1.0, count - 4.0).ok()?;
-    let p = 2.0 * law.sf(t.abs());
+    let p = chance::of_t(t, count - 4.0);
     // What a turn says of the delay alone, the arm taken out of it: the hand's translation is in all else that it reads.
     let arm = a.fixed_view::<3, 3>(1, 1).try_inverse()? * a.fixed_view::<3, 1>(1, 0);
     let own = Vector4::new(1.0, -arm[0], -arm[1], -arm[2]);

@@ -1,7 +1,7 @@
 //! A rotation about a horizontal direction of the room: the earth's near the equator, or a field's.
 
 use ::findings::{Finding, Kind};
-use effects::{is_earth_rotation, room_field};
+use effects::{earth_rotation, room_field};
 use sensor::Sensor;
 
 use super::EffectFinding;
@@ -24,7 +24,7 @@ pub fn described(
     let field = field.map(|field| field.name().to_owned());
     let is_either = |effect: &EffectFinding| {
         let mut ties = effect.indistinguishable_from.iter();
-        is_earth_rotation(&effect.name) && ties.any(|tie| Some(tie) == field.as_ref())
+        effect.name == earth_rotation().name() && ties.any(|tie| Some(tie) == field.as_ref())
     };
     let Some(place) = effects.iter().position(is_either) else {
         return (rest, false);

@@ -63,7 +63,7 @@ impl Rival {
     /// Returns true if it settles after switching on.
     pub fn settles(&self) -> bool {
         let shaped = |effect: &EffectRef| {
-            let mut roles = effect.params().iter().map(sensor::Param::role_by_name);
+            let mut roles = effect.params().iter().map(|p| p.role);
             roles.any(|role| role == Role::TimeConstant)
         };
         self.shape.is_some()

@@ -16,7 +16,7 @@ pub(super) fn agreement(
     among: &[bool],
 ) -> Option<Agreement> {
     let params = effect.params();
-    if params.iter().any(|p| p.role_by_name() != Role::Coefficient) {
+    if params.iter().any(|p| p.role != Role::Coefficient) {
         return None;
     }
     let own = units.iter().zip(among).filter(|(_, is_in)| **is_in);

@@ -85,7 +85,7 @@ fn candidates(models: &[Model]) -> impl Iterator<Item = EffectRef> + use<'_> {
         let signal = Quantity::signal_of(effect.sensor());
         let mut params = effect.params().iter();
         effect.needs() == [signal]
-            && params.all(|p| p.role_by_name() == Role::Coefficient)
+            && params.all(|p| p.role == Role::Coefficient)
             && !known.contains(&effect.name())
     })
 }

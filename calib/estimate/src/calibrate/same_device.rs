@@ -4,9 +4,9 @@ use findings::{Finding, Findings, Kind};
 use nalgebra::{DMatrix, DVector};
 use recording::{Error, Recording};
 use sensor::Sensor;
-use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use crate::calibration::Calibration;
+use crate::methods::chance;
 use crate::methods::joint::{Apart, JointFit, Portion};
 use crate::methods::{AccelerometerFit, AccelerometerRequest, fit_accelerometer};
 use crate::residuals::StaticMean;
@@ -384,7 +384,7 @@ fn difference(a: &AccelerometerFit, b: &AccelerometerFit) -> Option<BetweenFits>
     // The largest of those that clearly differ.
     let weight = |k: usize| times(k).min(2.0 * CHANCE.get()) * (1.0 + change[k].abs() / scale);
     let most = (0..n).max_by(|i, k| weight(*i).total_cmp(&weight(*k)))?;
-    let law = FisherSnedecor::new(n as f64, spare(a).min(spare(b))).ok()?;
+    let dof = [n as f64, spare(a).min(spare(b))];
     let square = change.dot(&covariance.clone().cholesky()?.solve(&change));
     let size = change[most].abs() / scale;
     (size > NOTICED.get() && times(most).is_finite()).then(|| BetweenFits {
@@ -393,6 +393,6 @@ fn difference(a: &AccelerometerFit, b: &AccelerometerFit) -> Option<BetweenFits>
         parameter: both[most].0.clone(),
         values: values[most],
         distance: times(most),
-        p_value: law.sf(square / n as f64),
+        p_value: chance::of_f(square / n as f64, dof),
     })
 }

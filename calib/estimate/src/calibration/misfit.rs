@@ -4,8 +4,8 @@ use findings::{Finding, Kind, names};
 use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 
+use crate::methods::chance;
 use crate::methods::joint::{Channel, ChannelMisfit, Pattern, Shown};
-use crate::methods::small_sample::by_chance;
 
 findings::tuning! {
     /// A misfit above this many times the noise is worth a warning where chance does not explain it and walks of the
@@ -62,7 +62,7 @@ impl Remainder {
             unit: unit(channel).into(),
             reduced_chi2,
             degrees_of_freedom: dof,
-            p_value: by_chance(reduced_chi2 * dof, dof),
+            p_value: chance::of_chi2(reduced_chi2 * dof, dof),
             pattern: None,
             pattern_p_value: None,
         }

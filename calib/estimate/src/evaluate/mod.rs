@@ -4,6 +4,7 @@ mod field;
 
 pub use field::FieldMisfit;
 
+use findings::Findings;
 use nalgebra::Vector3;
 use recording::averages::root_mean_square;
 use recording::intervals::{Segmentation, Span, StaticInterval, Turn};
@@ -34,6 +35,16 @@ pub struct Evaluation {
     /// The magnetic field over the rests; `None` without a magnetometer.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub magnetic_field: Option<FieldMisfit>,
+    /// Doubts about the calibration on this recording, by who compared them.
+    #[serde(
+        skip_serializing_if = "is_empty",
+        with = "findings::texts::of_warnings"
+    )]
+    pub warnings: Findings,
+}
+
+fn is_empty(findings: &Findings) -> bool {
+    findings.is_empty()
 }
 
 /// Residual of a calibration in one static interval or one turn.
@@ -87,6 +98,7 @@ pub fn evaluate(
         turns: misfits.turns.len(),
         direction_rms: rms(values(&misfits.turns)),
         magnetic_field: FieldMisfit::of(&misfits.fields),
+        warnings: Findings::new(),
     })
 }
 

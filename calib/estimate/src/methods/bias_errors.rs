@@ -4,7 +4,8 @@ use nalgebra::{DMatrix, DVector, Matrix3};
 use solver::scalar::{derivatives, variable};
 use solver::{Jet, Residual, lit};
 
-use super::small_sample::{UNREMARKABLE, by_chance, widening};
+use super::chance;
+use super::small_sample::{UNREMARKABLE, widening};
 use crate::calibration::Calibration;
 use crate::residuals::GravityNorm;
 
@@ -51,7 +52,8 @@ pub(super) fn covariance(
         Some(_) => {
             let left = DMatrix::identity(n, n) - &by_biases * &solve;
             let larger = square / (&left * &expected).trace().max(f64::MIN_POSITIVE);
-            let is_chance = by_chance(larger * freedom as f64, freedom as f64) > UNREMARKABLE.get();
+            let is_chance =
+                chance::of_chi2(larger * freedom as f64, freedom as f64) > UNREMARKABLE.get();
             expected
                 * match is_chance {
                     true => larger.max(1.0),

@@ -1,6 +1,7 @@
 //! Ways from static intervals and turns to a calibration.
 
 mod bias_errors;
+pub mod chance;
 pub mod earth;
 mod ending;
 pub(crate) mod first_guess;

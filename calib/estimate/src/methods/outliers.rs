@@ -1,7 +1,8 @@
 //! Single rests that disagree with all the others.
 
 use solver::{Problem, Report};
-use statrs::distribution::{ContinuousCDF, StudentsT};
+
+use crate::methods::chance;
 
 findings::tuning! {
     /// A row that the fit follows more closely than this says nothing of the others.
@@ -32,9 +33,9 @@ pub fn outliers(problem: &dyn Problem, report: &Report, level: f64) -> Vec<Outli
     let Some(spare) = rows.checked_sub(report.uncertainty.rank + 1) else {
         return Vec::new();
     };
-    let Ok(law) = StudentsT::new(0.0, 1.0, spare as f64) else {
+    if spare == 0 {
         return Vec::new();
-    };
+    }
     let jacobian = problem.linearize(report.parameters.values(), &free, &mut Vec::new());
     let covariance = &report.uncertainty.covariance;
     let leverage = |i: usize| -> f64 {
@@ -53,7 +54,7 @@ pub fn outliers(problem: &dyn Problem, report: &Report, level: f64) -> Vec<Outli
             if free_share < LEAST_FREE_SHARE.get() || !t.is_finite() {
                 return None;
             }
-            let p_value = (2.0 * law.sf(t) * rows as f64).min(1.0);
+            let p_value = (chance::of_t(t, spare as f64) * rows as f64).min(1.0);
             (p_value < level).then_some(Outlier {
                 row,
                 deleted_residual: e / free_share,

@@ -1,6 +1,8 @@
 //! Standard errors from few degrees of freedom.
 
-use statrs::distribution::{ContinuousCDF, Gamma, StudentsT};
+use statrs::distribution::{ContinuousCDF, StudentsT};
+
+use super::chance;
 
 /// Half-width of a 95 % interval in standard deviations of a normal law.
 const NORMAL: f64 = 1.959_963_985;
@@ -23,11 +25,6 @@ pub fn widening(dof: usize) -> f64 {
     }
 }
 
-/// Probability that noise makes `χ²` of so many degrees of freedom, not always a whole number, larger by chance.
-pub fn by_chance(chi2: f64, dof: f64) -> f64 {
-    Gamma::new(0.5 * dof, 0.5).map_or(1.0, |law| law.sf(chi2))
-}
-
 /// The standard normal deviate that chance exceeds as often as this Student's `t` of so many degrees of freedom, within a few parts in a
 /// thousand (Wallace 1959).
 pub fn normal_score(t: f64, dof: f64) -> f64 {
@@ -47,7 +44,7 @@ pub fn residual_std(square: f64, dof: usize, noise: f64) -> f64 {
     if noise <= 0.0 {
         return own;
     }
-    let p = by_chance(square / (noise * noise), dof as f64);
+    let p = chance::of_chi2(square / (noise * noise), dof as f64);
     if p > UNREMARKABLE.get() || own <= noise {
         if dof < LEAST_SPARE.get() {
             noise
@@ -76,8 +73,7 @@ mod tests {
     fn a_normal_score_is_exceeded_as_often_as_its_t() {
         for (t, dof) in [(1.0, 5.0), (-3.0, 11.0), (7.0, 19.0)] {
             let z = normal_score(t, dof);
-            let law = StudentsT::new(0.0, 1.0, dof).unwrap();
-            let share = by_chance(z * z, 1.0) / (2.0 * law.sf(f64::abs(t)));
+            let share = chance::of_chi2(z * z, 1.0) / chance::of_t(t, dof);
             assert!(z * t > 0.0 && (share - 1.0).abs() < 0.05, "{t}: {share}");
         }
     }

@@ -4,12 +4,12 @@ use findings::{Finding, Kind};
 use recording::Error;
 use sensor::{Base, Model};
 use solver::{Options, Report, Variant, solve};
-use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use super::first_guess::accelerometer_unit;
 use super::fitted::Fitted;
 use super::outliers::{Outlier, outliers};
 use super::small_sample::residual_std;
+use crate::methods::chance;
 use crate::residuals::{GravityNorm, OwnBias, StaticMean};
 use crate::truth::RawUnit;
 
@@ -186,10 +186,10 @@ fn choose_bias(common: Report, own: Report) -> (Report, Option<f64>) {
     if !f.is_finite() {
         return (common, None);
     }
-    let p = FisherSnedecor::new(extra, dof).ok().map(|law| law.sf(f));
-    match p {
-        Some(p) if p < OWN_BIAS_LEVEL.get() => (own, Some(p)),
-        _ => (common, p),
+    let p = chance::of_f(f, [extra, dof]);
+    match p < OWN_BIAS_LEVEL.get() {
+        true => (own, Some(p)),
+        false => (common, Some(p)),
     }
 }
 

@@ -6,7 +6,8 @@
 //! e-Handbook of Statistical Methods, 6.5.4.3.4). Judged as `χ²`, one sound device in seven is refused at `p = 21`, `D = 65`.
 
 use nalgebra::{DMatrix, DVector};
-use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor, Normal, StudentsT};
+
+use crate::methods::chance;
 
 findings::tuning! {
     /// A device of the type is refused in one of so many.
@@ -84,8 +85,7 @@ fn judged(
     let sampled = unit(sampled);
     // A variance of `T` of which `X` is estimated has the relative error of `ν (T/X)²` degrees of freedom.
     let tails = (0..n).map(|k| tail(z[k], freedom / sampled[(k, k)].powi(2)));
-    let tails = tails.collect::<Option<Vec<f64>>>()?;
-    let (furthest, tail) = tails.into_iter().enumerate().min_by(|a, b| {
+    let (furthest, tail) = tails.enumerate().min_by(|a, b| {
         a.1.total_cmp(&b.1)
             .then(z[b.0].abs().total_cmp(&z[a.0].abs()))
     })?;
@@ -94,7 +94,7 @@ fn judged(
         z.dot(&factor.solve(&z)),
         n as f64,
         freedom * of_one_degree(&factor.solve(&sampled)),
-    )?;
+    );
     let one = -(n as f64 * (-tail).ln_1p()).exp_m1();
     let p_value = (one / ONE_PARAMETER.get())
         .min(all / (1.0 - ONE_PARAMETER.get()))
@@ -116,25 +116,20 @@ fn of_one_degree(m: &DMatrix<f64>) -> f64 {
 }
 
 /// Chance of `|z|` or more on both sides.
-fn tail(z: f64, freedom: f64) -> Option<f64> {
-    let one = match freedom < KNOWN.get() {
-        true => StudentsT::new(0.0, 1.0, freedom).ok()?.sf(z.abs()),
-        false => Normal::standard().sf(z.abs()),
-    };
-    Some(2.0 * one)
+fn tail(z: f64, freedom: f64) -> f64 {
+    match freedom < KNOWN.get() {
+        true => chance::of_t(z, freedom),
+        false => chance::of_chi2(z * z, 1.0),
+    }
 }
 
 /// Chance of a squared distance of `squared` or more in `n` parameters; 1 where the degrees of freedom are too few to tell.
-fn distance_tail(squared: f64, n: f64, freedom: f64) -> Option<f64> {
+fn distance_tail(squared: f64, n: f64, freedom: f64) -> f64 {
     if freedom >= KNOWN.get() {
-        return Some(ChiSquared::new(n).ok()?.sf(squared));
+        return chance::of_chi2(squared, n);
     }
     let left = freedom - n + 1.0;
-    if left <= 0.0 {
-        return Some(1.0);
-    }
-    let ratio = squared * left / (freedom * n);
-    Some(FisherSnedecor::new(n, left).ok()?.sf(ratio))
+    chance::of_f(squared * left / (freedom * n), [n, left])
 }
 
 #[cfg(test)]

@@ -59,10 +59,8 @@ pub fn without_spikes(recording: &Recording) -> Option<(Recording, Vec<Symptom>)
     let mut cleaned = recording.clone();
     let mut findings = Vec::new();
     for (sensor, finding) in Sensor::ALL.into_iter().zip(found) {
-        if let (Some(stream), Some(finding)) = (cleaned.stream_mut(sensor), finding) {
-            if let Symptom::Spikes { rows, .. } = &finding {
-                replace(&mut stream.values, rows);
-            }
+        if let (Some(stream), Some((finding, spikes))) = (cleaned.stream_mut(sensor), finding) {
+            replace(&mut stream.values, &spikes);
             findings.push(finding);
         }
     }
@@ -78,17 +76,21 @@ fn witness(sensor: Sensor) -> Option<Sensor> {
     }
 }
 
-/// Puts the mean of the two neighbours in the place of each row.
-fn replace(values: &mut [Vector3<f64>], rows: &[usize]) {
-    for &row in rows {
-        let k = row - FIRST_ROW;
-        if k > 0 && k + 1 < values.len() {
-            values[k] = 0.5 * (values[k - 1] + values[k + 1]);
+/// Puts the mean of the two neighbours on its axis in the place of each spike.
+fn replace(values: &mut [Vector3<f64>], spikes: &[Spike]) {
+    for &Spike { axis, at, .. } in spikes {
+        if at > 0 && at + 1 < values.len() {
+            values[at][axis] = 0.5 * (values[at - 1][axis] + values[at + 1][axis]);
         }
     }
 }
 
-fn found(sensor: Sensor, stream: &Stream, witness: Option<&Stream>) -> Option<Symptom> {
+/// The spikes of a stream, in words and each by itself.
+fn found(
+    sensor: Sensor,
+    stream: &Stream,
+    witness: Option<&Stream>,
+) -> Option<(Symptom, Vec<Spike>)> {
     // A hand turns and shoves within one step of slow samples.
     if stream.median_step()? > SLOW.get() {
         return None;
@@ -98,14 +100,18 @@ fn found(sensor: Sensor, stream: &Stream, witness: Option<&Stream>) -> Option<Sy
     spikes.extend(witness.map_or_else(Vec::new, |other| alone::alone(sensor, stream, other)));
     let rows = rows_of(&spikes);
     let times = rows.iter().map(|row| stream.t[row - FIRST_ROW]).collect();
+    if rows.is_empty() || rows.len() > most.max(1) {
+        return None;
+    }
     let has = |axis: &usize| spikes.iter().any(|s| s.axis == *axis);
-    (!rows.is_empty() && rows.len() <= most.max(1)).then(|| Symptom::Spikes {
+    let symptom = Symptom::Spikes {
         sensor,
         rows,
         times,
         axes: (0..3).filter(has).collect(),
         largest: largest(&spikes),
-    })
+    };
+    Some((symptom, spikes))
 }
 
 /// The spikes that stand out from what is around them, so many on each axis at `most`, where they are too many or too large for knocks.

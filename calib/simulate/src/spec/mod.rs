@@ -15,13 +15,10 @@ use std::collections::BTreeMap;
 
 use complaint::Complaint;
 use effects::effect_file::effects_of;
-use effects::{
-    catalogue_of, earth_rotation, is_earth_rotation, looks_at_temperature, looks_at_vibration,
-    looks_at_warming,
-};
+use effects::{catalogue_of, earth_rotation, effect_named};
 use findings::{Finding, Kind};
 use gyroscope::EARTH_RATE;
-use sensor::{Definition, EffectRef, Sensor};
+use sensor::{Definition, EffectRef, Nature, Quantity, Sensor};
 use serde::{Deserialize, Serialize};
 
 use crate::device::Grade;
@@ -232,22 +229,28 @@ impl Spec {
     /// that vibrates, a latitude.
     #[must_use]
     pub fn with_effect(mut self, name: &str, size: f64) -> Self {
-        if looks_at_temperature(name) && self.temperature.is_none() {
+        let known = effect_named(name);
+        let needs = known
+            .as_ref()
+            .map_or_else(Vec::new, |effect| effect.needs());
+        if needs.iter().any(|need| need.is_thermal()) && self.temperature.is_none() {
             let mut temperature = Temperature::default();
-            if looks_at_warming(name) {
+            if needs.contains(&Quantity::Warming) {
                 // It has to cool down as well.
                 (temperature.swing, temperature.period) = (6.0, 300.0);
             }
             self.temperature = Some(temperature);
         }
-        if looks_at_vibration(name) {
+        if needs.contains(&Quantity::Vibration) {
             self.vibration.get_or_insert_default();
         }
-        let mut of_field = catalogue_of(Sensor::Magnetometer);
-        if of_field.any(|effect| effect.name() == name) {
+        if known
+            .as_ref()
+            .is_some_and(|e| e.sensor() == Sensor::Magnetometer)
+        {
             self.magnetic_field.get_or_insert_default();
         }
-        if is_earth_rotation(name) {
+        if known.is_some_and(|effect| effect.nature() == Nature::EarthRotation) {
             self.latitude.get_or_insert(45.0);
             return self;
         }

@@ -1,8 +1,7 @@
 //! Names in a spec: effects and parameters.
 
-use effects::{is_earth_rotation, looks_at_temperature, looks_at_vibration};
 use findings::{Finding, Kind};
-use sensor::{EffectRef, Param, Role, Sensor, base_names};
+use sensor::{EffectRef, Nature, Param, Quantity, Role, Sensor, base_names};
 
 use super::Spec;
 use super::complaint::{Complaint, number};
@@ -35,8 +34,7 @@ impl Spec {
                     return Err(Complaint::new(key, found));
                 }
                 let own = effect.params().iter().find(|p| p.name == *parameter);
-                let is_shape =
-                    |p: &Param| matches!(p.role_by_name(), Role::Shape | Role::TimeConstant);
+                let is_shape = |p: &Param| matches!(p.role, Role::Shape | Role::TimeConstant);
                 let smallest = if own.is_some_and(is_shape) {
                     1e-3
                 } else {
@@ -47,21 +45,22 @@ impl Spec {
             if effect.sensor() == Sensor::Magnetometer && self.magnetic_field.is_none() {
                 return Err(silent(key, "magnetic_field"));
             }
-            self.check_effect_shows(name)?;
+            self.check_effect_shows(effect)?;
         }
         self.check_parameters(&all)
     }
 
     /// An effect that cannot show would be a truth that nobody can find.
-    fn check_effect_shows(&self, name: &str) -> Result<(), Complaint> {
-        let key = format!("effects.{name}");
-        if looks_at_temperature(name) && self.temperature.is_none() {
+    fn check_effect_shows(&self, effect: &EffectRef) -> Result<(), Complaint> {
+        let key = format!("effects.{}", effect.name());
+        let needs = effect.needs();
+        if needs.iter().any(|need| need.is_thermal()) && self.temperature.is_none() {
             return Err(silent(key, "temperature"));
         }
-        if looks_at_vibration(name) && self.vibration.is_none() {
+        if needs.contains(&Quantity::Vibration) && self.vibration.is_none() {
             return Err(silent(key, "vibration"));
         }
-        if is_earth_rotation(name) && self.latitude.is_some() {
+        if effect.nature() == Nature::EarthRotation && self.latitude.is_some() {
             let twice = Finding::of(Kind::GivenTwice).detail("other", "latitude");
             return Err(Complaint::new(key, twice));
         }

@@ -12,7 +12,7 @@ use crate::covariate::Covariate;
 use crate::effect::{AnyEffect, EffectRef};
 use crate::expression::Expression;
 use crate::kinematics::{Kinematics, Sensor};
-use crate::param::Param;
+use crate::param::{Param, Role};
 use crate::quantity::Quantity;
 
 impl Definition {
@@ -84,11 +84,16 @@ impl Definition {
 }
 
 fn parameter(p: &DefinedParam) -> Param {
-    let (name, unit) = (p.name.clone().into(), p.unit.clone().into());
+    // A text says the role of a parameter by its name.
+    let role = match &*p.name {
+        "tau" => Role::TimeConstant,
+        "t0" => Role::Instant,
+        _ => Role::Coefficient,
+    };
     Param {
-        name,
-        unit,
-        ..Param::new("", "", p.nominal).sized(p.typical)
+        name: p.name.clone().into(),
+        unit: p.unit.clone().into(),
+        ..Param::new("", "", p.nominal).sized(p.typical).in_role(role)
     }
 }
 

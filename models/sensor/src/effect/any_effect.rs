@@ -72,7 +72,7 @@ pub trait AnyEffect: Send + Sync {
     }
     /// The place of the parameter that is an instant: such an effect belongs to the recording that it was found in.
     fn instant(&self) -> Option<usize> {
-        let mut roles = self.params().iter().map(Param::role_by_name);
+        let mut roles = self.params().iter().map(|p| p.role);
         roles.position(|role| role == Role::Instant)
     }
     /// The text that defines it; `None` for what is compiled.

@@ -45,10 +45,9 @@ pub fn graph_profile(
     };
     let products = Products::new(graph, &report.values)?;
     let spare = report.residuals.saturating_sub(products.rank());
-    let sigma = if spare > 0 && report.cost > 0.0 {
-        (2.0 * report.cost / spare as f64).sqrt()
-    } else {
-        1.0
+    let sigma = match spare {
+        0 => 1.0,
+        _ => (2.0 * report.cost / spare as f64).sqrt(),
     };
     let spread = sigma * products.standard_errors(block)[place];
     drop(products);
@@ -57,14 +56,22 @@ pub fn graph_profile(
     } else {
         value.abs().max(1.0)
     };
+    // Each refit begins beside the minimum.
+    let options = &GraphOptions {
+        graduated: false,
+        ..options.clone()
+    };
     let start = graph.values.clone();
     let free = graph.variables[block.number()].free.clone();
     graph.hold_part(block, coordinate);
     let mut deviance = |offset: f64| {
         let cost = refitted(graph, report, options, block, coordinate, offset)?;
         let (cost, stopped) = cost;
-        let rise = (cost - report.cost).max(0.0);
-        let root = (2.0 * rise).sqrt() / sigma;
+        let rise = cost - report.cost;
+        let root = match rise > 0.0 {
+            true => (2.0 * rise).sqrt() / sigma,
+            false => 0.0,
+        };
         match stopped {
             Some(termination) if root >= z => Err(Error::Refit { termination }),
             _ => Ok(root),

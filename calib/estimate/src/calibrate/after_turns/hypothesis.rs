@@ -2,7 +2,7 @@
 
 use super::tested::Tested;
 use super::way::Way;
-use crate::methods::small_sample::by_chance;
+use crate::methods::chance;
 
 findings::tuning! {
     /// What of the means only those before the first turn tell has to be in the readings within the intervals too, as by chance in fewer recordings
@@ -77,12 +77,13 @@ impl Hypothesis {
 
     /// Probability of so much by chance, in this one test.
     pub fn p_value(&self) -> f64 {
-        by_chance(self.square(Tested::score), self.tested.len() as f64)
+        chance::of_chi2(self.square(Tested::score), self.tested.len() as f64)
     }
 
     /// Returns true if the readings and the means may have the same factors, and the readings show them where the means may have them of another.
     pub fn agrees(&self) -> bool {
-        let within = || by_chance(self.square(Tested::score_within), self.tested.len() as f64);
+        let within =
+            || chance::of_chi2(self.square(Tested::score_within), self.tested.len() as f64);
         let is_told_by_first = self.is_in_means() && self.way != Way::Change;
         self.tested.iter().all(Tested::agrees) && (!is_told_by_first || within() < IN_BOTH.get())
     }

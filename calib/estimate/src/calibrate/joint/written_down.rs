@@ -67,9 +67,13 @@ fn without_a_turn(
 
 /// Returns true if a parameter is one of the model: its base's or an effect's.
 fn is_of(model: &Model, name: &str) -> bool {
-    let owner = name.split('.').next();
     let mut effects = model.effects().iter();
-    owner == Some(model.sensor().prefix()) || effects.any(|e| owner == Some(e.name()))
+    owner(name) == model.sensor().prefix() || effects.any(|e| owner(name) == e.name())
+}
+
+/// The base model or effect of a parameter, by its name.
+fn owner(name: &str) -> &str {
+    name.split_once('.').map_or(name, |(owner, _)| owner)
 }
 
 /// The fit as a [`Calibration`], checked; `warnings` stay outside.
@@ -128,7 +132,7 @@ pub fn written_down(
     let last = |motions: &[Option<BiasMotion>]| motions.last().copied().flatten();
     let [moved_force, moved_rate] = [last(&motions[0]), last(&motions[1])];
     let of_the_earth =
-        |name: &str| account.keeps_the_earth && name.starts_with(earth_rotation().name());
+        |name: &str| account.keeps_the_earth && owner(name) == earth_rotation().name();
     let of_a_lost_gyroscope = |name: &str| turned.is_none() && is_of(&fit.models[1], name);
     let all = fit.fitted_where(|name| !of_the_earth(name) && !of_a_lost_gyroscope(name));
     let of_turns = turned.map(|_| effect_values(&fit.models[1], &all));

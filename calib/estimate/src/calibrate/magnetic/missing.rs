@@ -2,8 +2,8 @@
 
 use nalgebra::DVector;
 use sensor::{EffectRef, Model, Quantity, Sensor};
-use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
+use crate::methods::chance;
 use crate::methods::magnetic::MagneticFit;
 use crate::methods::small_sample::widening;
 
@@ -96,6 +96,5 @@ fn by_chance(fit: &MagneticFit, count: usize) -> Option<f64> {
         1.0
     };
     let square = theta.dot(&(inverse * &theta)) * widened / count as f64;
-    let law = FisherSnedecor::new(count as f64, dof as f64).ok()?;
-    Some(law.sf(square))
+    Some(chance::of_f(square, [count as f64, dof as f64]))
 }

@@ -3,12 +3,11 @@
 use findings::{Finding, Kind};
 use nalgebra::{Vector2, Vector3};
 use sensor::Sensor;
-use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use super::units::Units;
 use super::wandering::neighbours_are_alike;
+use crate::methods::chance;
 use crate::methods::magnetic::{Field, MagneticFit, MagneticRequest, chi2_at, fit_magnetometer};
-use crate::methods::small_sample::by_chance;
 
 /// What is another from a step on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,7 +87,7 @@ pub fn stepped<'a>(
     let change = Vector3::from(bias.value) - Vector3::from(last_bias.value);
     let squares =
         (0..3).map(|k| change[k].powi(2) / (last_bias.std[k].powi(2) + bias.std[k].powi(2)));
-    let is_bias = by_chance(squares.sum(), 3.0) < UNLIKELY.get();
+    let is_bias = chance::of_chi2(squares.sum(), 3.0) < UNLIKELY.get();
     let found = match &*best.fields {
         [.., last, field] if !is_bias => {
             let size = difference(last, field);
@@ -179,9 +178,9 @@ fn steps_of_the_bias<'a>(
     };
     let ((dof, before), (left, after)) = (square(fit), square(&best));
     let explained = (dof * before - left * after) / (dof - left);
-    let law = FisherSnedecor::new(dof - left, left).ok()?;
+    let p = chance::of_f(explained / after, [dof - left, left]);
     let places = (request.placements.len() as f64).powi(i32::try_from(steps.len()).ok()?);
-    let is_no_chance = law.sf(explained / after) * places < UNLIKELY.get();
+    let is_no_chance = p * places < UNLIKELY.get();
     (best.unevenness <= EVEN.get() * noise && is_no_chance).then_some((steps, best))
 }
 

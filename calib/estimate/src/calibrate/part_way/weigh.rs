@@ -1,7 +1,8 @@
 //! Significance test of an explanation.
 
 use nalgebra::{DMatrix, DVector};
-use statrs::distribution::{ContinuousCDF, FisherSnedecor};
+
+use crate::methods::chance;
 
 findings::tuning! {
     /// Chance makes so good an explanation this rarely, over all that were tried.
@@ -38,10 +39,7 @@ impl Explanation {
         }
         let q = self.parameters.max(1) as f64;
         let f = (base - self.left) / q / (self.left.max(f64::MIN_POSITIVE) / spare as f64);
-        let Ok(chance) = FisherSnedecor::new(q, spare as f64) else {
-            return false;
-        };
-        chance.sf(f) * (tried as f64) < CHANCE.get()
+        chance::of_f(f, [q, spare as f64]) * (tried as f64) < CHANCE.get()
     }
 }
 

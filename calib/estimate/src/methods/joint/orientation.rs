@@ -6,14 +6,13 @@ pub(crate) mod oriented;
 use faer::Mat;
 use nalgebra::{DMatrix, DVector, Vector3};
 use serde::{Deserialize, Serialize};
-use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
+use crate::methods::chance;
 use crate::methods::joint::blocks::basis::{Basis, orthonormal_with_pivots};
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::blocks::groups::RowGroups;
 use crate::methods::joint::noise::walk_filter::WalkFilter;
 use crate::methods::joint::orientation::interval::Oriented;
-use crate::methods::small_sample::by_chance;
 
 findings::tuning! {
     /// Chance that a sensor of which nothing is missing shows any pattern.
@@ -128,7 +127,7 @@ impl StaticNumbers {
             return 0.0;
         };
         let spare = self.rows.len().saturating_sub(base.rank) as f64;
-        if spare < 1.0 || by_chance(base.square, spare) > UNLIKELY.get() {
+        if spare < 1.0 || chance::of_chi2(base.square, spare) > UNLIKELY.get() {
             return 0.0;
         }
         let variance = self.sigma.norm_squared() / self.rows.len() as f64;
@@ -191,7 +190,7 @@ impl StaticNumbers {
         }
         // Where what remains is like the noise, the noise was measured with many degrees of freedom; else what remains says
         // how large it is.
-        let known = if by_chance(full.square, spare as f64) > UNREMARKABLE.get() {
+        let known = if chance::of_chi2(full.square, spare as f64) > UNREMARKABLE.get() {
             KNOWN.get()
         } else {
             0.0
@@ -199,8 +198,7 @@ impl StaticNumbers {
         let dof = known + spare as f64;
         let noise = ((known + full.square) / dof).max(1.0);
         let f = (base.square - full.square).max(0.0) / taken as f64 / noise;
-        let law = FisherSnedecor::new(taken as f64, dof).ok()?;
-        Some((law.sf(f), [taken, spare]))
+        Some((chance::of_f(f, [taken as f64, dof]), [taken, spare]))
     }
 
     /// The density of a walk of the bias that reaches the noise's variance on average, variance per second.

@@ -21,12 +21,13 @@ use sensor::{BASE_PARAMETERS, Sensor};
 use solver::Uncertainty;
 
 use super::fit::JointFit;
+use crate::methods::chance;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::noise::weights::{ComponentKind, NoiseLevel};
 use crate::methods::joint::result::marginal::marginal;
 use crate::methods::joint::result::prediction::Prediction;
 use crate::methods::joint::result::row_residuals::RowResiduals;
-use crate::methods::small_sample::{LEAST_SPARE, UNREMARKABLE, by_chance, widening};
+use crate::methods::small_sample::{LEAST_SPARE, UNREMARKABLE, widening};
 use crate::methods::{Fitted, RawUnit};
 
 impl JointFit {
@@ -117,7 +118,7 @@ impl JointFit {
         let left = RowResiduals::of(&self.white_jacobian, &self.white_residuals);
         let rows = 0..self.first_rows[0];
         let square: f64 = rows.clone().map(|i| left.square(i)).sum();
-        by_chance(square, rows.map(|i| left.spare(i)).sum()) > UNREMARKABLE.get()
+        chance::of_chi2(square, rows.map(|i| left.spare(i)).sum()) > UNREMARKABLE.get()
     }
 
     /// Returns true if the shared parameter `k` is one of the gyroscope's.

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::factors::Reading;
 use super::problem::{Minimum, Problem};
-use crate::methods::small_sample::by_chance;
+use crate::methods::chance;
 
 findings::tuning! {
     /// Taken for disturbed where so large a difference happens by chance in fewer than this many recordings.
@@ -26,7 +26,7 @@ pub fn most_disturbed(
         .enumerate()
         .filter(|(k, _)| problem.placements[*k].is_used)
         .max_by(|a, b| a.1.total_cmp(&b.1))?;
-    let p = by_chance(square, 3.0) * used as f64;
+    let p = chance::of_chi2(square, 3.0) * used as f64;
     (p < UNLIKELY.get()).then(|| (place, left[place].norm()))
 }
 

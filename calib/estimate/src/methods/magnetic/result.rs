@@ -14,7 +14,8 @@ use super::fitted::{Field, Fitted, MagneticFit, OwnBias};
 use super::placement::Placement;
 use super::problem::{Minimum, Problem, refused};
 use super::start::Start;
-use crate::methods::small_sample::{by_chance, widening};
+use crate::methods::chance;
+use crate::methods::small_sample::widening;
 
 findings::tuning! {
     /// The common scale counts as known to this share: far better than any recording tells, and loose enough for the
@@ -113,7 +114,7 @@ impl<'a> Judged<'a> {
             disturbed: Vec::new(),
             turns_p_value: match turns {
                 0 => 1.0,
-                _ => by_chance(self.problem.turns_left(self.minimum), turns as f64),
+                _ => chance::of_chi2(self.problem.turns_left(self.minimum), turns as f64),
             },
             rank: model.len() - self.ties(),
             turns,

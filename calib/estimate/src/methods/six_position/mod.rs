@@ -21,6 +21,7 @@ use sensor::{Base, Sensor, base_names, inverse};
 use crate::calibrate::{Said, implausible, implausible_base};
 use crate::calibration::{Calibration, Triad};
 use crate::gravity::{Gravity, GravitySource};
+use crate::methods::small_sample::widening;
 
 findings::tuning! {
     /// Placements tilted by more than this cost more than a consumer sensor's own errors, rad (0.1°).
@@ -29,10 +30,11 @@ findings::tuning! {
     /// Placements tilted by more than this (rms) are no six positions: the biases would carry more than
     /// 80 mm/s² of gravity, rad (2°).
     TILT_GATE: f64 = 2.0 * std::f64::consts::PI / 180.0;
-
-    /// Residuals less parameters of one axis: six placements, three elements of `M` and a bias.
-    SPARE: f64 = 2.0;
 }
+
+/// Residuals of three axes in six placements, and what nine elements of `M` and three biases leave of them: the axes share their scatter.
+const RESIDUALS: usize = 18;
+const SPARE: usize = RESIDUALS - 12;
 
 /// The result of the method.
 #[derive(Clone, Debug, PartialEq)]
@@ -225,8 +227,8 @@ impl SixPosition {
         } else {
             exact
         };
-        // Three axes share the scatter: 18 residuals, twelve parameters.
-        let sigma = self.residual_rms * (18.0 / (3.0 * SPARE.get())).sqrt();
+        let scatter = self.residual_rms * (RESIDUALS as f64 / SPARE as f64).sqrt();
+        let sigma = scatter * widening(SPARE);
         let (t_std, bias_std) = (sigma / (2f64.sqrt() * self.gravity), sigma / 6f64.sqrt());
         let variances: Vec<f64> = [t_std * t_std; 9]
             .into_iter()

@@ -2,8 +2,8 @@
 
 use faer::Mat;
 use nalgebra::{DMatrix, DVector, Dyn, SymmetricEigen};
-use statrs::distribution::{ChiSquared, ContinuousCDF};
 
+use crate::methods::chance;
 use crate::methods::joint::blocks::basis::{Basis, stacked};
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::faults::Suspect;
@@ -216,8 +216,7 @@ impl<'a> Trial<'a> {
             statistic += b * b / value;
             dof += 1;
         }
-        let law = ChiSquared::new(f64::from(dof)).ok()?;
-        Some((statistic, law.sf(statistic)))
+        (dof > 0).then(|| (statistic, chance::of_chi2(statistic, f64::from(dof))))
     }
 
     fn score(&self, suspect: usize, known: &Known) -> Option<Score> {

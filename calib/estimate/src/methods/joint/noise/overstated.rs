@@ -7,10 +7,10 @@
 use recording::Error;
 use sensor::Sensor;
 
+use crate::methods::chance;
 use crate::methods::joint::data::Data;
 use crate::methods::joint::minimum::{Point, Run};
 use crate::methods::joint::result::row_residuals::RowResiduals;
-use crate::methods::small_sample::by_chance;
 
 findings::tuning! {
     /// Noise makes what is left of the means so small in fewer cases than this.
@@ -83,7 +83,7 @@ impl Run<'_> {
 
 /// The share of the variance that a sum of squares with so many degrees of freedom shows; 1 where chance may have made it.
 fn share((square, freedom): (f64, f64)) -> f64 {
-    let below = 1.0 - by_chance(square, freedom);
+    let below = 1.0 - chance::of_chi2(square, freedom);
     if freedom >= LEAST_FREEDOM.get() && square > 0.0 && below < UNLIKELY.get() {
         square / freedom
     } else {

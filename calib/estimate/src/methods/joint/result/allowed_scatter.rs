@@ -3,6 +3,7 @@
 use sensor::Sensor;
 
 use super::analysis::{Analysis, identity, turn_rows, walk};
+use crate::methods::chance;
 use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::blocks::covariance::Covariance;
@@ -13,7 +14,7 @@ use crate::methods::joint::noise::likelihood::Restricted;
 use crate::methods::joint::noise::weights::{Component, ComponentKind, Form, NoiseLevel, White};
 use crate::methods::joint::result::row_residuals::RowResiduals;
 use crate::methods::joint::rows::{MeanRows, Rows};
-use crate::methods::small_sample::{LEAST_SPARE, by_chance};
+use crate::methods::small_sample::LEAST_SPARE;
 
 findings::tuning! {
     /// A fit whose quieter three quarters are off by this much, as χ² per degree of freedom, does not
@@ -110,7 +111,7 @@ impl Analysis {
                 square += left.square(i);
                 spare += left.spare(i);
             }
-            if spare > 0.5 && by_chance(square, spare) < UNLIKELY.get() {
+            if spare > 0.5 && chance::of_chi2(square, spare) < UNLIKELY.get() {
                 self.allow(rows, kind, &groups);
             }
         }

@@ -3,8 +3,8 @@
 use faer::Mat;
 use nalgebra::{DMatrix, DVector};
 use sensor::{PLACES, Sensor, base_names};
-use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
+use crate::methods::chance;
 use crate::methods::joint::blocks::basis::Basis;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::fit::JointFit;
@@ -224,7 +224,7 @@ impl Change {
         let covariance = self.covariance.select_rows(group).select_columns(group);
         let size = self.size.select_rows(group);
         let square = size.dot(&covariance.cholesky()?.solve(&size));
-        let law = FisherSnedecor::new(group.len() as f64, self.spare as f64).ok()?;
-        Some(law.sf(square / group.len() as f64))
+        let count = group.len() as f64;
+        Some(chance::of_f(square / count, [count, self.spare as f64]))
     }
 }

@@ -4,6 +4,7 @@ use faer::Mat;
 use recording::averages::root_mean_square;
 use sensor::Sensor;
 
+use crate::methods::chance;
 use crate::methods::joint::blocks::arrow::Arrow;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::data::TurnSamples;
@@ -12,7 +13,6 @@ use crate::methods::joint::fit::JointFit;
 use crate::methods::joint::noise::weights::{ComponentKind, NoiseLevel, Whitening};
 use crate::methods::joint::orientation::Shown;
 use crate::methods::joint::result::channel::Channel;
-use crate::methods::small_sample::by_chance;
 
 findings::tuning! {
     /// Added to the unit diagonal of normal equations.
@@ -70,7 +70,7 @@ impl JointFit {
                 },
                 chi2,
                 dof,
-                p_value: by_chance(chi2, dof),
+                p_value: chance::of_chi2(chi2, dof),
                 pattern: self.pattern_of(channel),
             }
         };
@@ -87,7 +87,7 @@ impl JointFit {
         let whitening = self.whitening_by(|kind| kind.known_variance().is_some());
         let squares = self.squares_under(&whitening);
         let own = squares.iter().find(|(channel, ..)| *channel == wanted);
-        own.map_or(1.0, |(_, chi2, dof)| by_chance(*chi2, *dof))
+        own.map_or(1.0, |(_, chi2, dof)| chance::of_chi2(*chi2, *dof))
     }
 
     /// `χ²` and degrees of freedom of each channel that has any.

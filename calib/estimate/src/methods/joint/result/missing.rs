@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 use recording::Recording;
 use sensor::{EffectRef, Kinematics, Quantity, Role, Sensor};
 
+use crate::methods::chance;
 use crate::methods::joint::blocks::basis::Basis;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::fit::JointFit;
@@ -13,7 +14,6 @@ use crate::methods::joint::noise::weights::Whitening;
 use crate::methods::joint::result::marginal::orthonormal;
 use crate::methods::joint::rows::error_columns::effect_columns;
 use crate::methods::joint::rows::sensitivity::{Sensitivities, TurnSensitivity};
-use crate::methods::small_sample::by_chance;
 
 /// An effect that the model lacks.
 #[derive(Clone, Debug)]
@@ -120,7 +120,7 @@ impl JointFit {
                 effect: effect.clone(),
                 statistic,
                 dof,
-                p_value: (by_chance(statistic, dof as f64) * tried.len() as f64).min(1.0),
+                p_value: (chance::of_chi2(statistic, dof as f64) * tried.len() as f64).min(1.0),
                 excess: beside.excess(),
             })
         });

@@ -5,6 +5,7 @@ use nalgebra::{DMatrix, DVector, Matrix2x3, Matrix3, Vector3};
 use recording::intervals::Span;
 use sensor::Sensor;
 
+use crate::methods::chance;
 use crate::methods::joint::blocks::basis::Basis;
 use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::blocks::columns::Columns;
@@ -13,7 +14,6 @@ use crate::methods::joint::fit::JointFit;
 use crate::methods::joint::noise::bias::BiasNoise;
 use crate::methods::joint::rows::MeanRows;
 use crate::methods::joint::rows::turn::MARGIN;
-use crate::methods::small_sample::by_chance;
 
 findings::tuning! {
     /// A column of which a projection leaves a smaller square than this share is in the model: what is left is rounding.
@@ -84,7 +84,7 @@ impl JointFit {
         }
         let chance = |change: &Vector3<f64>, covariance: &Matrix3<f64>| {
             let chi2 = change.dot(&(covariance.cholesky()?.solve(change)));
-            Some(by_chance(chi2, 3.0))
+            Some(chance::of_chi2(chi2, 3.0))
         };
         let alone: Vec<&Column> = columns.iter().collect();
         let (change, covariance) = self.beside(&alone, model)?;

@@ -91,11 +91,9 @@ impl JointFit {
             let place = place(k)?;
             self.free.iter().position(|free| *free == place)
         };
-        let shape = params
-            .iter()
-            .position(|p| p.role_by_name() == Role::TimeConstant)?;
+        let shape = params.iter().position(|p| p.role == Role::TimeConstant)?;
         let linear: Vec<usize> = (0..params.len())
-            .filter(|&k| params[k].role_by_name() == Role::Coefficient)
+            .filter(|&k| params[k].role == Role::Coefficient)
             .collect();
         let values = self.parameters.values();
         Some(Shaped {
