@@ -150,14 +150,14 @@ fn with_own(request: &Request, own: &DeviceOptions) -> Result<Request, Error> {
         Some("stepwise") => Method::Stepwise,
         Some("joint") => Method::Joint,
         Some(other) => {
-            let found = ::findings::Finding::of(Kind::DeviceMethod);
+            let found = ::findings::Finding::of(Kind::DEVICE_METHOD);
             return Err(Error::usage(found.detail("method", shown(other))));
         }
     };
     if let Some(names) = &own.effects {
         let effect = |name: &String| {
             effect_named(name).ok_or_else(|| {
-                let found = ::findings::Finding::of(Kind::DeviceEffect);
+                let found = ::findings::Finding::of(Kind::DEVICE_EFFECT);
                 Error::usage(found.detail("effect", shown(name)))
             })
         };
@@ -189,7 +189,7 @@ fn read_with_own(read: &ReadOptions, own: &DeviceOptions) -> Result<ReadOptions,
 
 fn unit<U: FromStr>(column: &str, text: &str) -> Result<U, Error> {
     text.parse().map_err(|_| {
-        let found = ::findings::Finding::of(Kind::DeviceUnit).detail("column", column);
+        let found = ::findings::Finding::of(Kind::DEVICE_UNIT).detail("column", column);
         Error::usage(found.detail("unit", shown(text)))
     })
 }
@@ -230,7 +230,7 @@ pub(crate) fn refused(record: Record, status: Status, reason: String) -> Record 
 
 /// True where the system has not let a file be read.
 fn is_of_system(error: &Error) -> bool {
-    let of_system = [Kind::Unreadable, Kind::ReadingStopped];
+    let of_system = [Kind::UNREADABLE, Kind::READING_STOPPED];
     of_system.contains(&error.finding().kind)
 }
 
@@ -275,7 +275,7 @@ fn recorded(record: Record, calibration: &Calibration, findings: Option<&Finding
     });
     let text = serde_json::to_string_pretty(calibration).map(|text| text + "\n");
     let Ok(text) = text else {
-        let reason = ::findings::Finding::of(Kind::FormatUnwritable)
+        let reason = ::findings::Finding::of(Kind::FORMAT_UNWRITABLE)
             .detail("format", "calibration")
             .detail("reason", "JSON");
         let reason = reason.text(Front::CommandLine);

@@ -49,22 +49,22 @@ impl Error {
         match self {
             Self::Manifest(found) | Self::Input(found) => (**found).clone(),
             Self::Io { path, source } => {
-                Finding::of_system(Kind::Unreadable, source).in_file(shown_path(path))
+                Finding::of_system(Kind::UNREADABLE, source).in_file(shown_path(path))
             }
-            Self::Output { path, source } => Finding::of_system(Kind::Unwritable, source)
+            Self::Output { path, source } => Finding::of_system(Kind::UNWRITABLE, source)
                 .in_file(shown_path(path))
                 .remedy(Remedy::for_writing(source.kind())),
-            Self::Parts(faults) if faults.is_empty() => Finding::of(Kind::NoParts),
+            Self::Parts(faults) if faults.is_empty() => Finding::of(Kind::NO_PARTS),
             Self::Parts(faults) => faults
                 .iter()
                 .cloned()
-                .fold(Finding::of(Kind::PartsIncomplete), Finding::because),
-            Self::Shard(text) => Finding::of(Kind::ShardWrong).detail("text", text),
+                .fold(Finding::of(Kind::PARTS_INCOMPLETE), Finding::because),
+            Self::Shard(text) => Finding::of(Kind::SHARD_WRONG).detail("text", text),
             Self::TooFew {
                 found,
                 parameters,
                 needed,
-            } => Finding::of(Kind::DevicesTooFew)
+            } => Finding::of(Kind::DEVICES_TOO_FEW)
                 .count("found", *found)
                 .count("parameters", *parameters)
                 .count("needed", *needed),

@@ -48,7 +48,7 @@ impl Fault {
                 path,
                 found,
                 expected,
-            } => Finding::of(Kind::PartForeign)
+            } => Finding::of(Kind::PART_FOREIGN)
                 .in_file(shown_path(path))
                 .detail("found", &found.manifest)
                 .count("devices", found.devices)
@@ -60,10 +60,10 @@ impl Fault {
                 .detail("expected_program", &expected.program),
             Self::Missing { shard } => {
                 let part = format!("{}/{}", shard.k, shard.n);
-                let missing = Finding::of(Kind::BatchPartMissing).detail("part", &part);
+                let missing = Finding::of(Kind::BATCH_PART_MISSING).detail("part", &part);
                 missing.only_remedies([Remedy::RunShard { shard: Some(part) }])
             }
-            Self::Lacks { index } => Finding::of(Kind::DeviceInNoPart).count("index", index + 1),
+            Self::Lacks { index } => Finding::of(Kind::DEVICE_IN_NO_PART).count("index", index + 1),
         }
     }
 }

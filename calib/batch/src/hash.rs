@@ -37,7 +37,7 @@ fn add(hash: &mut Sha256, path: &Path, deeper: usize) -> Result<(), Error> {
         if deeper == 0 {
             return Err(refused(
                 path,
-                Finding::of(Kind::FoldersTooDeep).count("limit", DEEPEST),
+                Finding::of(Kind::FOLDERS_TOO_DEEP).count("limit", DEEPEST),
             ));
         }
         for member in members(path).map_err(Error::at(path))? {
@@ -46,7 +46,7 @@ fn add(hash: &mut Sha256, path: &Path, deeper: usize) -> Result<(), Error> {
         return Ok(());
     }
     if !found.is_file() {
-        return Err(refused(path, Finding::of(Kind::NoFileOrFolder)));
+        return Err(refused(path, Finding::of(Kind::NO_FILE_OR_FOLDER)));
     }
     hash.update(found.len().to_le_bytes());
     let file = File::open(path).map_err(Error::at(path))?;

@@ -273,9 +273,9 @@ mod tests {
             let kinds: Vec<&str> = faults
                 .iter()
                 .map(|fault| match fault.kind {
-                    Kind::PartForeign => "foreign",
-                    Kind::BatchPartMissing => "missing",
-                    Kind::DeviceInNoPart => "lacks",
+                    Kind::PART_FOREIGN => "foreign",
+                    Kind::BATCH_PART_MISSING => "missing",
+                    Kind::DEVICE_IN_NO_PART => "lacks",
                     _ => "unreadable",
                 })
                 .collect();

@@ -119,24 +119,24 @@ impl PartHeader {
 /// # Errors
 /// No part, one without an end, a changed one.
 pub(crate) fn read_part(text: &str) -> Result<Part, Box<Finding>> {
-    let incomplete = || Box::new(Finding::of(Kind::PartIncomplete));
+    let incomplete = || Box::new(Finding::of(Kind::PART_INCOMPLETE));
     let header: PartHeader = text
         .lines()
         .next()
         .and_then(|line| serde_json::from_str(line).ok())
         .filter(|header: &PartHeader| header.schema == SCHEMA)
-        .ok_or_else(|| Finding::of(Kind::NoBatchPart))?;
+        .ok_or_else(|| Finding::of(Kind::NO_BATCH_PART))?;
     let whole = text.strip_suffix('\n').ok_or_else(incomplete)?;
     let (before, end) = whole.rsplit_once('\n').ok_or_else(incomplete)?;
     let end: PartEnd = serde_json::from_str(end).map_err(|_| incomplete())?;
     let body = &text[..before.len() + 1];
     if hash::of_text(body) != end.sha256 {
-        return Err(Finding::of(Kind::PartChanged).into());
+        return Err(Finding::of(Kind::PART_CHANGED).into());
     }
     let records = before.lines().skip(1).map(serde_json::from_str);
     let records: Result<Vec<Record>, _> = records.collect();
     let records = records.map_err(|error: serde_json::Error| {
-        let found = Finding::of(Kind::PartOfOtherVersion);
+        let found = Finding::of(Kind::PART_OF_OTHER_VERSION);
         found.detail("reason", error.to_string())
     })?;
     Ok(Part {

@@ -192,7 +192,7 @@ fn within_budget(
     let workers = match pool.take().map_or_else(|| new_pool(threads), Ok) {
         Ok(workers) => workers,
         Err(error) => {
-            let found = Finding::of(Kind::NoThread).detail("reason", error.to_string());
+            let found = Finding::of(Kind::NO_THREAD).detail("reason", error.to_string());
             return without(Status::Output, found);
         }
     };
@@ -211,11 +211,11 @@ fn within_budget(
             *pool = Some(workers);
             without(
                 Status::Bug,
-                Finding::of(Kind::BugOfOurs).detail("reason", words),
+                Finding::of(Kind::BUG_OF_OURS).detail("reason", words),
             )
         }
         Err(RecvTimeoutError::Timeout | RecvTimeoutError::Disconnected) => {
-            let found = Finding::of(Kind::OverBudget);
+            let found = Finding::of(Kind::OVER_BUDGET);
             let seconds = plan.budget.as_secs_f64();
             without(
                 Status::Budget,

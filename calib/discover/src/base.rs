@@ -37,7 +37,7 @@ pub(super) fn base(session: &mut Session<'_>) -> Result<State, Error> {
     session.base = Some(Arc::clone(&base.fit));
     refuse_unobservable(&base.fit)?;
     if base.projected.dof() == 0 {
-        let found = Finding::of(Kind::NothingToCompare)
+        let found = Finding::of(Kind::NOTHING_TO_COMPARE)
             .in_recording(names)
             .count("rows", base.rows())
             .detail("requirement", plan::REQUIREMENT.to_string());
@@ -56,7 +56,7 @@ pub(super) fn base(session: &mut Session<'_>) -> Result<State, Error> {
 fn enough_rests(session: &Session<'_>, names: &str) -> Result<(), Error> {
     for (recording, _) in &session.recordings {
         if recording.accelerometer.is_none() {
-            let found = Finding::of(Kind::AccelerometerNeeded);
+            let found = Finding::of(Kind::ACCELEROMETER_NEEDED);
             return Err(Error::not_enough(found.in_recording(&recording.name)));
         }
     }
@@ -68,7 +68,7 @@ fn enough_rests(session: &Session<'_>, names: &str) -> Result<(), Error> {
     if rests >= plan::REQUIREMENT.placements {
         return Ok(());
     }
-    let found = Finding::of(Kind::TooFewForSearch)
+    let found = Finding::of(Kind::TOO_FEW_FOR_SEARCH)
         .in_recording(names)
         .count("count", rests)
         .detail("requirement", plan::REQUIREMENT.to_string())

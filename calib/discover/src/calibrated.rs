@@ -141,5 +141,5 @@ fn determined(
 fn unknown_temperature(state: &State) -> Option<Finding> {
     let without = state.fit.data.without_thermometer();
     let names = without.join(" and ");
-    (!without.is_empty()).then(|| Finding::of(Kind::TemperatureUnknown).detail("without", names))
+    (!without.is_empty()).then(|| Finding::of(Kind::TEMPERATURE_UNKNOWN).detail("without", names))
 }

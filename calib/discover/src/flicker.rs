@@ -78,7 +78,7 @@ fn beside_flicker(name: &Name) -> Option<f64> {
 /// rate looks like such a bias.
 fn may_flicker(session: &Session<'_>, model: &State) -> bool {
     let moves =
-        model.fit.data.misses_something_between_samples() || session.remarks.has(Kind::RestsTurn);
+        model.fit.data.misses_something_between_samples() || session.remarks.has(Kind::RESTS_TURN);
     !(session.request.flicker || session.request.noise.is_some() || moves)
 }
 

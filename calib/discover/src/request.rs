@@ -82,7 +82,7 @@ impl Request {
     /// axes, and its gyroscope reads that rate: biases that go by time alone would be named for it.
     fn candidates_beside(&self, said: &::findings::Findings) -> Vec<EffectRef> {
         let mut all = self.candidates();
-        if said.has(Kind::RestsTurn) {
+        if said.has(Kind::RESTS_TURN) {
             all.retain(|effect| effect.needs() != [Quantity::Time]);
         }
         all

@@ -131,7 +131,7 @@ impl State {
     /// # Errors
     /// As [`fit_joint`].
     pub fn fitted_in_full(&self, session: &Session<'_>) -> Result<JointFit, Error> {
-        self.fitted_with(session, session.remarks.has(Kind::RestsTurn))
+        self.fitted_with(session, session.remarks.has(Kind::RESTS_TURN))
     }
 
     /// The same without the static intervals and turns that are off, as a calibration of the base models leaves them out.

@@ -77,7 +77,7 @@ pub fn say_held(calibration: &mut Calibration, held: &[HeldShape]) {
             own.parameters.iter_mut().for_each(|p| p.std = None);
         }
         calibration.warnings.push(
-            Finding::of(Kind::TimeConstantSupposed)
+            Finding::of(Kind::TIME_CONSTANT_SUPPOSED)
                 .detail("effect", effect.clone())
                 .detail("parameter", &**name)
                 .detail("value", format!("{value} {unit}")),

@@ -112,7 +112,7 @@ fn disagreement(recording: &str, search: &Search, missed: &[Misfit; 3]) -> Optio
     let times = |k: usize| missed[k].gap() / own[k].gap().max(1.0);
     let worst = (0..missed.len()).max_by(|a, b| times(*a).total_cmp(&times(*b)))?;
     (times(worst) > DISAGREES.get()).then(|| {
-        Finding::of(Kind::ValidationDisagrees)
+        Finding::of(Kind::VALIDATION_DISAGREES)
             .in_recording(recording)
             .number("missed", missed[worst].gap(), "")
             .number("own", own[worst].gap(), "")
@@ -391,7 +391,7 @@ mod tests {
         assert!((says[0].share - 1.0).abs() < 4.0 * says[0].std, "{says:?}");
         let stranger = Spec::hand_held(13).run().unwrap().recording;
         let validated = validate(&stranger, &request, &discovery).unwrap();
-        let is_said = |found: &Finding| found.kind == Kind::ValidationDisagrees;
+        let is_said = |found: &Finding| found.kind == Kind::VALIDATION_DISAGREES;
         assert!(
             validated.doubts.iter().any(is_said),
             "{:?}",

@@ -67,7 +67,7 @@ pub fn parse_effects(text: &str, name: &str) -> Result<Vec<EffectRef>, Error> {
 pub fn to_toml(definitions: &[Definition]) -> Result<String, Error> {
     let definitions = definitions.to_vec();
     toml::to_string(&EffectFile { definitions })
-        .map_err(|e| Error::usage(Finding::of(Kind::Unwritable).detail("reason", e.to_string())))
+        .map_err(|e| Error::usage(Finding::of(Kind::UNWRITABLE).detail("reason", e.to_string())))
 }
 
 /// The effects of `definitions`, with names that are neither in the catalogue nor there twice.

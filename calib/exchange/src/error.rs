@@ -68,7 +68,7 @@ impl Error {
         value: f64,
         (least, most): (f64, f64),
     ) -> Self {
-        let found = Finding::of(Kind::ParameterOutside)
+        let found = Finding::of(Kind::PARAMETER_OUTSIDE)
             .detail("target", target)
             .detail("name", name)
             .detail("value", value.to_string())
@@ -78,17 +78,17 @@ impl Error {
 
     /// A writer of another project refuses the calibration.
     pub(crate) fn unwritten(reason: &dyn fmt::Display) -> Self {
-        let found = Finding::of(Kind::FormatUnwritable).detail("format", "calibration");
+        let found = Finding::of(Kind::FORMAT_UNWRITABLE).detail("format", "calibration");
         Self::format(found.detail("reason", reason.to_string()))
     }
 
     /// The finding that ended the work.
     pub fn finding(&self) -> Finding {
         match self {
-            Self::Lacks { target, what } => Finding::of(Kind::SensorLacking)
+            Self::Lacks { target, what } => Finding::of(Kind::SENSOR_LACKING)
                 .detail("target", *target)
                 .detail("what", *what),
-            Self::LeftHanded { target, sensor } => Finding::of(Kind::ExportLeftHanded)
+            Self::LeftHanded { target, sensor } => Finding::of(Kind::EXPORT_LEFT_HANDED)
                 .detail("target", *target)
                 .detail("of", *sensor),
             Self::Flipped {
@@ -97,14 +97,14 @@ impl Error {
                 axis,
                 value,
                 flip,
-            } => Finding::of(Kind::SignNotKept)
+            } => Finding::of(Kind::SIGN_NOT_KEPT)
                 .detail("target", *target)
                 .detail("of", *sensor)
                 .detail("axis", *axis)
                 .detail("value", value.to_string())
                 .only_remedies([Remedy::set_to(OptionName::Flip, flip)]),
             Self::Settings(found) | Self::Input(found) | Self::Format(found) => (**found).clone(),
-            Self::Missing(path) => Finding::of(Kind::PieceMissing).in_file(shown_path(path)),
+            Self::Missing(path) => Finding::of(Kind::PIECE_MISSING).in_file(shown_path(path)),
         }
     }
 }

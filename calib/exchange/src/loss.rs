@@ -53,7 +53,7 @@ impl fmt::Display for Loss {
 impl Loss {
     /// The loss as a remark.
     pub fn finding(&self) -> Finding {
-        self.as_kind(Kind::LostInExport)
+        self.as_kind(Kind::LOST_IN_EXPORT)
     }
 
     /// The loss as a remark of a kind.

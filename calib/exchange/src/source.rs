@@ -58,7 +58,7 @@ impl<'a> Source<'a> {
             .into_iter()
             .filter(|sensor| !self.knows_bias(*sensor));
         let unknown: Vec<&str> = unknown.map(Sensor::name).collect();
-        let found = Finding::of(Kind::BiasUnknown).detail("sensors", unknown.join(" and the "));
+        let found = Finding::of(Kind::BIAS_UNKNOWN).detail("sensors", unknown.join(" and the "));
         (!unknown.is_empty()).then_some(found)
     }
 
@@ -102,7 +102,7 @@ impl<'a> Source<'a> {
         ] {
             let unit = self.unit(sensor);
             if let Some(unit) = unit.filter(|unit| unit != si) {
-                let found = Finding::of(Kind::ExportUnit)
+                let found = Finding::of(Kind::EXPORT_UNIT)
                     .detail("target", target)
                     .detail("of", sensor.name())
                     .detail("unit", unit);
@@ -168,7 +168,7 @@ impl<'a> Source<'a> {
             .filter(|(_, other)| *other == by)
             .map(|(s, _)| s.name())
             .collect();
-        let found = Finding::of(Kind::OnTopOf).detail("system", system_name(by));
+        let found = Finding::of(Kind::ON_TOP_OF).detail("system", system_name(by));
         Some(found.detail("sensors", sensors.join(" and the ")))
     }
 

@@ -83,13 +83,13 @@ pub fn allan(recording: &Recording, rest: Option<(f64, f64)>) -> Result<Noise, E
         AtRest::Throughout => noise(&all),
         AtRest::For(rest) => {
             let mut found = noise(&curves(Some(rest)))?;
-            let said = Finding::of(Kind::OnlyRestAnalysed).between(rest.from, rest.to);
+            let said = Finding::of(Kind::ONLY_REST_ANALYSED).between(rest.from, rest.to);
             found.0.warnings.push_first(said);
             Ok(found)
         }
         AtRest::TooShort(longest) => {
             let length = longest.map_or(0.0, |rest| rest.length());
-            let found = Finding::of(Kind::NeverAtRest).number("length", length, "s");
+            let found = Finding::of(Kind::NEVER_AT_REST).number("length", length, "s");
             Err(Error::of(ErrorKind::NotEnoughInformation, &found))
         }
     }

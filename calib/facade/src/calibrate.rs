@@ -44,7 +44,7 @@ const IGNORED: [&str; 7] = [
 /// ```
 pub fn calibrate(recordings: &[Recording], request: &Request) -> Result<Calibration, Error> {
     if recordings.is_empty() {
-        return Err(Error::usage(Finding::of(Kind::RecordingsMissing)));
+        return Err(Error::usage(Finding::of(Kind::RECORDINGS_MISSING)));
     }
     let how = request.for_calibration(recordings.len())?;
     let slow = |all: &[Recording]| all.iter().map(Recording::at_hand_speed).collect();
@@ -63,7 +63,7 @@ pub fn calibrate(recordings: &[Recording], request: &Request) -> Result<Calibrat
     }
     let mut outcome = calibrate_all(&all, &turned, &how)?;
     if let Some(own) = outcome.calibration.not_calibrated.first() {
-        let found = Finding::of(Kind::NotCalibrated)
+        let found = Finding::of(Kind::NOT_CALIBRATED)
             .of_sensor(own.sensor)
             .detail("why", own.text.clone());
         return Err(calib::Error::not_enough(found.at_level(Level::Error)).into());

@@ -219,18 +219,18 @@ impl Calibration {
     ) -> Result<(), Error> {
         if raw.len() != corrected.len() {
             return Err(Error::usage(
-                Finding::of(Kind::CountOther)
+                Finding::of(Kind::COUNT_OTHER)
                     .detail("key", "corrected")
                     .detail("found", format!("{} rows", corrected.len()))
                     .detail("expected", raw.len().to_string()),
             ));
         }
         let Some(triad) = self.inner.triad(sensor) else {
-            let found = Finding::of(Kind::SensorNotInCalibration);
+            let found = Finding::of(Kind::SENSOR_NOT_IN_CALIBRATION);
             return Err(Error::usage(found.of_sensor(sensor)));
         };
         if !self.is_base_only() {
-            return Err(Error::usage(Finding::of(Kind::EffectsLookFurther)));
+            return Err(Error::usage(Finding::of(Kind::EFFECTS_LOOK_FURTHER)));
         }
         let base = triad.base();
         for (raw, corrected) in raw.iter().zip(corrected) {
@@ -278,7 +278,7 @@ impl Calibration {
     /// # let (t, accel, gyro, _) = stillpoint::example::session();
     /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, None)?;
     /// # let calibration = stillpoint::calibrate(&[recording], &stillpoint::Request::default())?;
-    /// let assumed = |found: &stillpoint::finding::Finding| found.kind == stillpoint::finding::Kind::GravityAssumed;
+    /// let assumed = |found: &stillpoint::finding::Finding| found.kind == stillpoint::finding::Kind::GRAVITY_ASSUMED;
     /// assert!(calibration.findings().iter().any(assumed));
     /// # Ok::<(), stillpoint::Error>(())
     /// ```

@@ -134,7 +134,7 @@ impl Catalogue {
         let name = sensor.name();
         let is_own = self.sensors.iter().any(|own| own.name() == name);
         if is_own || Sensor::ALL.iter().any(|known| known.name() == name) {
-            let taken = Finding::of(Kind::NameTaken).detail("name", sensor.name());
+            let taken = Finding::of(Kind::NAME_TAKEN).detail("name", sensor.name());
             return Err(Error::usage(taken));
         }
         self.sensors.push(sensor.into());
@@ -209,10 +209,10 @@ impl Catalogue {
         match taken {
             Some(other) if other.is(&effect) => Ok(()),
             Some(_) => Err(Error::usage(
-                Finding::of(Kind::EffectTaken).detail("name", effect.name()),
+                Finding::of(Kind::EFFECT_TAKEN).detail("name", effect.name()),
             )),
             None if is_linear_in_name_only(&*effect) => Err(Error::usage(
-                Finding::of(Kind::EffectNotLinear).detail("name", effect.name()),
+                Finding::of(Kind::EFFECT_NOT_LINEAR).detail("name", effect.name()),
             )),
             None => {
                 self.effects.push(effect);

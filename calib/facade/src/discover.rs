@@ -131,7 +131,7 @@ impl AsRef<Discovery> for Findings {
 /// ```
 pub fn discover(recordings: &[Recording], request: &Request) -> Result<Findings, Error> {
     if recordings.is_empty() {
-        return Err(Error::usage(Finding::of(Kind::RecordingsMissing)));
+        return Err(Error::usage(Finding::of(Kind::RECORDINGS_MISSING)));
     }
     request.refuse("search", &IGNORED)?;
     let how = request.for_discovery(recordings.len())?;
@@ -172,7 +172,7 @@ fn refuse_seen(
     };
     match recordings.iter().find(same) {
         Some(seen) => Err(Error::usage(
-            Finding::of(Kind::ValidationSeen).detail("other", seen.name.clone()),
+            Finding::of(Kind::VALIDATION_SEEN).detail("other", seen.name.clone()),
         )),
         None => Ok(()),
     }

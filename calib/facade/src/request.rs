@@ -144,7 +144,7 @@ impl Request {
         let found = Gravity::checked(self.gravity, self.latitude, self.altitude);
         found.map_err(|what| {
             Error::usage(match what {
-                NotOnEarth::Gravity(g) => Finding::of(Kind::GravityNotOnEarth)
+                NotOnEarth::Gravity(g) => Finding::of(Kind::GRAVITY_NOT_ON_EARTH)
                     .detail("gravity", figure(g))
                     .detail("least", figure(*ACCEPTED.start()))
                     .detail("most", figure(*ACCEPTED.end())),
@@ -154,7 +154,7 @@ impl Request {
                     gravity,
                     latitude,
                     normal,
-                } => Finding::of(Kind::GravityNotOfLatitude)
+                } => Finding::of(Kind::GRAVITY_NOT_OF_LATITUDE)
                     .detail("gravity", figure(gravity))
                     .detail("latitude", figure(latitude))
                     .detail("normal", format!("{normal:.4}")),
@@ -185,7 +185,7 @@ impl Request {
         match given.find(|(name, _)| ignored.contains(name)) {
             None => Ok(()),
             Some((name, _)) => Err(Error::usage(
-                Finding::of(Kind::NotOfThisMethod)
+                Finding::of(Kind::NOT_OF_THIS_METHOD)
                     .detail("setting", name)
                     .detail("method", method),
             )),
@@ -277,7 +277,7 @@ impl Request {
             0 => Ok(all),
             n if n == recordings => Ok(all),
             n => Err(Error::usage(
-                Finding::of(Kind::SectionsDoNotFit)
+                Finding::of(Kind::SECTIONS_DO_NOT_FIT)
                     .count("count", n)
                     .count("recordings", recordings),
             )),
@@ -289,7 +289,7 @@ impl Request {
             let is_there = (1..=recordings).contains(&recording) && t.is_finite();
             is_there.then_some(Instant { recording, t }).ok_or_else(|| {
                 Error::usage(
-                    Finding::of(Kind::InstantOutside)
+                    Finding::of(Kind::INSTANT_OUTSIDE)
                         .detail("time", figure(t))
                         .count("recording", recording)
                         .count("recordings", recordings),
@@ -303,7 +303,7 @@ impl Request {
         let find = |name: &String| {
             let mut all = catalogue_with(self.catalogue.own());
             all.find(|effect| effect.name() == name).ok_or_else(|| {
-                let unknown = Finding::of(Kind::EffectUnknown);
+                let unknown = Finding::of(Kind::EFFECT_UNKNOWN);
                 let unknown = unknown.detail("effect", format!("`{name}`"));
                 let known = self.catalogue.names();
                 Error::usage(unknown.or_nearest(name, known.iter().map(String::as_str)))
@@ -315,7 +315,7 @@ impl Request {
 
 fn not_positive(name: &str) -> Error {
     Error::usage(
-        Finding::of(Kind::OutOfRange)
+        Finding::of(Kind::OUT_OF_RANGE)
             .detail("key", name)
             .detail("value", "not positive")
             .detail("expected", "a positive number"),
@@ -323,7 +323,7 @@ fn not_positive(name: &str) -> Error {
 }
 
 fn out_of_range(name: &str, value: f64, expected: &str) -> Finding {
-    Finding::of(Kind::OutOfRange)
+    Finding::of(Kind::OUT_OF_RANGE)
         .detail("key", name)
         .detail("value", figure(value))
         .detail("expected", expected)
@@ -331,7 +331,7 @@ fn out_of_range(name: &str, value: f64, expected: &str) -> Finding {
 
 /// A stretch that ends before it begins.
 pub(crate) fn backwards(from: f64, to: f64) -> Finding {
-    Finding::of(Kind::Backwards)
+    Finding::of(Kind::BACKWARDS)
         .detail("from", figure(from))
         .detail("to", figure(to))
 }

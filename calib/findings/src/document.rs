@@ -58,7 +58,7 @@ impl<'de> Deserialize<'de> for Finding {
         let kind = Kind::named(&own.kind);
         let mut details = own.details;
         // Of a kind that this version does not know the text is what it has to say.
-        if kind == Kind::Remark && !details.iter().any(|d| d.name == "text") {
+        if kind == Kind::REMARK && !details.iter().any(|d| d.name == "text") {
             details.push(Detail {
                 name: "text".into(),
                 value: own.text,
@@ -92,7 +92,7 @@ impl From<&str> for Box<Finding> {
 impl From<String> for Finding {
     /// A finding whose text is its own.
     fn from(text: String) -> Self {
-        Self::of(Kind::Remark).detail("text", text)
+        Self::of(Kind::REMARK).detail("text", text)
     }
 }
 
@@ -109,7 +109,7 @@ mod tests {
 
     #[test]
     fn a_finding_reads_back_as_it_was_written() {
-        let found = Finding::of(Kind::Misfit)
+        let found = Finding::of(Kind::MISFIT)
             .in_recording("rec_1")
             .of_sensor(Sensor::Accelerometer)
             .at_interval(3)

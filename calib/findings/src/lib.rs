@@ -10,7 +10,7 @@
 //! use stillpoint_findings::{Finding, Front, Kind, Level, Verdict};
 //! use sensor::Sensor;
 //!
-//! let found = Finding::of(Kind::GravityAssumed)
+//! let found = Finding::of(Kind::GRAVITY_ASSUMED)
 //!     .of_sensor(Sensor::Accelerometer)
 //!     .number("gravity", 9.80665, "m/s^2")
 //!     .number("share", 2.2e-3, "share");

@@ -133,7 +133,7 @@ impl From<&Finding> for Finding {
 }
 
 impl Finding {
-    /// The text of [`Kind::Remark`], which has no entry of its own.
+    /// The text of [`Kind::REMARK`], which has no entry of its own.
     pub fn own_text(&self) -> Option<&str> {
         self.word("text")
     }

@@ -11,18 +11,18 @@ impl From<ParseError> for Finding {
         use ParseFault as F;
         let of = |kind| Self::of(kind).detail("column", error.column.to_string());
         match error.fault {
-            F::TooLong(most) => of(Kind::ExpressionLong).count("most", most),
-            F::TooDeep(most) => of(Kind::ExpressionDeep).count("most", most),
-            F::NoNumber(word) => of(Kind::ExpressionNoNumber).detail("found", word),
+            F::TooLong(most) => of(Kind::EXPRESSION_LONG).count("most", most),
+            F::TooDeep(most) => of(Kind::EXPRESSION_DEEP).count("most", most),
+            F::NoNumber(word) => of(Kind::EXPRESSION_NO_NUMBER).detail("found", word),
             F::NoMeaning(character) => {
-                of(Kind::ExpressionCharacter).detail("found", character.to_string())
+                of(Kind::EXPRESSION_CHARACTER).detail("found", character.to_string())
             }
             F::Unexpected { expected, found } => {
                 let own = match expected {
-                    Expected::Operator => of(Kind::OperatorExpected),
-                    Expected::Value => of(Kind::OperandExpected),
+                    Expected::Operator => of(Kind::OPERATOR_EXPECTED),
+                    Expected::Value => of(Kind::OPERAND_EXPECTED),
                     Expected::Sign(sign) => {
-                        of(Kind::SignExpected).detail("expected", sign.to_string())
+                        of(Kind::SIGN_EXPECTED).detail("expected", sign.to_string())
                     }
                 };
                 own.detail(
@@ -30,14 +30,14 @@ impl From<ParseError> for Finding {
                     found.map_or("the end".into(), |f| format!("`{f}`")),
                 )
             }
-            F::ExponentVaries => of(Kind::ExponentVaries),
-            F::NoFunction(name) => of(Kind::FunctionUnknown)
+            F::ExponentVaries => of(Kind::EXPONENT_VARIES),
+            F::NoFunction(name) => of(Kind::FUNCTION_UNKNOWN)
                 .detail("found", name)
                 .detail("known", FUNCTIONS.join(", ")),
-            F::NoVariable { name, known } => of(Kind::VariableUnknown)
+            F::NoVariable { name, known } => of(Kind::VARIABLE_UNKNOWN)
                 .detail("found", name)
                 .detail("known", known.join(", ")),
-            other => of(Kind::ExpressionNoNumber).detail("found", format!("{other:?}")),
+            other => of(Kind::EXPRESSION_NO_NUMBER).detail("found", format!("{other:?}")),
         }
     }
 }
@@ -47,30 +47,30 @@ impl From<DefinitionFault> for Finding {
         use DefinitionFault as F;
         let positive = "a positive size";
         match fault {
-            F::NotSnakeCase(name) => Self::of(Kind::NameNotSnakeCase).detail("name", name),
-            F::NameTaken(name) => Self::of(Kind::NameTaken).detail("name", name),
-            F::EffectTaken(name) => Self::of(Kind::EffectTaken).detail("name", name),
-            F::NoParameter => Self::of(Kind::ParametersMissing),
+            F::NotSnakeCase(name) => Self::of(Kind::NAME_NOT_SNAKE_CASE).detail("name", name),
+            F::NameTaken(name) => Self::of(Kind::NAME_TAKEN).detail("name", name),
+            F::EffectTaken(name) => Self::of(Kind::EFFECT_TAKEN).detail("name", name),
+            F::NoParameter => Self::of(Kind::PARAMETERS_MISSING),
             F::NotPositive(value) => out_of_range(value, positive),
             F::NotFinite(value) => out_of_range(value, "a number"),
             F::Unreadable { text, error } => Self::from(error).detail("text", text),
-            F::NoExpression => Self::of(Kind::ExpressionMissing),
-            F::Costly { cost, most, call } => Self::of(Kind::ExpressionCostly)
+            F::NoExpression => Self::of(Kind::EXPRESSION_MISSING),
+            F::Costly { cost, most, call } => Self::of(Kind::EXPRESSION_COSTLY)
                 .detail("cost", cost.to_string())
                 .detail("most", most.to_string())
                 .detail("call", call.to_string()),
-            F::NotSilent(value) => Self::of(Kind::NotSilent).detail("value", value.to_string()),
+            F::NotSilent(value) => Self::of(Kind::NOT_SILENT).detail("value", value.to_string()),
             F::NoNumber(value) => {
-                Self::of(Kind::NoNumberInMotion).detail("value", value.to_string())
+                Self::of(Kind::NO_NUMBER_IN_MOTION).detail("value", value.to_string())
             }
-            F::PowerOfZero(name) => Self::of(Kind::PowerOfZero).detail("covariate", name),
+            F::PowerOfZero(name) => Self::of(Kind::POWER_OF_ZERO).detail("covariate", name),
             other => Self::from(format!("{other:?}")),
         }
     }
 }
 
 fn out_of_range(value: f64, expected: &str) -> Finding {
-    Finding::of(Kind::OutOfRange)
+    Finding::of(Kind::OUT_OF_RANGE)
         .detail("value", value.to_string())
         .detail("expected", expected)
 }
@@ -90,11 +90,11 @@ impl Finding {
                 force: [fx, fy, fz],
                 rate: [wx, wy, wz],
                 parameters,
-            } => of(Kind::EffectNoNumber)
+            } => of(Kind::EFFECT_NO_NUMBER)
                 .detail("force", format!("{fx:.3}, {fy:.3}, {fz:.3}"))
                 .detail("rate", format!("{wx:.4}, {wy:.4}, {wz:.4}"))
                 .detail("parameters", format!("{parameters:?}")),
-            _ => of(Kind::EffectCostly),
+            _ => of(Kind::EFFECT_COSTLY),
         }
     }
 }

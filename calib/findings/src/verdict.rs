@@ -196,8 +196,8 @@ mod tests {
 
     #[test]
     fn what_makes_the_larger_error_is_the_first_reason() {
-        let small = Finding::of(Kind::Misfit).affects("corrected_reading", 1e-3, "m/s^2");
-        let large = Finding::of(Kind::WeakParameter).affects("corrected_reading", 2e-2, "m/s^2");
+        let small = Finding::of(Kind::MISFIT).affects("corrected_reading", 1e-3, "m/s^2");
+        let large = Finding::of(Kind::WEAK_PARAMETER).affects("corrected_reading", 2e-2, "m/s^2");
         let verdict = Verdict::of(&[small, large]);
         assert_eq!(verdict.reasons, ["weak_parameter", "misfit"]);
         assert_eq!(verdict.level, Grade::Care);
@@ -205,7 +205,7 @@ mod tests {
 
     #[test]
     fn what_was_decided_without_harm_asks_for_nothing() {
-        let told = Finding::of(Kind::UnitByGravity).detail("unit", "g");
+        let told = Finding::of(Kind::UNIT_BY_GRAVITY).detail("unit", "g");
         let verdict = Verdict::of(&[told]);
         assert_eq!(verdict.level, Grade::Good);
         assert_eq!(verdict.next, Verdict::of(&[]).next);
@@ -213,7 +213,7 @@ mod tests {
 
     #[test]
     fn one_bad_finding_makes_the_result_bad() {
-        let assumed = Finding::of(Kind::GravityAssumed);
+        let assumed = Finding::of(Kind::GRAVITY_ASSUMED);
         assert_eq!(
             Verdict::of(std::slice::from_ref(&assumed)).level,
             Grade::Good

@@ -53,7 +53,7 @@ fn read(reader: &mut dyn Read, wanted: &Wanted, limits: Limits) -> Result<Conten
         file.message(kind, &message[3..])?;
     }
     if let Some(first) = first_skipped {
-        let skipped = Finding::of(Cause::BytesSkipped).count("count", skipped as usize);
+        let skipped = Finding::of(Cause::BYTES_SKIPPED).count("count", skipped as usize);
         let skipped = skipped.count("byte", first as usize);
         file.recorder.content.warnings.push(skipped);
     }
@@ -293,9 +293,9 @@ impl File {
             undone = true;
         }
         let kind = match (undone, complete) {
-            (true, true) => Cause::CorrectionUndone,
+            (true, true) => Cause::CORRECTION_UNDONE,
             (false, true) => return,
-            _ => Cause::CorrectedBySystem,
+            _ => Cause::CORRECTED_BY_SYSTEM,
         };
         let found = Finding::of(kind)
             .detail("system", "ArduPilot")
@@ -310,7 +310,7 @@ impl File {
     fn finish(mut self) -> Content {
         self.undo();
         if self.backwards > 0 {
-            let back = Finding::of(Cause::ClockBack).count("count", self.backwards as usize);
+            let back = Finding::of(Cause::CLOCK_BACK).count("count", self.backwards as usize);
             self.recorder.content.warnings.push(back);
         }
         let mut listed: Vec<String> = self

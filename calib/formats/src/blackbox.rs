@@ -21,7 +21,7 @@ pub(crate) static BLACKBOX: Format = Format {
 const MAGIC: &[u8] = b"H Product:Blackbox flight data recorder";
 
 fn read(_: &mut dyn Read, _: &Wanted, _: Limits) -> Result<Content, Error> {
-    Err(Error::refused(Finding::of(Kind::BlackboxNotDecoded)))
+    Err(Error::refused(Finding::of(Kind::BLACKBOX_NOT_DECODED)))
 }
 
 #[cfg(test)]

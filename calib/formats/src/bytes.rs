@@ -49,7 +49,7 @@ impl<'a> Bytes<'a> {
         if length > self.limit {
             return Err(Error::at(
                 self.at,
-                counted(Finding::of(Kind::PieceTooLong), "bytes", length),
+                counted(Finding::of(Kind::PIECE_TOO_LONG), "bytes", length),
             ));
         }
         let length = length as usize;

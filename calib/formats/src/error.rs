@@ -34,7 +34,7 @@ impl Error {
     pub fn finding(&self) -> Finding {
         match self {
             Self::Io(error) => {
-                Finding::of(Kind::ReadingStopped).detail("reason", error.to_string())
+                Finding::of(Kind::READING_STOPPED).detail("reason", error.to_string())
             }
             Self::Damaged(found) | Self::Refused(found) => (**found).clone(),
         }
@@ -80,25 +80,25 @@ pub(crate) fn counted(found: Finding, name: &'static str, count: u64) -> Finding
 
 /// A part of a file that ends too early.
 pub(crate) fn cut(part: impl Into<String>, whole: &str) -> Finding {
-    let found = Finding::of(Kind::PartCut).detail("part", part);
+    let found = Finding::of(Kind::PART_CUT).detail("part", part);
     found.detail("whole", whole)
 }
 
 /// A part of a file that is damaged.
 pub(crate) fn damaged(part: &str) -> Finding {
-    Finding::of(Kind::PartDamaged).detail("part", part)
+    Finding::of(Kind::PART_DAMAGED).detail("part", part)
 }
 
 /// A part of a file that is longer or shorter than something says of it.
 pub(crate) fn contradicted(part: &str, than: &str, stated: &str) -> Finding {
-    let found = Finding::of(Kind::LengthContradicted).detail("part", part);
+    let found = Finding::of(Kind::LENGTH_CONTRADICTED).detail("part", part);
     found.detail("than", than).detail("stated", stated)
 }
 
 /// A file that a parser of another project refuses.
 #[cfg(any(feature = "parquet", feature = "hdf5", feature = "xlsx"))]
 pub(crate) fn unreadable(format: impl Into<String>, error: &dyn fmt::Display) -> Error {
-    let found = Finding::of(Kind::FormatUnreadable).detail("format", format);
+    let found = Finding::of(Kind::FORMAT_UNREADABLE).detail("format", format);
     Error::refused(found.detail("reason", error.to_string()))
 }
 
@@ -108,7 +108,7 @@ pub(crate) fn no_json(error: &serde_json::Error) -> Error {
     let reason = words
         .rsplit_once(" at line ")
         .map_or(&*words, |(reason, _)| reason);
-    let found = Finding::of(Kind::JsonDamaged)
+    let found = Finding::of(Kind::JSON_DAMAGED)
         .at_line(error.line() as u64)
         .at_column(error.column() as u64);
     Error::refused(found.detail("reason", reason))

@@ -48,7 +48,7 @@ impl Format {
             .take(limits.bytes.saturating_add(1))
             .read_to_end(&mut bytes)?;
         if bytes.len() as u64 > limits.bytes {
-            let found = Finding::of(Kind::ContentTooLarge).detail("what", "a database");
+            let found = Finding::of(Kind::CONTENT_TOO_LARGE).detail("what", "a database");
             return Err(Error::refused(counted(found, "limit", limits.bytes)));
         }
         read(&mut Cursor::new(bytes), wanted, limits)

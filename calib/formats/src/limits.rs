@@ -35,7 +35,7 @@ const ALWAYS: u64 = 1 << 20;
 impl Limits {
     /// An archive or a folder of more than [`Limits::entries`].
     pub(crate) fn too_many_entries(&self) -> Error {
-        let found = Finding::of(Kind::EntriesTooMany).count("limit", self.entries);
+        let found = Finding::of(Kind::ENTRIES_TOO_MANY).count("limit", self.entries);
         Error::refused(found.detail("things", "entries").remedy(Remedy::NameFile))
     }
 
@@ -48,7 +48,7 @@ impl Limits {
             return Err(self.too_large(what));
         }
         if large > ALWAYS && large / self.ratio > small {
-            let found = Finding::of(Kind::UnpacksTooMuch).detail("what", what);
+            let found = Finding::of(Kind::UNPACKS_TOO_MUCH).detail("what", what);
             return Err(Error::refused(counted(found, "ratio", self.ratio)));
         }
         Ok(())
@@ -56,7 +56,7 @@ impl Limits {
 
     /// Something that unpacks to more than [`Limits::bytes`].
     pub(crate) fn too_large(&self, what: &str) -> Error {
-        let found = Finding::of(Kind::UnpacksTooLarge).detail("what", what);
+        let found = Finding::of(Kind::UNPACKS_TOO_LARGE).detail("what", what);
         Error::refused(counted(found, "limit", self.bytes))
     }
 }

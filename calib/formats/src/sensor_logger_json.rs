@@ -47,7 +47,7 @@ fn read(reader: &mut dyn Read, wanted: &Wanted, limits: Limits) -> Result<Conten
         if !error.is_eof() || file.counts.is_empty() {
             return Err(no_json(&error));
         }
-        let cut = Finding::of(Kind::FileCut).detail("within", "an entry");
+        let cut = Finding::of(Kind::FILE_CUT).detail("within", "an entry");
         file.recorder.content.cut = Some(cut.count("line", error.line()));
     }
     file.finish()

@@ -80,14 +80,14 @@ pub struct Correction {
 
 /// A file that ends within something.
 pub(crate) fn cut_at(byte: u64, within: &str) -> Finding {
-    Finding::of(Kind::FileCut)
+    Finding::of(Kind::FILE_CUT)
         .detail("within", within)
         .count("byte", byte as usize)
 }
 
 /// A chunk of a log that is damaged.
 pub(crate) fn chunk_damaged(byte: u64) -> Finding {
-    Finding::of(Kind::ChunkDamaged).count("byte", byte as usize)
+    Finding::of(Kind::CHUNK_DAMAGED).count("byte", byte as usize)
 }
 
 /// Content of a file.
@@ -210,7 +210,7 @@ impl Recorder {
         let rows = self.rows;
         let stream = self.at(handle);
         if stream.stamps.len() as u64 >= rows {
-            let found = Finding::of(Kind::SamplesTooMany).detail("stream", shown(&stream.source));
+            let found = Finding::of(Kind::SAMPLES_TOO_MANY).detail("stream", shown(&stream.source));
             return Err(crate::Error::refused(counted(found, "limit", rows)));
         }
         crate::stream::grow(&mut stream.stamps);

@@ -50,7 +50,7 @@ impl Chunks {
 fn unpack<'a>(method: &str, packed: &'a [u8], size: u64) -> Result<Cow<'a, [u8]>, Error> {
     let mut unpacked = Vec::new();
     let damaged = |error: String| {
-        let found = Finding::of(Kind::PartUnpacksNot).detail("part", format!("{method} chunk"));
+        let found = Finding::of(Kind::PART_UNPACKS_NOT).detail("part", format!("{method} chunk"));
         Error::refused(found.detail("reason", error))
     };
     let reader: Box<dyn Read> = match method {
@@ -62,7 +62,7 @@ fn unpack<'a>(method: &str, packed: &'a [u8], size: u64) -> Result<Cow<'a, [u8]>
             Box::new(decoder.map_err(|error| damaged(error.to_string()))?)
         }
         other => {
-            let found = Finding::of(Kind::CompressionUnknown).detail("part", "chunk");
+            let found = Finding::of(Kind::COMPRESSION_UNKNOWN).detail("part", "chunk");
             let found = found.detail("method", shown(other));
             return Err(Error::refused(found.detail("known", "lz4, bz2, zstd")));
         }
@@ -72,7 +72,7 @@ fn unpack<'a>(method: &str, packed: &'a [u8], size: u64) -> Result<Cow<'a, [u8]>
         .read_to_end(&mut unpacked);
     read.map_err(|error| damaged(error.to_string()))?;
     if unpacked.len() as u64 != size {
-        let found = Finding::of(Kind::UnpackedLength).detail("part", format!("{method} chunk"));
+        let found = Finding::of(Kind::UNPACKED_LENGTH).detail("part", format!("{method} chunk"));
         let found = found.count("bytes", unpacked.len());
         return Err(Error::refused(counted(found, "expected", size)));
     }

@@ -173,7 +173,7 @@ impl NoiseSummary {
     /// Curves without any sensor.
     pub fn of(curves: &RecordingCurves) -> Result<Self, Error> {
         if curves.accelerometer.is_none() && curves.gyroscope.is_none() {
-            let found = Finding::of(Kind::NoSamples).only_remedies([]);
+            let found = Finding::of(Kind::NO_SAMPLES).only_remedies([]);
             return Err(Error::not_enough(found));
         }
         let mut warnings = Findings::new();
@@ -201,7 +201,7 @@ impl NoiseSummary {
             .filter(|times| !times.is_empty())
             .map(|times| times.into_iter().fold(0.0, f64::max));
         if gyroscope.is_some() && initial_static_time.is_none() && may_settle {
-            warnings.push(Finding::of(Kind::SettlingUnknown).of_sensor(Sensor::Gyroscope));
+            warnings.push(Finding::of(Kind::SETTLING_UNKNOWN).of_sensor(Sensor::Gyroscope));
         }
         Ok(Self {
             schema: NOISE_SCHEMA.into(),
@@ -440,14 +440,14 @@ mod tests {
             (step[0] - 305.0).abs() < 2.5 && (step[1] - 4.0).abs() < 0.8,
             "{step:?}"
         );
-        let step = found.warnings.iter().find(|f| f.kind == Kind::MeanSteps);
+        let step = found.warnings.iter().find(|f| f.kind == Kind::MEAN_STEPS);
         let said = step.unwrap().text(findings::Front::CommandLine);
         assert!(
             said.starts_with("the mean of accelerometer x jumps by")
                 && said.contains("--rest 0,30"),
             "{said}"
         );
-        assert!(!summary("m/s^2", 0.0).warnings.has(Kind::MeanSteps));
+        assert!(!summary("m/s^2", 0.0).warnings.has(Kind::MEAN_STEPS));
     }
 
     /// Noise of standard deviation 1, from twelve numbers of even chance.
@@ -484,7 +484,7 @@ mod tests {
             };
             let noise = of_values(value);
             let kinds: Vec<Kind> = noise.warnings.iter().map(|found| found.kind).collect();
-            assert_eq!(kinds, [Kind::Quantised], "{:?}", noise.warnings);
+            assert_eq!(kinds, [Kind::QUANTISED], "{:?}", noise.warnings);
             assert_eq!(
                 noise.warnings.first().unwrap().word("axes"),
                 Some("x, y, z")
@@ -521,7 +521,7 @@ mod tests {
         let said = found.text(findings::Front::CommandLine);
         assert_eq!(
             (found.kind, found.value("count")),
-            (Kind::Spikes, Some(3.0))
+            (Kind::SPIKES, Some(3.0))
         );
         assert!(
             said.contains("3 single readings on x") && said.contains("t = 22.60, 370.00, 405.00 s"),
@@ -549,7 +549,7 @@ mod tests {
         let misses = noise
             .warnings
             .iter()
-            .filter(|f| f.kind == Kind::NoiseModelMisses);
+            .filter(|f| f.kind == Kind::NOISE_MODEL_MISSES);
         let said: Vec<String> = misses
             .map(|f| f.text(findings::Front::CommandLine))
             .collect();

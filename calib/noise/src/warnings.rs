@@ -38,7 +38,7 @@ pub(super) fn of_sensor(
     all.extend(of.coarse(fits));
     all.extend(of.outliers());
     for (axis, fit) in AXES.iter().zip(fits) {
-        let unknown = fit.is_none().then(|| of.finding(Kind::NoiseUnknown));
+        let unknown = fit.is_none().then(|| of.finding(Kind::NOISE_UNKNOWN));
         all.extend(unknown.map(|found| found.detail("axis", *axis)));
     }
     all.extend(of.misses(fits));
@@ -116,7 +116,7 @@ impl Of<'_> {
         let white = white.map(|fit| fit.get(NoiseTerm::WhiteNoise).interval.upper);
         let error = widest.step / 12f64.sqrt();
         let found = self
-            .finding(Kind::Quantised)
+            .finding(Kind::QUANTISED)
             .detail("axes", axes(is_coarse))
             .number("step", widest.step, self.unit.reading)
             .number("noise", widest.spread, self.unit.reading)
@@ -136,7 +136,7 @@ impl Of<'_> {
             false => "",
         };
         (outliers.count > 0).then(|| {
-            self.finding(Kind::Spikes)
+            self.finding(Kind::SPIKES)
                 .count("count", outliers.count)
                 .detail("axes", axes(|k| outliers.axes[k]))
                 .number("largest", outliers.largest, self.unit.reading)
@@ -162,7 +162,7 @@ impl Of<'_> {
             largest(|fit| fit.shortest_tau),
         );
         let mut found = self
-            .finding(Kind::NoiseModelMisses)
+            .finding(Kind::NOISE_MODEL_MISSES)
             .detail("axis", axes(|k| miss(k).is_some()));
         if missed.is_empty() {
             return None;
@@ -186,7 +186,7 @@ impl Of<'_> {
         if bridged > 0 {
             let share = bridged as f64 / samples as f64;
             let missing = self
-                .finding(Kind::NoiseSamplesMissing)
+                .finding(Kind::NOISE_SAMPLES_MISSING)
                 .count("bridged", bridged)
                 .count("samples", samples)
                 .number("share", share, "share");
@@ -199,7 +199,7 @@ impl Of<'_> {
             });
         }
         if self.curves.gaps > 0 {
-            let gaps = self.finding(Kind::NoiseGaps);
+            let gaps = self.finding(Kind::NOISE_GAPS);
             all.push(gaps.count("count", self.curves.gaps));
         }
         all
@@ -224,7 +224,7 @@ impl Of<'_> {
         let longest = longest_between(steps, whole);
         let beside = format!("{:.0},{:.0}", longest.from.ceil(), longest.to.floor());
         let found = self
-            .finding(Kind::MeanSteps)
+            .finding(Kind::MEAN_STEPS)
             .count("count", steps.len())
             .number("walk", (squares / whole.length()).sqrt(), self.unit.walk)
             .detail("listed", listed.join(", "))
@@ -248,7 +248,7 @@ impl Of<'_> {
             .take_while(is_half)
             .last();
         let found = self
-            .finding(Kind::MeanDrifts)
+            .finding(Kind::MEAN_DRIFTS)
             .number("change", drift.change, self.unit.reading)
             .number("time", drift.span.length(), "s");
         match tau {
@@ -266,10 +266,10 @@ impl Of<'_> {
                 true => " and more",
                 false => "",
             };
-            let found = self.finding(Kind::ReadingsHeld);
+            let found = self.finding(Kind::READINGS_HELD);
             return Some(found.detail("listed", listed.join(", ") + more));
         }
-        let slower = self.finding(Kind::RowsFasterThanSensor);
+        let slower = self.finding(Kind::ROWS_FASTER_THAN_SENSOR);
         (held.share > 0.0).then(|| slower.number("share", held.share, "share"))
     }
 }

@@ -64,19 +64,19 @@ impl Reason {
     /// The finding without its place.
     pub fn finding(&self) -> Finding {
         match self {
-            Self::Input(input) => Finding::of(Kind::OutputIsInput).detail("input", shown(input)),
-            Self::Twice => Finding::of(Kind::OutputTwice),
-            Self::Exists => Finding::of(Kind::OutputExists),
-            Self::Appeared => Finding::of(Kind::OutputAppeared),
-            Self::NoFile => Finding::of(Kind::OutputNoFile),
-            Self::Protected => Finding::of(Kind::OutputProtected),
-            Self::NamesFolder => Finding::of(Kind::OutputIsFolder),
-            Self::Nameless => Finding::of(Kind::OutputNameless),
-            Self::Dangling(aim) => Finding::of(Kind::OutputDangling).detail("aim", shown(aim)),
-            Self::Linked => Finding::of(Kind::OutputLinked),
-            Self::Held(process) => Finding::of(Kind::OutputHeld).detail("process", process),
-            Self::Folder(error) => Finding::of_system(Kind::FolderRefused, error),
-            Self::System(error) => Finding::of_system(Kind::Unwritable, error)
+            Self::Input(input) => Finding::of(Kind::OUTPUT_IS_INPUT).detail("input", shown(input)),
+            Self::Twice => Finding::of(Kind::OUTPUT_TWICE),
+            Self::Exists => Finding::of(Kind::OUTPUT_EXISTS),
+            Self::Appeared => Finding::of(Kind::OUTPUT_APPEARED),
+            Self::NoFile => Finding::of(Kind::OUTPUT_NO_FILE),
+            Self::Protected => Finding::of(Kind::OUTPUT_PROTECTED),
+            Self::NamesFolder => Finding::of(Kind::OUTPUT_IS_FOLDER),
+            Self::Nameless => Finding::of(Kind::OUTPUT_NAMELESS),
+            Self::Dangling(aim) => Finding::of(Kind::OUTPUT_DANGLING).detail("aim", shown(aim)),
+            Self::Linked => Finding::of(Kind::OUTPUT_LINKED),
+            Self::Held(process) => Finding::of(Kind::OUTPUT_HELD).detail("process", process),
+            Self::Folder(error) => Finding::of_system(Kind::FOLDER_REFUSED, error),
+            Self::System(error) => Finding::of_system(Kind::UNWRITABLE, error)
                 .remedy(Remedy::for_writing(error.kind())),
         }
     }

@@ -70,7 +70,7 @@ impl fmt::Display for Requirement {
 impl Requirement {
     /// The same as a finding: the reason of one that asks for more.
     pub fn finding(&self) -> Finding {
-        Finding::of(Kind::Requirement)
+        Finding::of(Kind::REQUIREMENT)
             .count("least", self.placements)
             .count("advised", self.advised)
             .number("rest", self.rest, "s")

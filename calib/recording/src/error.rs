@@ -76,11 +76,11 @@ impl Error {
             | Self::NotEnough(own)
             | Self::NotConverged(own) => (**own).clone(),
             Self::Parts { finding, .. } => (**finding).clone(),
-            Self::Io { path, source } => of_system(Kind::Unreadable, path, source),
-            Self::Output { path, source } => of_system(Kind::Unwritable, path, source),
-            Self::Cancelled => Finding::of(Kind::Cancelled),
+            Self::Io { path, source } => of_system(Kind::UNREADABLE, path, source),
+            Self::Output { path, source } => of_system(Kind::UNWRITABLE, path, source),
+            Self::Cancelled => Finding::of(Kind::CANCELLED),
             Self::Solver(refusal) => {
-                Finding::of(Kind::SolverRefused).detail("reason", refusal.to_string())
+                Finding::of(Kind::SOLVER_REFUSED).detail("reason", refusal.to_string())
             }
         }
     }

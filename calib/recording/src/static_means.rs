@@ -34,7 +34,7 @@ fn means(name: &str, text: &str) -> Result<Vec<Vector3<f64>>, Error> {
     let bytes: Vec<&[u8]> = lines.iter().map(|(_, line)| line.as_bytes()).collect();
     let dialect = Dialect::of(&bytes);
     let Some(&(first, header)) = lines.first() else {
-        return Err(at_line(name, 1, Finding::of(Kind::NoStaticMeans)));
+        return Err(at_line(name, 1, Finding::of(Kind::NO_STATIC_MEANS)));
     };
     let named = !is_row(header.as_bytes(), dialect);
     let columns = match named {
@@ -47,7 +47,7 @@ fn means(name: &str, text: &str) -> Result<Vec<Vector3<f64>>, Error> {
         return Err(at_line(
             name,
             first,
-            Finding::of(Kind::NoStaticMeans).detail("found", "header"),
+            Finding::of(Kind::NO_STATIC_MEANS).detail("found", "header"),
         ));
     }
     let mean = |(line, text): &(u64, &str)| mean(name, *line, text, dialect, columns);
@@ -62,7 +62,7 @@ fn by_names(names: &[String]) -> Result<[usize; 3], Box<Finding>> {
     };
     match [find(0), find(1), find(2)] {
         [Some(x), Some(y), Some(z)] => Ok([x, y, z]),
-        _ => Err(Finding::of(Kind::StaticMeansColumns)
+        _ => Err(Finding::of(Kind::STATIC_MEANS_COLUMNS)
             .detail("columns", shown_list(names.iter()))
             .into()),
     }
@@ -71,7 +71,7 @@ fn by_names(names: &[String]) -> Result<[usize; 3], Box<Finding>> {
 fn by_order(width: usize) -> Result<[usize; 3], Box<Finding>> {
     match width {
         3 => Ok([0, 1, 2]),
-        _ => Err(Finding::of(Kind::StaticMeansWidth)
+        _ => Err(Finding::of(Kind::STATIC_MEANS_WIDTH)
             .count("width", width)
             .into()),
     }
@@ -88,7 +88,7 @@ fn mean(
     let mut mean = Vector3::zeros();
     for (axis, column) in columns.into_iter().enumerate() {
         let Some(cell) = cells.get(column).cloned() else {
-            let short = Finding::of(Kind::RowShort)
+            let short = Finding::of(Kind::ROW_SHORT)
                 .count("found", cells.len())
                 .count("column", column + 1);
             return Err(at_line(name, line, short));
@@ -96,7 +96,7 @@ fn mean(
         let content = &text.as_bytes()[cell.clone()];
         let read = number::parse(content, dialect.decimal_comma, &mut Dialects::default());
         mean[axis] = read.map_err(|_| {
-            let found = Finding::of(Kind::NumberExpected)
+            let found = Finding::of(Kind::NUMBER_EXPECTED)
                 .detail("cell", shown_cell(content))
                 .count("column", column + 1);
             at_column(name, line, cell.start + 1, found)

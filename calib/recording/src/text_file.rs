@@ -21,19 +21,25 @@ const LARGEST: u64 = 64 << 20;
 /// UTF-8, with the place.
 pub fn read_text(path: &Path) -> Result<String, Error> {
     if path.is_dir() {
-        return Err(in_file(&shown_path(path), Finding::of(Kind::FolderAsFile)));
+        return Err(in_file(
+            &shown_path(path),
+            Finding::of(Kind::FOLDER_AS_FILE),
+        ));
     }
     let file = File::open(path).map_err(|error| explained(path, error))?;
     let mut bytes = Vec::new();
     let read = file.take(LARGEST + 1).read_to_end(&mut bytes);
     read.map_err(|error| explained(path, error))?;
     if bytes.len() as u64 > LARGEST {
-        return Err(in_file(&shown_path(path), Finding::of(Kind::TextTooLarge)));
+        return Err(in_file(
+            &shown_path(path),
+            Finding::of(Kind::TEXT_TOO_LARGE),
+        ));
     }
     String::from_utf8(bytes).map_err(|error| {
         let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = 1 + memchr::memchr_iter(b'\n', before).count();
-        at_line(&shown_path(path), line as u64, Finding::of(Kind::NotUtf8))
+        at_line(&shown_path(path), line as u64, Finding::of(Kind::NOT_UTF8))
     })
 }
 

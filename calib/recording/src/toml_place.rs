@@ -28,7 +28,7 @@ pub fn at_key(found: Finding, file: &str, text: &str, key: &str) -> Finding {
 /// The parser's refusal of the text of a file, with the nearest of the names it lists.
 pub fn not_toml(file: &str, text: &str, error: &toml::de::Error) -> Finding {
     let line = in_one_line(error.message());
-    let found = Finding::of(Kind::NotToml).detail("reason", shortened(&line));
+    let found = Finding::of(Kind::NOT_TOML).detail("reason", shortened(&line));
     let found = match nearest(&line) {
         Some(remedy) => found.remedy(remedy),
         None => found,

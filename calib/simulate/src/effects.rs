@@ -40,7 +40,7 @@ pub(crate) fn draw_device(
     match device.is_regular() {
         true => Ok(device),
         false => Err(Error::usage(
-            Finding::of(Kind::MatrixSingular)
+            Finding::of(Kind::MATRIX_SINGULAR)
                 .of_sensor(sensor)
                 .detail("key", format!("parameters.{}.T", sensor.prefix())),
         )),

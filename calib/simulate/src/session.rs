@@ -54,7 +54,8 @@ impl Simulation {
                 .unwrap_or(self.spec().rate);
             let samples = self.duration() * rate;
             if samples > MOST_SAMPLES {
-                let found = Finding::of(Kind::TooLongForMemory).number("samples", samples, "count");
+                let found =
+                    Finding::of(Kind::TOO_LONG_FOR_MEMORY).number("samples", samples, "count");
                 return Err(Error::usage(found.of_sensor(sensor)));
             }
         }

@@ -75,7 +75,7 @@ impl Motion {
             .max_by(|a, b| a.span.length().total_cmp(&b.span.length()));
         longest.copied().ok_or_else(|| {
             Error::not_enough(
-                Finding::of(Kind::MotionMissing)
+                Finding::of(Kind::MOTION_MISSING)
                     .in_recording(&recording.name)
                     .number("rest", DETECTOR.min_static, "s"),
             )
@@ -103,7 +103,7 @@ impl Motion {
         };
         if !(span.length() > 0.0 && before.lasts(SHORTEST_REST) && span.from < end) {
             return Err(Error::usage(
-                Finding::of(Kind::MotionOutside)
+                Finding::of(Kind::MOTION_OUTSIDE)
                     .in_recording(&recording.name)
                     .number("from", span.from, "s")
                     .number("to", span.to, "s")

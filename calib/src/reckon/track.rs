@@ -81,7 +81,7 @@ pub fn reckon(
     let samples = force.between(motion.span.from, motion.span.to);
     if samples.len() < 2 {
         return Err(Error::not_enough(
-            Finding::of(Kind::SamplesTooFew)
+            Finding::of(Kind::SAMPLES_TOO_FEW)
                 .in_recording(&corrected.name)
                 .of_sensor(Sensor::Accelerometer)
                 .count("count", samples.len())
@@ -133,7 +133,7 @@ pub fn reckon(
 fn stream(recording: &Recording, sensor: Sensor) -> Result<&Stream, Error> {
     recording.stream(sensor).ok_or_else(|| {
         Error::not_enough(
-            Finding::of(Kind::SensorNotRecorded)
+            Finding::of(Kind::SENSOR_NOT_RECORDED)
                 .in_recording(&recording.name)
                 .of_sensor(sensor),
         )
@@ -144,7 +144,7 @@ fn stream(recording: &Recording, sensor: Sensor) -> Result<&Stream, Error> {
 fn resting(recording: &Recording, stream: &Stream, span: Span) -> Result<Vector3<f64>, Error> {
     mean(stream, span).ok_or_else(|| {
         Error::not_enough(
-            Finding::of(Kind::NoSamplesAtRest)
+            Finding::of(Kind::NO_SAMPLES_AT_REST)
                 .in_recording(&recording.name)
                 .between(span.from, span.to),
         )

@@ -77,7 +77,7 @@ fn counts_in_file(recording: &Recording) -> impl Iterator<Item = String> + '_ {
     let sensors = recording.description.sensors.iter();
     let stated = sensors.filter(|own| own.unit == "counts" && own.unit_by == UnitBy::File);
     stated.map(|own| {
-        let found = Finding::of(Kind::ReadAsCounts).in_recording(&recording.name);
+        let found = Finding::of(Kind::READ_AS_COUNTS).in_recording(&recording.name);
         found.of_sensor(own.sensor).text(Front::CommandLine)
     })
 }

@@ -154,7 +154,7 @@ impl<'a> Facts<'a> {
         let least = plan::REQUIREMENT.placements;
         let command = match &recording.accelerometer {
             None if recording.is_magnetometer_only() => {
-                let alone = ::findings::Finding::of(::findings::Kind::MagnetometerAlone);
+                let alone = ::findings::Finding::of(::findings::Kind::MAGNETOMETER_ALONE);
                 format!("none: {}", alone.text(Front::CommandLine))
             }
             Some(_) if rests < least => format!(

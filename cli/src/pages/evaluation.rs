@@ -236,7 +236,7 @@ pub fn judged(
         return (Level::Care, sentence, next.into_iter().collect());
     }
     let mut own = doubts.get(best).into_iter().flatten();
-    let has_moved = own.any(|found| found.kind == Kind::RateAtRestOff);
+    let has_moved = own.any(|found| found.kind == Kind::RATE_AT_REST_OFF);
     let mut rests = segmentation.statics.iter();
     let can_renew =
         norm(e.static_rate) > FAR_FROM_ZERO && rests.any(|rest| rest.span.length() > LONG_ENOUGH);
@@ -263,12 +263,12 @@ pub fn doubted(doubts: &[Finding]) -> Option<(&'static str, Option<String>)> {
     let found = doubts.iter().find(|found| {
         matches!(
             found.kind,
-            Kind::DirectionOff | Kind::FieldOff | Kind::NormGrown | Kind::NormOff
+            Kind::DIRECTION_OFF | Kind::FIELD_OFF | Kind::NORM_GROWN | Kind::NORM_OFF
         )
     })?;
     let why = match found.kind {
-        Kind::FieldOff => "The corrected magnetic field is another in each placement.",
-        Kind::NormGrown => "In its own recordings it left far less: the sensor has changed since.",
+        Kind::FIELD_OFF => "The corrected magnetic field is another in each placement.",
+        Kind::NORM_GROWN => "In its own recordings it left far less: the sensor has changed since.",
         _ => "The recording may be of another device.",
     };
     let advice = found.advice(Front::CommandLine);

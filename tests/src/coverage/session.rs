@@ -267,9 +267,9 @@ fn named(fit: &JointFit, session: &Session) -> Vec<String> {
         .iter()
         .map(|a| {
             let kind = match a.fault.kind {
-                Kind::Creep | Kind::Settling | Kind::MountSlip => "slip",
-                Kind::RateExcursion => "excursion",
-                Kind::TurnMissed => "turn",
+                Kind::CREEP | Kind::SETTLING | Kind::MOUNT_SLIP => "slip",
+                Kind::RATE_EXCURSION => "excursion",
+                Kind::TURN_MISSED => "turn",
                 _ => "touch",
             };
             format!("{kind} {}", before(0.5 * (a.span.from + a.span.to)))

@@ -114,9 +114,9 @@ fn scale_factors_that_differ_by_little_are_said_and_no_effect_is_blamed_for_it()
         let fit = fitted(&recordings(&all), device.gravity).unwrap();
         let warnings = &fit.calibration.warnings;
         let is = |kinds: &[Kind]| warnings.iter().any(|found| kinds.contains(&found.kind));
-        let differ = is(&[Kind::RecordingsDiffer]);
+        let differ = is(&[Kind::RECORDINGS_DIFFER]);
         said += usize::from(differ);
-        assert!(!(differ && is(&[Kind::EffectMissing])), "{seed}");
+        assert!(!(differ && is(&[Kind::EFFECT_MISSING])), "{seed}");
     }
     assert!(said >= 3, "{said}");
 }
@@ -132,7 +132,7 @@ fn a_scale_factor_that_differs_between_two_recordings_is_said_and_within_the_sta
             .unwrap()
             .calibration;
         assert!(
-            calibration.warnings.has(Kind::RecordingsDiffer),
+            calibration.warnings.has(Kind::RECORDINGS_DIFFER),
             "{parameter}"
         );
         let (triad, place) = match parameter {
@@ -372,7 +372,7 @@ fn a_bias_that_steps_in_a_recording_for_the_gyroscope_alone_is_said_to_step_ther
         };
         let outcome = calibrate(&[&still], &[&turns], &request).unwrap();
         let mut all = outcome.calibration.warnings.iter();
-        let stepped = all.find(|found| found.kind == Kind::BiasStep);
+        let stepped = all.find(|found| found.kind == Kind::BIAS_STEP);
         let place = stepped.and_then(|found| found.place.recording.clone());
         assert_eq!(place.as_deref(), Some("turns"), "{method:?}");
     }

@@ -8,13 +8,13 @@ use findings::{Findings, Kind};
 use nalgebra::Vector3;
 
 const KINDS: [Kind; 7] = [
-    Kind::RecordingsDiffer,
-    Kind::PartsDiffer,
-    Kind::LinearityUntested,
-    Kind::CutTowardsZero,
-    Kind::SettlesAfterTurns,
-    Kind::BiasMoved,
-    Kind::TurnsTooFast,
+    Kind::RECORDINGS_DIFFER,
+    Kind::PARTS_DIFFER,
+    Kind::LINEARITY_UNTESTED,
+    Kind::CUT_TOWARDS_ZERO,
+    Kind::SETTLES_AFTER_TURNS,
+    Kind::BIAS_MOVED,
+    Kind::TURNS_TOO_FAST,
 ];
 
 fn said(recordings: &[Recording], spec: &Spec) -> Findings {
@@ -59,7 +59,7 @@ fn six_faces(seed: u64) -> Spec {
 #[test]
 fn faces_alone_do_not_show_a_cubic_accelerometer_and_all_directions_do() {
     let faces = six_faces(3).with_effect("accel_cubic", 1.0);
-    assert!(said(&[of(&faces)], &faces).has(Kind::LinearityUntested));
+    assert!(said(&[of(&faces)], &faces).has(Kind::LINEARITY_UNTESTED));
     let around = Spec::hand_held(3);
     assert!(said(&[of(&around)], &around).is_empty());
 }
@@ -78,7 +78,7 @@ fn said_by_a_search(recording: Recording, spec: &Spec) -> (Findings, Vec<String>
 fn a_search_says_too_that_faces_alone_do_not_show_a_cubic_accelerometer() {
     let faces = six_faces(3).with_effect("accel_cubic", 1.0);
     let (said, _) = said_by_a_search(of(&faces), &faces);
-    assert!(said.has(Kind::LinearityUntested));
+    assert!(said.has(Kind::LINEARITY_UNTESTED));
     let around = Spec::hand_held(3);
     assert!(said_by_a_search(of(&around), &around).0.is_empty());
 }
@@ -95,7 +95,7 @@ fn in_steps(mut recording: Recording, step: f64, round: fn(f64) -> f64) -> Recor
 fn readings_cut_off_towards_zero_are_told_from_rounded_ones() {
     let spec = Spec::hand_held(5);
     let cut = in_steps(of(&spec), 0.02, f64::trunc);
-    assert!(said(&[cut], &spec).has(Kind::CutTowardsZero));
+    assert!(said(&[cut], &spec).has(Kind::CUT_TOWARDS_ZERO));
     let rounded = in_steps(of(&spec), 0.02, f64::round);
     assert!(said(&[rounded], &spec).is_empty());
 }
@@ -104,7 +104,7 @@ fn readings_cut_off_towards_zero_are_told_from_rounded_ones() {
 fn the_turns_tell_what_a_step_of_the_noise_at_rest_cuts_off() {
     let spec = Spec::hand_held(6);
     let cut = in_steps(of(&spec), 0.005, f64::trunc);
-    assert!(said(&[cut], &spec).has(Kind::CutTowardsZero));
+    assert!(said(&[cut], &spec).has(Kind::CUT_TOWARDS_ZERO));
     let rounded = in_steps(of(&spec), 0.005, f64::round);
     assert!(said(&[rounded], &spec).is_empty());
 }
@@ -114,7 +114,7 @@ fn a_search_names_no_effect_of_readings_that_are_cut_off_towards_zero() {
     let spec = Spec::hand_held(5);
     let cut = in_steps(of(&spec), 0.02, f64::trunc);
     let (said, names) = said_by_a_search(cut, &spec);
-    assert!(said.has(Kind::CutTowardsZero));
+    assert!(said.has(Kind::CUT_TOWARDS_ZERO));
     assert!(names.is_empty(), "{names:?}");
 }
 
@@ -161,7 +161,7 @@ fn a_second_device_in_the_second_half_of_a_recording_is_said() {
     };
     let [own, other] = [device(7, 1.0), device(8, 1.003)];
     let glued = one_behind_the_other(of(&own), &of(&other));
-    assert!(said(&[glued], &own).has(Kind::PartsDiffer));
+    assert!(said(&[glued], &own).has(Kind::PARTS_DIFFER));
     let same = one_behind_the_other(of(&own), &of(&device(8, 1.0)));
     assert!(said(&[same], &own).is_empty());
 }
@@ -189,7 +189,7 @@ fn readings_that_settle_after_each_turn_are_said_and_counted_in_the_standard_err
         };
         let calibration = calibrate(&[recording], &[], &request).unwrap().calibration;
         let triad = calibration.accelerometer.unwrap();
-        let says = calibration.warnings.has(Kind::SettlesAfterTurns);
+        let says = calibration.warnings.has(Kind::SETTLES_AFTER_TURNS);
         (triad.t[2][2], triad.t_std[2][2].unwrap(), says)
     };
     let (right, usual, says) = scale_error(of(&spec));
@@ -229,7 +229,7 @@ fn a_search_says_too_that_turns_are_too_fast() {
     if let Motion::HandHeld(motion) = &mut spec.motion {
         motion.turn = [0.8, 1.2];
     }
-    assert!(said(&[of(&spec)], &spec).has(Kind::TurnsTooFast));
+    assert!(said(&[of(&spec)], &spec).has(Kind::TURNS_TOO_FAST));
     let (said, _) = said_by_a_search(of(&spec), &spec);
-    assert!(said.has(Kind::TurnsTooFast));
+    assert!(said.has(Kind::TURNS_TOO_FAST));
 }

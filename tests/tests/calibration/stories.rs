@@ -253,7 +253,7 @@ fn placements_in_one_plane_are_refused_with_the_parameter_that_is_not_known() {
             Err(other) => panic!("{other}"),
             Ok(outcome) => {
                 let warnings = outcome.calibration.warnings;
-                let kinds = [Kind::PlacementsMissing, Kind::WeakParameter];
+                let kinds = [Kind::PLACEMENTS_MISSING, Kind::WEAK_PARAMETER];
                 let said = warnings.iter().filter(|own| kinds.contains(&own.kind));
                 let mut texts = said.map(|own| own.text(findings::Front::CommandLine));
                 assert!(

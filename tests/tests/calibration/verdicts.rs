@@ -59,7 +59,7 @@ fn cases() -> Vec<Case> {
         Case {
             name: "clean, gravity not given",
             knows_gravity: false,
-            reasons: &[Kind::GravityAssumed],
+            reasons: &[Kind::GRAVITY_ASSUMED],
             step: is_setting,
             ..clean()
         },
@@ -67,7 +67,7 @@ fn cases() -> Vec<Case> {
             name: "g-sensitivity",
             prepare: |spec| hidden(spec, "gyro_g_sensitivity"),
             level: Grade::Care,
-            reasons: &[Kind::Misfit],
+            reasons: &[Kind::MISFIT],
             step: |remedy| *remedy == Remedy::Discover,
             ..clean()
         },
@@ -75,7 +75,7 @@ fn cases() -> Vec<Case> {
             name: "accelerometer's square",
             prepare: |spec| hidden(spec, "accel_quadratic"),
             level: Grade::Care,
-            reasons: &[Kind::Misfit, Kind::EffectMissing],
+            reasons: &[Kind::MISFIT, Kind::EFFECT_MISSING],
             step: |remedy| *remedy == Remedy::Discover,
             ..clean()
         },
@@ -84,7 +84,7 @@ fn cases() -> Vec<Case> {
             prepare: |spec| hidden(spec, "accel_quadratic"),
             knows_gravity: false,
             level: Grade::Care,
-            reasons: &[Kind::Misfit, Kind::EffectMissing],
+            reasons: &[Kind::MISFIT, Kind::EFFECT_MISSING],
             step: |remedy| *remedy == Remedy::Discover,
             ..clean()
         },
@@ -97,7 +97,7 @@ fn cases() -> Vec<Case> {
                     .for_each(|w| *w *= 57.3)
             },
             level: Grade::Care,
-            reasons: &[Kind::ReadingsInDegrees],
+            reasons: &[Kind::READINGS_IN_DEGREES],
             step: is_setting,
             ..clean()
         },
@@ -110,7 +110,7 @@ fn cases() -> Vec<Case> {
                     .for_each(|f| f.x *= 0.5)
             },
             level: Grade::Bad,
-            reasons: &[Kind::AxisUnit],
+            reasons: &[Kind::AXIS_UNIT],
             step: is_setting,
             ..clean()
         },
@@ -123,7 +123,7 @@ fn cases() -> Vec<Case> {
                     .for_each(|f| f.x *= 1.1)
             },
             level: Grade::Care,
-            reasons: &[Kind::AxisApart],
+            reasons: &[Kind::AXIS_APART],
             step: is_setting,
             ..clean()
         },
@@ -136,7 +136,7 @@ fn cases() -> Vec<Case> {
                     .for_each(|w| w.y = -w.y)
             },
             level: Grade::Bad,
-            reasons: &[Kind::LeftHanded],
+            reasons: &[Kind::LEFT_HANDED],
             step: is_setting,
             ..clean()
         },
@@ -151,7 +151,7 @@ fn cases() -> Vec<Case> {
                     .for_each(|t| *t *= 2.0);
             },
             level: Grade::Bad,
-            reasons: &[Kind::GyroscopeScaleOff],
+            reasons: &[Kind::GYROSCOPE_SCALE_OFF],
             step: is_setting,
             ..clean()
         },
@@ -163,7 +163,7 @@ fn cases() -> Vec<Case> {
                     .for_each(|s| second_half(s, |f| *f *= 1.05))
             },
             level: Grade::Care,
-            reasons: &[Kind::ScaleChange],
+            reasons: &[Kind::SCALE_CHANGE],
             step: |remedy| matches!(remedy, Remedy::Split | Remedy::RecordAgain),
             ..clean()
         },
@@ -175,7 +175,7 @@ fn cases() -> Vec<Case> {
                     .for_each(|s| second_half(s, |w| w.z += 0.02))
             },
             level: Grade::Care,
-            reasons: &[Kind::BiasStep, Kind::Misfit],
+            reasons: &[Kind::BIAS_STEP, Kind::MISFIT],
             step: |remedy| {
                 matches!(
                     remedy,
@@ -193,7 +193,7 @@ fn cases() -> Vec<Case> {
             },
             knows_gravity: false,
             level: Grade::Care,
-            reasons: &[Kind::ScaleChange],
+            reasons: &[Kind::SCALE_CHANGE],
             step: |remedy| matches!(remedy, Remedy::Split | Remedy::RecordAgain),
             ..clean()
         },
@@ -202,7 +202,7 @@ fn cases() -> Vec<Case> {
             method: Method::Joint,
             prepare: |spec| *spec = spec.clone().with_effect("gyro_drift", 60.0),
             level: Grade::Care,
-            reasons: &[Kind::BiasMoved],
+            reasons: &[Kind::BIAS_MOVED],
             step: |remedy| *remedy == Remedy::Discover,
             ..clean()
         },
@@ -211,7 +211,7 @@ fn cases() -> Vec<Case> {
             method: Method::Joint,
             damage: pause,
             level: Grade::Care,
-            reasons: &[Kind::TurnMissed],
+            reasons: &[Kind::TURN_MISSED],
             step: |remedy| *remedy == Remedy::RecordAgain,
             ..clean()
         },
@@ -220,7 +220,7 @@ fn cases() -> Vec<Case> {
             method: Method::Joint,
             damage: |r| r.gyroscope.iter_mut().for_each(dead),
             level: Grade::Bad,
-            reasons: &[Kind::AxisOnlyNoise],
+            reasons: &[Kind::AXIS_ONLY_NOISE],
             step: any_step,
             ..clean()
         },
@@ -229,7 +229,7 @@ fn cases() -> Vec<Case> {
             method: Method::Joint,
             damage: another,
             level: Grade::Care,
-            reasons: &[Kind::OfAnotherAccelerometer],
+            reasons: &[Kind::OF_ANOTHER_ACCELEROMETER],
             step: any_step,
             ..clean()
         },

@@ -117,7 +117,7 @@ fn a_latitude_of_the_wrong_sign_is_noticed() {
         };
         let outcome = calibrate(std::slice::from_ref(&session.recording), &[], &request).unwrap();
         let warnings = outcome.calibration.warnings;
-        warnings.has(findings::Kind::LatitudeDoubtful)
+        warnings.has(findings::Kind::LATITUDE_DOUBTFUL)
     };
     assert!(doubts(-60.0) && !doubts(60.0));
 }

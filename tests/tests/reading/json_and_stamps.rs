@@ -249,7 +249,7 @@ fn stamps_of_1024_ticks_in_a_second_are_a_doubt_of_the_calibration() {
         let outcome = calibrate(&[read.unwrap()], &[], &Request::default()).unwrap();
         outcome.calibration.findings()
     };
-    let kind = findings::Kind::ClockOfTicks;
+    let kind = findings::Kind::CLOCK_OF_TICKS;
     let found = of(1024.0);
     let doubt = found.iter().find(|own| own.kind == kind).unwrap();
     let words = doubt.text(findings::Front::CommandLine);

@@ -120,7 +120,7 @@ fn the_corrected_topic_of_px4_logs_is_read_with_the_corrections_taken_off() {
     };
     assert!(
         told("the log lost samples 4 times")
-            && recording.warnings.has(findings::Kind::CorrectedBySystem),
+            && recording.warnings.has(findings::Kind::CORRECTED_BY_SYSTEM),
         "{:?}",
         recording.warnings
     );
@@ -150,6 +150,6 @@ fn an_ardupilot_log_says_what_it_holds() {
         "{}",
         accel.values[0]
     );
-    let told = recording.warnings.has(findings::Kind::CorrectedBySystem);
+    let told = recording.warnings.has(findings::Kind::CORRECTED_BY_SYSTEM);
     assert!(told, "{:?}", recording.warnings);
 }

@@ -119,7 +119,7 @@ fn device(entry: Map<String, Value>, folder: &Path) -> Result<Device, Box<Findin
     };
     if let Some(key) = entry.keys().find(|key| !known().any(|k| k == *key)) {
         let near = known().min_by_key(|k| strsim::damerau_levenshtein(key, k));
-        let found = Finding::of(Kind::ColumnUnknown).detail("column", shown(key));
+        let found = Finding::of(Kind::COLUMN_UNKNOWN).detail("column", shown(key));
         let found = found.detail("nearest", *near.as_ref().unwrap_or(&""));
         let known: Vec<&str> = known().collect();
         return Err(found.detail("known", known.join(", ")).into());
@@ -154,7 +154,7 @@ fn device(entry: Map<String, Value>, folder: &Path) -> Result<Device, Box<Findin
     };
     let inputs = list("inputs")?.unwrap_or_default();
     let Some(first) = inputs.first().cloned() else {
-        return Err(Finding::of(Kind::InputsMissing).into());
+        return Err(Finding::of(Kind::INPUTS_MISSING).into());
     };
     let inputs: Vec<PathBuf> = inputs.iter().map(|path| folder.join(path)).collect();
     Ok(Device {
@@ -180,13 +180,13 @@ fn device(entry: Map<String, Value>, folder: &Path) -> Result<Device, Box<Findin
 
 /// A line that is none of its format.
 fn damaged(reason: String) -> Box<Finding> {
-    let found = Finding::of(Kind::ManifestDamaged);
+    let found = Finding::of(Kind::MANIFEST_DAMAGED);
     found.detail("reason", reason).into()
 }
 
 /// A cell that holds something else.
 fn unexpected(column: &str, found: &str, expected: &str) -> Box<Finding> {
-    Finding::of(Kind::CellUnexpected)
+    Finding::of(Kind::CELL_UNEXPECTED)
         .detail("column", column)
         .detail("found", shown(found))
         .detail("expected", expected)

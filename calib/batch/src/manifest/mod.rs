@@ -40,12 +40,12 @@ impl Manifest {
         let mut names: Vec<&str> = devices.iter().map(|d: &Device| d.id.as_str()).collect();
         names.sort_unstable();
         if let Some(twice) = names.windows(2).find(|pair| pair[0] == pair[1]) {
-            let found = Finding::of(Kind::DeviceTwice).detail("device", shown(twice[0]));
+            let found = Finding::of(Kind::DEVICE_TWICE).detail("device", shown(twice[0]));
             return Err(Error::Manifest(found.into()));
         }
         if devices.is_empty() {
             let names: Vec<_> = paths.iter().map(|p| shown_path(p)).collect();
-            let found = Finding::of(Kind::NoDevice).in_file(names.join(", "));
+            let found = Finding::of(Kind::NO_DEVICE).in_file(names.join(", "));
             return Err(Error::Manifest(found.into()));
         }
         Ok(Self { devices })

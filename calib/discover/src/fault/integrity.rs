@@ -102,11 +102,11 @@ impl Integrity {
     pub(crate) fn spoils(&self) -> bool {
         matches!(
             self.finding.kind,
-            Kind::Quantised
-                | Kind::CutTowardsZero
-                | Kind::DeadZone
-                | Kind::Rezeroed
-                | Kind::ClockOffset
+            Kind::QUANTISED
+                | Kind::CUT_TOWARDS_ZERO
+                | Kind::DEAD_ZONE
+                | Kind::REZEROED
+                | Kind::CLOCK_OFFSET
         ) || is_read_otherwise(&self.finding)
     }
 }
@@ -189,7 +189,7 @@ fn lost_together(fault: &mut Integrity, other: &Integrity) {
 }
 
 fn samples_missing(which: &str, length: f64) -> Finding {
-    Finding::of(Kind::SamplesMissing)
+    Finding::of(Kind::SAMPLES_MISSING)
         .detail("which", which)
         .number("length", length, "s")
 }
@@ -244,7 +244,7 @@ impl Looked<'_> {
         turns
             .chain(rests)
             .map(|(k, span, count)| {
-                let found = Finding::of(Kind::RangeReached)
+                let found = Finding::of(Kind::RANGE_REACHED)
                     .of_sensor(self.sensor)
                     .count("count", count);
                 self.found("saturation", Some(k + 1), span, found)
@@ -267,7 +267,7 @@ impl Looked<'_> {
         let axis = (0..3).find(|&i| noise.step[i] > COARSE.get() * noise.white[i])?;
         let unit = self.sensor.unit();
         let error = noise.step[axis] / 12f64.sqrt();
-        let found = Finding::of(Kind::Quantised)
+        let found = Finding::of(Kind::QUANTISED)
             .of_sensor(self.sensor)
             .detail("axes", ["x", "y", "z"][axis])
             .number("step", noise.step[axis], unit)

@@ -20,13 +20,13 @@ pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<In
     // A rate that is off in an interval is off up to the turns beside it, which see it as a creep.
     let is_excursion = |of: &Flagged| {
         let all = state.fit.flagged.iter();
-        let mut excursions = all.filter(|a| a.fault.kind == Kind::RateExcursion);
+        let mut excursions = all.filter(|a| a.fault.kind == Kind::RATE_EXCURSION);
         excursions.any(|a| (a.recording, a.interval) == (of.recording, of.interval))
     };
     found
         // An interval within which a bias stepped is no fault of the recording.
         .filter(|(flagged, _)| flagged.reason == Reason::Disturbed)
-        .filter(|(flagged, _)| flagged.fault.kind != Kind::Creep || !is_excursion(flagged))
+        .filter(|(flagged, _)| flagged.fault.kind != Kind::CREEP || !is_excursion(flagged))
         .map(|(flagged, (known, size))| {
             let or = either.iter().find(|either| either.known == known);
             let recording = &state.fit.data.sources[flagged.recording].name;
@@ -40,7 +40,7 @@ pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<In
             let (size, unit) = (fault.size(size, flagged.span), fault.unit);
             let is_of_a_turn = fault.scope == Scope::Turn;
             let (name, kind) = match fault == &OUTLYING_TURN && lost {
-                true => ("lost_samples", Kind::TurnWithoutSamples),
+                true => ("lost_samples", Kind::TURN_WITHOUT_SAMPLES),
                 false => (fault.name, fault.kind),
             };
             let found = Finding::of(kind)
@@ -83,7 +83,7 @@ pub fn undersampled(state: &State) -> Vec<Integrity> {
         let last = spans.max_by(|a, b| a.to.total_cmp(&b.to))?;
         let [low, high] = found.share.between;
         let recording = &state.fit.data.sources[found.recording].name;
-        let finding = Finding::of(Kind::UndersampledMotion)
+        let finding = Finding::of(Kind::UNDERSAMPLED_MOTION)
             .in_recording(recording)
             .between(first.from, last.to)
             .number("share", found.share.value, "share")

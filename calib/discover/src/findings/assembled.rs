@@ -52,10 +52,10 @@ impl Found {
         let inputs = session.originals.iter().copied().zip(cut);
         calibration.state_inputs(inputs, None);
         let mut said = of_discovery(&effects, &faults, rest.as_ref());
-        if calibration.warnings.has(Kind::RestsTurn) {
+        if calibration.warnings.has(Kind::RESTS_TURN) {
             // What remains is that motion, which is said first.
             let remains =
-                |f: &&mut Finding| matches!(f.kind, Kind::MoreScatter | Kind::DriftAtRest);
+                |f: &&mut Finding| matches!(f.kind, Kind::MORE_SCATTER | Kind::DRIFT_AT_REST);
             let remainder = said.iter_mut().filter(remains);
             remainder.for_each(|found| found.consequence.clear());
         }
@@ -92,11 +92,11 @@ impl Found {
 /// Kinds of errors that no hand-held recording shows: a free parameter takes each up.
 fn never_visible() -> ::findings::Findings {
     let kinds = [
-        Kind::GravityNeverSeen,
-        Kind::ClockNeverSeen,
-        Kind::DistanceNeverSeen,
-        Kind::DelayNeverSeen,
-        Kind::EarthNeverSeen,
+        Kind::GRAVITY_NEVER_SEEN,
+        Kind::CLOCK_NEVER_SEEN,
+        Kind::DISTANCE_NEVER_SEEN,
+        Kind::DELAY_NEVER_SEEN,
+        Kind::EARTH_NEVER_SEEN,
     ];
     kinds.map(Finding::of).to_vec().into()
 }

@@ -138,7 +138,7 @@ fn late_apart(state: &State, session: &Session<'_>) -> Vec<Integrity> {
         })?;
         let way = if own.delay < 0.0 { "early" } else { "late" };
         let recording = &data.sources[*recording].name;
-        let finding = Finding::of(Kind::StampsApart)
+        let finding = Finding::of(Kind::STAMPS_APART)
             .in_recording(recording)
             .number("size", own.delay.abs(), "s")
             .number("error", own.std, "s")

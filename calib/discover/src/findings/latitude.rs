@@ -78,7 +78,7 @@ mod tests {
         let found = found(&spec, -50.0);
         assert_eq!(found.effects, []);
         let mut said = found.calibration.warnings.iter();
-        let said = said.find(|w| w.kind == Kind::LatitudeDoubtful).unwrap();
+        let said = said.find(|w| w.kind == Kind::LATITUDE_DOUBTFUL).unwrap();
         assert_eq!(said.value("given"), Some(-50.0));
         assert!((said.value("seen").unwrap() - 50.0).abs() < 10.0);
     }
@@ -116,6 +116,6 @@ mod tests {
         spec.latitude = Some(50.0);
         let found = found(&spec, 50.0);
         assert!(found.effects.iter().any(|e| e.name == "gyro_g_sensitivity"));
-        assert!(!found.calibration.warnings.has(Kind::LatitudeDoubtful));
+        assert!(!found.calibration.warnings.has(Kind::LATITUDE_DOUBTFUL));
     }
 }

@@ -10,7 +10,7 @@ use crate::search::Search;
 
 /// The finding of a rotation that the earth or a field of the room may make.
 fn of_a_room() -> Finding {
-    Finding::of(Kind::RoomOrEarth).of_sensor(Sensor::Gyroscope)
+    Finding::of(Kind::ROOM_OR_EARTH).of_sensor(Sensor::Gyroscope)
 }
 
 /// Describes a rotation that may be either in place of naming it: the model has it, and what is named beside it stays. Whether there

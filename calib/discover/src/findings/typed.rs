@@ -36,7 +36,7 @@ fn named(effects: &[EffectFinding]) -> Option<Finding> {
         [] | [_] => names.join(""),
         [first @ .., last] => format!("{} and {last}", first.join(", ")),
     };
-    let found = Finding::of(Kind::EffectNamed)
+    let found = Finding::of(Kind::EFFECT_NAMED)
         .count("count", effects.len())
         .detail("names", names);
     Some(affecting(found, widest.channel, widest.rms_before))
@@ -67,5 +67,5 @@ fn affecting(found: Finding, channel: Channel, rms: Option<f64>) -> Finding {
 /// Returns true if the fit itself, or a look at the readings, reports a finding of this kind.
 fn is_of_the_fit(kind: Kind) -> bool {
     let is_of_a_place = FAULTS.iter().any(|fault| fault.kind == kind);
-    is_of_a_place || matches!(kind, Kind::Quantised | Kind::DeadZone | Kind::Rezeroed)
+    is_of_a_place || matches!(kind, Kind::QUANTISED | Kind::DEAD_ZONE | Kind::REZEROED)
 }

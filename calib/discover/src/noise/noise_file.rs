@@ -46,11 +46,11 @@ pub fn noise_in(path: &Path) -> Result<GivenNoise, Error> {
     ];
     for (place, (sensor, noise)) in sensors.into_iter().enumerate() {
         let of = |kind| in_file(Finding::of(kind)).of_sensor(sensor);
-        let noise = noise.ok_or_else(|| Error::input(of(Kind::NoiseOfOneSensor)))?;
+        let noise = noise.ok_or_else(|| Error::input(of(Kind::NOISE_OF_ONE_SENSOR)))?;
         let walk = noise.random_walk();
-        let walk = walk.ok_or_else(|| Error::input(of(Kind::WalkUnbounded)))?;
+        let walk = walk.ok_or_else(|| Error::input(of(Kind::WALK_UNBOUNDED)))?;
         if walk.density > LARGEST.get() {
-            let found = of(Kind::WalkImpossible)
+            let found = of(Kind::WALK_IMPOSSIBLE)
                 .number("density", walk.density, "1")
                 .number("largest", LARGEST.get(), "1");
             return Err(Error::input(found));
@@ -58,7 +58,7 @@ pub fn noise_in(path: &Path) -> Result<GivenNoise, Error> {
         given.noise.walk[place] = walk.density;
         given.noise.flicker[place] = instability(&noise);
         if walk.is_bound {
-            given.notes.push(of(Kind::WalkOnlyBounded));
+            given.notes.push(of(Kind::WALK_ONLY_BOUNDED));
         }
     }
     Ok(given)
@@ -66,7 +66,7 @@ pub fn noise_in(path: &Path) -> Result<GivenNoise, Error> {
 
 fn parse(text: &str) -> Result<NoiseSummary, Box<Finding>> {
     let summary: NoiseSummary = serde_json::from_str(text).map_err(|e| {
-        Finding::of(Kind::NotANoiseFile)
+        Finding::of(Kind::NOT_A_NOISE_FILE)
             .at_line(e.line() as u64)
             .at_column(e.column() as u64)
             .detail("reason", e.to_string())
@@ -75,7 +75,7 @@ fn parse(text: &str) -> Result<NoiseSummary, Box<Finding>> {
         Ok(summary)
     } else {
         Err(Box::new(
-            Finding::of(Kind::OtherSchema)
+            Finding::of(Kind::OTHER_SCHEMA)
                 .detail("found", summary.schema)
                 .detail("expected", NOISE_SCHEMA),
         ))

@@ -190,7 +190,7 @@ fn asked_of(spec: &Spec, channel: Channel) -> Option<Formula> {
         size: 1.0,
         rms: None,
         p_value: 1.0,
-        finding: ::findings::Finding::of(::findings::Kind::MoreScatter),
+        finding: ::findings::Finding::of(::findings::Kind::MORE_SCATTER),
         recording: None,
         period: None,
         fitted_by: None,

@@ -171,7 +171,7 @@ fn of_shape(state: &State, family: &Family, ranked: &Ranked) -> Trial {
     let recording = recording.map(|k| state.fit.data.sources[k].name.as_str());
     let finding = match shape {
         Some(shape) => Finding::of(shape.kind()).of_sensor(sensor),
-        None => Finding::of(Kind::MoreScatter),
+        None => Finding::of(Kind::MORE_SCATTER),
     };
     let finding = match (period, recording, value) {
         (Some(period), ..) => finding.number("period", period, "s"),

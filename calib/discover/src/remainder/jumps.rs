@@ -42,7 +42,7 @@ pub(super) struct Jumps {
 impl Jumps {
     /// The finding.
     pub fn finding(&self) -> Finding {
-        Finding::of(Kind::BiasTwoLevels)
+        Finding::of(Kind::BIAS_TWO_LEVELS)
             .of_sensor(self.sensor)
             .detail("axis", ["x", "y", "z"][self.axis])
             .count("count", self.count)

@@ -49,8 +49,8 @@ impl Scatter {
     /// The finding. Jumps to and fro have the covariance of a wandering.
     pub fn finding(&self) -> Finding {
         let kind = match self.is_forgotten() {
-            true => Kind::BiasScatters,
-            false => Kind::BiasWanders,
+            true => Kind::BIAS_SCATTERS,
+            false => Kind::BIAS_WANDERS,
         };
         Finding::of(kind)
             .of_sensor(self.sensor)

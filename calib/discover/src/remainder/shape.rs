@@ -56,13 +56,13 @@ impl Shape {
     /// The kind of finding.
     pub fn kind(self) -> Kind {
         match self {
-            Self::FineOrientation => Kind::FineOrientation,
-            Self::SlowTime => Kind::SlowChange,
-            Self::Periodic => Kind::PeriodicInTime,
-            Self::Heading => Kind::RoomDirection,
-            Self::LastTurn => Kind::RelaxationAfterTurn,
-            Self::RateProducts => Kind::RateProducts,
-            Self::OneRecording => Kind::BiasMoves,
+            Self::FineOrientation => Kind::FINE_ORIENTATION,
+            Self::SlowTime => Kind::SLOW_CHANGE,
+            Self::Periodic => Kind::PERIODIC_IN_TIME,
+            Self::Heading => Kind::ROOM_DIRECTION,
+            Self::LastTurn => Kind::RELAXATION_AFTER_TURN,
+            Self::RateProducts => Kind::RATE_PRODUCTS,
+            Self::OneRecording => Kind::BIAS_MOVES,
         }
     }
 }

@@ -159,7 +159,7 @@ fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
         ..Trial::plain(
             log_tail(chi2, dof),
             (chi2, dof),
-            Finding::of(Kind::MoreScatter),
+            Finding::of(Kind::MORE_SCATTER),
         )
     };
     // Where the rate jumps between samples, that is why turns scatter, by more than one share for all can say.
@@ -175,7 +175,7 @@ fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
     }
     for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
         let (chi2, dof) = slopes(state, sensor, state.noise);
-        let drifts = Finding::of(Kind::DriftAtRest).of_sensor(sensor);
+        let drifts = Finding::of(Kind::DRIFT_AT_REST).of_sensor(sensor);
         trials.push(Trial {
             channel: Some(channel_at_rest(sensor)),
             ..Trial::plain(log_tail(chi2, dof), (chi2, dof), drifts)

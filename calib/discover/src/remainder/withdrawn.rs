@@ -83,7 +83,7 @@ pub(crate) fn without_undetermined(
     search: &mut Search,
 ) -> Result<bool, Error> {
     // Of a device that turns while it should rest that motion is in the fit that its calibration is written of.
-    let fit = match session.remarks.has(Kind::RestsTurn) {
+    let fit = match session.remarks.has(Kind::RESTS_TURN) {
         true => Arc::new(search.last.fitted_in_full(session)?),
         false => Arc::clone(&search.last.fit),
     };

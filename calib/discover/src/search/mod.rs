@@ -111,7 +111,7 @@ pub fn search(session: &Session<'_>, base: State) -> Result<Search, Error> {
     }
     let reviewed = finder.review(last, held)?;
     let spent = (spent || reviewed.is_spent).then(|| {
-        Finding::of(Kind::SearchCutShort)
+        Finding::of(Kind::SEARCH_CUT_SHORT)
             .count("fits", finder.fits.get())
             .count("count", base.fit.data.rests.len())
     });

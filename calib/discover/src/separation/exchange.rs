@@ -95,13 +95,13 @@ pub fn separate(
     conditions: &Conditions,
 ) -> Result<Aim, Error> {
     if rivalries.is_empty() {
-        return Err(Error::not_enough(Finding::of(Kind::NothingTied)));
+        return Err(Error::not_enough(Finding::of(Kind::NOTHING_TIED)));
     }
     let counts = count.map_or(COUNTS.to_vec(), |count| vec![count]);
     let mut best: Option<Judged> = None;
     for (k, count) in counts.iter().enumerate() {
         let start = judge(starts(*count, conditions), rivalries, conditions)
-            .ok_or_else(|| Error::not_enough(Finding::of(Kind::NoPlacements)))?;
+            .ok_or_else(|| Error::not_enough(Finding::of(Kind::NO_PLACEMENTS)))?;
         // What is far from settled by any start wants more placements, not better ones.
         let found = if start.reached() >= NEARLY.get() * SETTLED || k + 1 == counts.len() {
             exchanged(start, *count, rivalries, conditions)?
@@ -124,7 +124,7 @@ pub fn separate(
         ..
     }) = best
     else {
-        return Err(Error::not_enough(Finding::of(Kind::NoPlacements)));
+        return Err(Error::not_enough(Finding::of(Kind::NO_PLACEMENTS)));
     };
     let warmed = Design {
         warmed: true,

@@ -54,7 +54,7 @@ pub fn discover_units<R: Borrow<Recording>>(
     request: &Request,
 ) -> Result<UnitFindings, Error> {
     if recordings.len() < 2 {
-        return Err(Error::not_enough(Finding::of(Kind::OneUnitOnly)));
+        return Err(Error::not_enough(Finding::of(Kind::ONE_UNIT_ONLY)));
     }
     let request = &request.granted(recordings);
     let each: Vec<[&Recording; 1]> = recordings.iter().map(|r| [r.borrow()]).collect();

@@ -147,7 +147,7 @@ fn left_out(findings: &Findings) -> Option<String> {
         warnings,
         ..
     } = &findings.calibration;
-    let is_of_the_place = |found: &&Finding| found.kind == Kind::LatitudeDoubtful;
+    let is_of_the_place = |found: &&Finding| found.kind == Kind::LATITUDE_DOUBTFUL;
     let first = failed_gates
         .first()
         .or_else(|| warnings.iter().find(is_of_the_place));

@@ -90,7 +90,7 @@ pub(super) fn calibration(
         );
     }
     if accelerometer_triad.is_none() && gyroscope_triad.is_none() {
-        return Err(Error::not_enough(Finding::of(Kind::NothingToCalibrate)));
+        return Err(Error::not_enough(Finding::of(Kind::NOTHING_TO_CALIBRATE)));
     }
     let left_out = accelerometer
         .zip(norms.as_ref())
@@ -248,7 +248,7 @@ fn resting_gyroscope(turning: &[(&Recording, &Segmentation)], table: &mut Table)
     let mut triad = Triad {
         static_intervals: Some(rests.count()),
         rank: 3,
-        unobservable: vec![Finding::of(Kind::NotSeenWithoutGravity).what()],
+        unobservable: vec![Finding::of(Kind::NOT_SEEN_WITHOUT_GRAVITY).what()],
         ..Triad::of(Sensor::Gyroscope, &Base::identity())
     };
     rest_biases(&mut triad, turning, table);

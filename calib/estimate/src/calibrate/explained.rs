@@ -19,26 +19,26 @@ pub fn withdraw_explained(warnings: &mut Findings) -> Vec<Finding> {
 }
 
 fn is_cause(found: &Finding) -> bool {
-    found.kind == Kind::CutTowardsZero || is_read_otherwise(found)
+    found.kind == Kind::CUT_TOWARDS_ZERO || is_read_otherwise(found)
 }
 
 /// Returns true of a sensor that is read otherwise from some time on.
 pub fn is_read_otherwise(found: &Finding) -> bool {
     let kinds = [
-        Kind::ScaleChange,
-        Kind::SignChange,
-        Kind::ColumnsSwapPartWay,
+        Kind::SCALE_CHANGE,
+        Kind::SIGN_CHANGE,
+        Kind::COLUMNS_SWAP_PART_WAY,
     ];
     kinds.contains(&found.kind)
 }
 
 fn explains(cause: &Finding, found: &Finding) -> bool {
-    let is_cut = cause.kind == Kind::CutTowardsZero;
+    let is_cut = cause.kind == Kind::CUT_TOWARDS_ZERO;
     match found.kind {
-        Kind::EffectMissing => true,
-        Kind::SettlesAfterTurns => !is_cut,
-        Kind::Misfit => is_cut,
-        Kind::BiasMoved | Kind::BiasWandered | Kind::BiasUnsteady => {
+        Kind::EFFECT_MISSING => true,
+        Kind::SETTLES_AFTER_TURNS => !is_cut,
+        Kind::MISFIT => is_cut,
+        Kind::BIAS_MOVED | Kind::BIAS_WANDERED | Kind::BIAS_UNSTEADY => {
             is_cut && found.place.sensor == Some(Sensor::Accelerometer)
         }
         _ => false,
@@ -56,13 +56,13 @@ mod tests {
     #[test]
     fn of_a_cut_nothing_else_is_said_of_the_accelerometer_and_the_gyroscope_keeps_its_own() {
         let mut found: Findings = vec![
-            of(Kind::BiasUnsteady, Sensor::Accelerometer),
-            of(Kind::BiasUnsteady, Sensor::Gyroscope),
-            of(Kind::Misfit, Sensor::Accelerometer),
+            of(Kind::BIAS_UNSTEADY, Sensor::Accelerometer),
+            of(Kind::BIAS_UNSTEADY, Sensor::Gyroscope),
+            of(Kind::MISFIT, Sensor::Accelerometer),
         ]
         .into();
         assert!(withdraw_explained(&mut found).is_empty());
-        found.push(of(Kind::CutTowardsZero, Sensor::Accelerometer));
+        found.push(of(Kind::CUT_TOWARDS_ZERO, Sensor::Accelerometer));
         assert_eq!(withdraw_explained(&mut found).len(), 2);
         assert_eq!(found.iter().count(), 2);
     }
@@ -70,14 +70,14 @@ mod tests {
     #[test]
     fn beside_a_sign_that_changes_nothing_is_missing_and_the_misfit_stays() {
         let mut found: Findings = vec![
-            of(Kind::SignChange, Sensor::Gyroscope),
-            of(Kind::EffectMissing, Sensor::Accelerometer),
-            of(Kind::SettlesAfterTurns, Sensor::Accelerometer),
-            of(Kind::BiasWandered, Sensor::Accelerometer),
-            of(Kind::Misfit, Sensor::Accelerometer),
+            of(Kind::SIGN_CHANGE, Sensor::Gyroscope),
+            of(Kind::EFFECT_MISSING, Sensor::Accelerometer),
+            of(Kind::SETTLES_AFTER_TURNS, Sensor::Accelerometer),
+            of(Kind::BIAS_WANDERED, Sensor::Accelerometer),
+            of(Kind::MISFIT, Sensor::Accelerometer),
         ]
         .into();
         assert_eq!(withdraw_explained(&mut found).len(), 2);
-        assert!(found.has(Kind::BiasWandered) && found.has(Kind::Misfit));
+        assert!(found.has(Kind::BIAS_WANDERED) && found.has(Kind::MISFIT));
     }
 }

@@ -140,15 +140,15 @@ impl Fit<'_> {
         outcome
             .calibration
             .warnings
-            .retain(|f| f.kind != Kind::NoGyroscope);
+            .retain(|f| f.kind != Kind::NO_GYROSCOPE);
         Ok(outcome)
     }
 
     /// The reason why a fit came to no end: the turns, where the accelerometer by itself has one.
     fn for_the_turns(&self, reason: Box<Finding>) -> Box<Finding> {
-        let may = reason.kind == Kind::FitStopped && self.turning.recordings.is_empty();
+        let may = reason.kind == Kind::FIT_STOPPED && self.turning.recordings.is_empty();
         match may && self.accelerometer_alone().is_ok() {
-            true => Box::new(Finding::of(Kind::FitStoppedByTurns)),
+            true => Box::new(Finding::of(Kind::FIT_STOPPED_BY_TURNS)),
             false => reason,
         }
     }
@@ -166,7 +166,7 @@ impl Fit<'_> {
             let rate = tremor(r)?;
             Some(match rate < FASTEST_HAND.get() {
                 true => Symptom::HandHeld { rate }.in_recording(r),
-                false => Finding::of(Kind::NeverQuiet).number("rate", rate, "rad/s"),
+                false => Finding::of(Kind::NEVER_QUIET).number("rate", rate, "rad/s"),
             })
         });
         match cause {
@@ -196,10 +196,10 @@ fn is_left_out(change: &Finding, said: &Findings, recording: &Recording) -> bool
         found.place.t0.is_some_and(|t0| t0 < at) && found.place.t1.is_some_and(|t1| at < t1)
     };
     let is_said = |found: &Finding| {
-        let is_turn = matches!(found.kind, Kind::TurnMissed | Kind::TurnWithoutSamples);
+        let is_turn = matches!(found.kind, Kind::TURN_MISSED | Kind::TURN_WITHOUT_SAMPLES);
         is_turn && is_in(found, recording) && middle(change).is_some_and(|at| holds(found, at))
     };
-    change.kind == Kind::TurnOff && said.iter().any(is_said)
+    change.kind == Kind::TURN_OFF && said.iter().any(is_said)
 }
 
 /// Takes back that a bias moved or wandered where something of its sensor changes part of the way: that is how it moved.
@@ -214,7 +214,7 @@ fn withdraw_motion(warnings: &mut Findings, recording: &Recording, changes: &[Fi
     warnings.retain(|found| {
         let moves = matches!(
             found.kind,
-            Kind::BiasMoved | Kind::BiasWandered | Kind::BiasUnsteady
+            Kind::BIAS_MOVED | Kind::BIAS_WANDERED | Kind::BIAS_UNSTEADY
         );
         !(moves && is_in(found, recording) && changed(found))
     });

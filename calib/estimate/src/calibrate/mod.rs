@@ -122,7 +122,7 @@ fn in_steps(
 fn say_clocks(calibration: &mut Calibration, apart: Vec<Finding>) {
     if apart.iter().any(Finding::forbids_use) {
         let warnings = &mut calibration.warnings;
-        warnings.retain(|found| found.kind != Kind::DisturbedInterval);
+        warnings.retain(|found| found.kind != Kind::DISTURBED_INTERVAL);
     }
     let (gates, warnings): (Vec<Finding>, Vec<Finding>) = apart
         .into_iter()

@@ -41,7 +41,7 @@ fn suspected(effects: &[EffectRef], error: Error) -> Error {
         return error;
     }
     let name = if own.len() == 1 { "effect" } else { "effects" };
-    let suspected = Finding::of(Kind::OwnEffectSuspected).detail(name, own.join(", "));
+    let suspected = Finding::of(Kind::OWN_EFFECT_SUSPECTED).detail(name, own.join(", "));
     let with = |reason: Box<Finding>| reason.because(suspected);
     match error {
         Error::NotEnough(reason) => Error::not_enough(with(reason)),
@@ -55,7 +55,7 @@ pub fn left_out(effects: &[EffectRef]) -> impl Iterator<Item = Finding> {
     effects.iter().filter_map(|effect| {
         let fault = effect.fault()?;
         Some(
-            Finding::of(Kind::EffectFault)
+            Finding::of(Kind::EFFECT_FAULT)
                 .detail("effect", effect.name())
                 .because(Finding::of_effect(effect, &fault)),
         )

@@ -139,7 +139,7 @@ impl Request {
     pub(super) fn refuse_ignored(&self) -> Result<(), Error> {
         match self.of_stepwise().filter(|_| self.method == Method::Joint) {
             Some(what) => Err(Error::usage(
-                Finding::of(Kind::NotOfThisMethod)
+                Finding::of(Kind::NOT_OF_THIS_METHOD)
                     .detail("setting", what)
                     .detail("method", "joint")
                     .remedy(Remedy::set_to(OptionName::Method, "stepwise")),

@@ -97,7 +97,7 @@ pub(super) fn same_accelerometer(
             };
             let is_another = difference.size > SAME.get() && difference.p_value < LEVEL.get();
             if is_another && difference.size > between.allowed() {
-                let found = of(Kind::DevicesDiffer)
+                let found = of(Kind::DEVICES_DIFFER)
                     .detail("one", format!("{:.5}", difference.values[0]))
                     .detail("two", format!("{:.5}", difference.values[1]))
                     .detail("distance", format!("{:.0}", difference.distance));
@@ -110,7 +110,7 @@ pub(super) fn same_accelerometer(
             if difference.p_value * pairs as f64 <= SAID.get() {
                 warmer.get_or_insert_with(|| {
                     let change = difference.values[1] - difference.values[0];
-                    of(Kind::RecordingsDiffer)
+                    of(Kind::RECORDINGS_DIFFER)
                         .number("change", change / difference.scale, "share")
                         .number("error", difference.size / difference.distance, "share")
                 });
@@ -186,7 +186,7 @@ fn gyroscope_of_another(apart: &Apart, recordings: &[&Recording], place: usize) 
         && apart.p_value < LEVEL.get()
         && apart.sensor == Sensor::Gyroscope;
     is_another.then(|| {
-        let found = Finding::of(Kind::GyroscopeOfOther)
+        let found = Finding::of(Kind::GYROSCOPE_OF_OTHER)
             .in_recording(&own.name)
             .of_sensor(Sensor::Gyroscope)
             .detail("parameter", most.parameter.trim_start_matches("gyro."))
@@ -218,13 +218,13 @@ fn said(apart: &Apart, gravity: f64, recordings: &[&Recording]) -> Finding {
                 [a, b] => Temperatures::of(celsius(a), celsius(b)),
                 _ => Temperatures(None),
             };
-            let found = Finding::of(Kind::RecordingsDiffer)
+            let found = Finding::of(Kind::RECORDINGS_DIFFER)
                 .detail("first", names)
                 .detail("second", own.name.clone())
                 .detail("included", "half");
             temperatures.add_to(found)
         }
-        _ => Finding::of(Kind::PartsDiffer),
+        _ => Finding::of(Kind::PARTS_DIFFER),
     };
     let found = found
         .in_recording(&own.name)
@@ -251,7 +251,7 @@ impl Differences {
     pub fn beside(mut self, warnings: &Findings) -> Self {
         let misfits = |sensor| {
             let mut all = warnings.iter();
-            all.any(|found| found.kind == Kind::Misfit && found.place.sensor == Some(sensor))
+            all.any(|found| found.kind == Kind::MISFIT && found.place.sensor == Some(sensor))
         };
         self.0
             .retain(|own| own.chance <= SAID_BESIDE_MISFIT.get() || !misfits(own.apart.sensor));
@@ -263,7 +263,7 @@ impl Differences {
         let sensors: Vec<_> = self.0.iter().map(|own| own.apart.sensor).collect();
         warnings.retain(|found| {
             let is_other = |sensor: Sensor| !sensors.contains(&sensor);
-            found.kind != Kind::EffectMissing
+            found.kind != Kind::EFFECT_MISSING
                 || sensors.is_empty()
                 || found.place.sensor.is_some_and(is_other)
         });

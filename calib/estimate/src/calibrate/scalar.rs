@@ -79,7 +79,7 @@ fn fitted(sensor: &ScalarSensorRef, means: &[Mean]) -> Result<ScalarValues, Erro
     let count = start.len();
     if means.len() <= count {
         return Err(Error::not_enough(
-            Finding::of(Kind::ScalarFewMeans)
+            Finding::of(Kind::SCALAR_FEW_MEANS)
                 .detail("name", sensor.name())
                 .count("parameters", count)
                 .count("means", means.len()),
@@ -92,14 +92,14 @@ fn fitted(sensor: &ScalarSensorRef, means: &[Mean]) -> Result<ScalarValues, Erro
         rows.extend(means.iter().map(row));
     });
     let unsolved = |why: String| {
-        let found = Finding::of(Kind::ScalarUnsolved).detail("name", sensor.name());
+        let found = Finding::of(Kind::SCALAR_UNSOLVED).detail("name", sensor.name());
         Error::not_converged(found.detail("why", why))
     };
     let report = solve(&problem, &start, &Mask::all(count), &Options::default())
         .map_err(|error| unsolved(error.to_string()))?;
     if let Some(open) = report.uncertainty.unobservable.first() {
         return Err(Error::not_enough(
-            Finding::of(Kind::ScalarUndetermined)
+            Finding::of(Kind::SCALAR_UNDETERMINED)
                 .detail("name", sensor.name())
                 .detail("what", open.clone()),
         ));
@@ -243,7 +243,7 @@ mod tests {
         assert_eq!(read.edited(), None);
         let raw = apply(&read, &recording).unwrap();
         assert_eq!(raw.scalars, recording.scalars);
-        let left = |found: &Finding| found.kind == Kind::ScalarLeftAsRead;
+        let left = |found: &Finding| found.kind == Kind::SCALAR_LEFT_AS_READ;
         assert!(raw.warnings.iter().any(left));
         let known = read.with_sensors(&request().sensors).unwrap();
         let again = apply(&known, &recording).unwrap();

@@ -68,14 +68,14 @@ impl TurnCount {
     /// `none of 24 turns can be used; 23 with samples missing; 1 faster than the gyroscope can read`, and what to do.
     pub fn finding(&self) -> Finding {
         if self.all == 0 {
-            return Finding::of(Kind::TurnsMissing);
+            return Finding::of(Kind::TURNS_MISSING);
         }
         let found = match self.usable() {
-            0 => Finding::of(Kind::TurnsUnusable),
+            0 => Finding::of(Kind::TURNS_UNUSABLE),
             few if few <= FEWEST_TURNS.get() => {
-                Finding::of(Kind::TurnsUsableFew).count("least", FEWEST_TURNS.get() + 1)
+                Finding::of(Kind::TURNS_USABLE_FEW).count("least", FEWEST_TURNS.get() + 1)
             }
-            _ => Finding::of(Kind::TurnsUsableOpen),
+            _ => Finding::of(Kind::TURNS_USABLE_OPEN),
         };
         let found = found
             .count("count", self.all)

@@ -84,7 +84,9 @@ fn corrected(
         field.convert_to_microtesla();
         let own = calibration.magnetic_field.as_ref();
         if own.is_some_and(|own| (own.unit_of_readings() == "uT") != field.unit.is_some()) {
-            corrected.warnings.push(Finding::of(Kind::UnitUnclear));
+            corrected
+                .warnings
+                .push(Finding::of(Kind::MAGNETOMETER_UNIT_UNCLEAR));
         }
     }
     for sensor in Sensor::ALL {
@@ -98,7 +100,7 @@ fn corrected(
             }
             Some(_) => correct(stream, sensor, &truth, &models, watch)?,
             None => {
-                let found = Finding::of(Kind::LeftAsRead).of_sensor(sensor);
+                let found = Finding::of(Kind::LEFT_AS_READ).of_sensor(sensor);
                 let why = calibration.why_not(sensor);
                 corrected.warnings.push(match why {
                     Some(own) => found.detail("why", own.reason.in_words()),
@@ -113,7 +115,7 @@ fn corrected(
             Some((own, sensor)) => correct_scalar(own, sensor, stream, recording, &truth)?,
             None => corrected
                 .warnings
-                .push(Finding::of(Kind::ScalarLeftAsRead).detail("name", &*stream.name)),
+                .push(Finding::of(Kind::SCALAR_LEFT_AS_READ).detail("name", &*stream.name)),
         }
     }
     Ok(corrected)
@@ -152,7 +154,7 @@ fn correct_scalar(
         let signal = sensor.signal(*value, &truth.at(*t), &p);
         *value = signal.ok_or_else(|| {
             Error::not_enough(
-                Finding::of(Kind::ScalarUnsolved)
+                Finding::of(Kind::SCALAR_UNSOLVED)
                     .detail("name", &*own.name)
                     .detail("reading", figure(*value))
                     .number("time", *t, "s"),
@@ -181,7 +183,7 @@ impl Calibration {
             let found: Vec<&str> = values.parameters.iter().map(|p| p.name.as_str()).collect();
             if own != found {
                 return Err(Error::input(
-                    Finding::of(Kind::EntryOther)
+                    Finding::of(Kind::ENTRY_OTHER)
                         .detail("key", format!("scalars.{}.parameters", values.name))
                         .detail("found", found.join(", "))
                         .detail("expected", own.join(", ")),
@@ -214,7 +216,7 @@ fn belongs_to(calibration: &Calibration, recording: &Recording) -> Result<Option
     let Some((effect, param, value)) = first else {
         let drifts = drifting(calibration).filter(|_| made_from == Some(false));
         return Ok(drifts.map(|name| {
-            Finding::of(Kind::EffectFromStart)
+            Finding::of(Kind::EFFECT_FROM_START)
                 .in_recording(&recording.name)
                 .detail("effect", name)
         }));
@@ -230,15 +232,15 @@ fn belongs_to(calibration: &Calibration, recording: &Recording) -> Result<Option
     match (made_from, param.role) {
         (Some(true), _) => Ok(None),
         (None, _) => Ok(Some(
-            of(Kind::EffectOfRecordings).detail("value", figure(value)),
+            of(Kind::EFFECT_OF_RECORDINGS).detail("value", figure(value)),
         )),
         (Some(false), Role::Instant) => Err(Error::not_enough(
-            of(Kind::EffectNeedsStart)
+            of(Kind::EFFECT_NEEDS_START)
                 .in_recording(&recording.name)
                 .number("value", value, "s"),
         )),
         (Some(false), _) => Err(Error::not_enough(
-            of(Kind::EffectNeedsHeading).in_recording(&recording.name),
+            of(Kind::EFFECT_NEEDS_HEADING).in_recording(&recording.name),
         )),
     }
 }

@@ -88,7 +88,7 @@ pub fn refuse_newer(path: &Path, text: &str, schema: &str) -> Result<(), Error> 
         .unwrap_or_default();
     match (version(&found), version(schema)) {
         (Some((name, new)), Some((own, known))) if name == own && new > known => Err(Error::usage(
-            Finding::of(Kind::WrittenByNewer)
+            Finding::of(Kind::WRITTEN_BY_NEWER)
                 .in_file(shown_path(path))
                 .detail("found", shown(&found))
                 .detail("schema", schema),
@@ -99,7 +99,7 @@ pub fn refuse_newer(path: &Path, text: &str, schema: &str) -> Result<(), Error> 
 
 /// An entry that says another thing than expected.
 fn other(key: impl Into<String>, found: &str, expected: impl Into<String>) -> Finding {
-    Finding::of(Kind::EntryOther)
+    Finding::of(Kind::ENTRY_OTHER)
         .detail("key", key)
         .detail("found", shown(found))
         .detail("expected", expected)
@@ -107,7 +107,7 @@ fn other(key: impl Into<String>, found: &str, expected: impl Into<String>) -> Fi
 
 /// There are more or fewer of something than there should be.
 fn count(key: impl Into<String>, found: String, expected: String) -> Finding {
-    Finding::of(Kind::CountOther)
+    Finding::of(Kind::COUNT_OTHER)
         .detail("key", key)
         .detail("found", found)
         .detail("expected", expected)
@@ -116,7 +116,7 @@ fn count(key: impl Into<String>, found: String, expected: String) -> Finding {
 /// The calibration in `text`.
 fn parse(text: &str, outside: &[EffectRef]) -> Result<Calibration, Box<Finding>> {
     let any: serde_json::Value = serde_json::from_str(text).map_err(|e| {
-        let found = of_json(Kind::NotJson, &e);
+        let found = of_json(Kind::NOT_JSON, &e);
         match text.trim_start().starts_with('{') {
             true => found,
             false => found.remedy(Remedy::SwapFiles),
@@ -129,7 +129,7 @@ fn parse(text: &str, outside: &[EffectRef]) -> Result<Calibration, Box<Finding>>
             return Err(found.remedy(Remedy::CalibrateAgain).into());
         }
         None => {
-            let missing = Finding::of(Kind::SchemaMissing);
+            let missing = Finding::of(Kind::SCHEMA_MISSING);
             return Err(missing.detail("schema", SCHEMA).into());
         }
     }
@@ -140,7 +140,7 @@ fn parse(text: &str, outside: &[EffectRef]) -> Result<Calibration, Box<Finding>>
             .and_then(|own| own.with_findings(&any)),
         false => Calibration::from_value(any),
     };
-    let mut calibration = read.map_err(|e| of_json(Kind::Unreadable, &e))?;
+    let mut calibration = read.map_err(|e| of_json(Kind::UNREADABLE, &e))?;
     for values in &mut calibration.effects {
         let own = outside.iter().find(|effect| effect.name() == values.name);
         values.outside = own.map(|effect| Outside(effect.clone()));
@@ -165,7 +165,7 @@ fn check(calibration: &Calibration) -> Result<(), Box<Finding>> {
         let base = triad.base();
         let size = base.t.norm();
         if base.t.determinant().abs() <= 1e-9 * size.powi(3) {
-            let found = Finding::of(Kind::MatrixSingular).remedy(Remedy::CalibrateAgain);
+            let found = Finding::of(Kind::MATRIX_SINGULAR).remedy(Remedy::CalibrateAgain);
             return Err(found.detail("key", format!("{name}.T")).into());
         }
         // What `calibrate` wrote is as it is; its gates say what is wrong with it.
@@ -175,7 +175,7 @@ fn check(calibration: &Calibration) -> Result<(), Box<Finding>> {
     }
     let gravity = calibration.gravity;
     if !(1.0..100.0).contains(&gravity) {
-        let found = Finding::of(Kind::OutOfRange)
+        let found = Finding::of(Kind::OUT_OF_RANGE)
             .detail("key", "gravity")
             .detail("value", figure(gravity))
             .detail("expected", GRAVITIES);
@@ -217,7 +217,7 @@ fn absurd(name: &str, triad: &Triad) -> Result<(), Box<Finding>> {
     let sizes = base.t.singular_values();
     let (largest, least) = (sizes.max(), sizes.min());
     if largest > MOST_UNEQUAL.get() * least {
-        let found = Finding::of(Kind::MatrixUnequal)
+        let found = Finding::of(Kind::MATRIX_UNEQUAL)
             .detail("key", format!("{name}.T"))
             .detail("times", figure((largest / least).round()));
         return Err(found.into());
@@ -237,7 +237,7 @@ fn absurd(name: &str, triad: &Triad) -> Result<(), Box<Finding>> {
     };
     let offset = (base.t * base.bias).norm();
     if offset > most || !offset.is_finite() {
-        let found = Finding::of(Kind::BiasBeyond)
+        let found = Finding::of(Kind::BIAS_BEYOND)
             .detail("key", format!("{name}.bias"))
             .detail("found", figure(base.bias.norm()))
             .detail("offset", figure(offset))

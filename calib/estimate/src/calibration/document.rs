@@ -89,7 +89,7 @@ impl Calibration {
             return Ok(self);
         };
         let found = Findings::deserialize(found)?;
-        let of_limits = [Kind::LimitNotKept, Kind::RequiredMissing];
+        let of_limits = [Kind::LIMIT_NOT_KEPT, Kind::REQUIRED_MISSING];
         let is_gate = |found: &&Finding| !of_limits.contains(&found.kind);
         Ok(Self {
             failed_gates: found.gates().filter(is_gate).collect(),
@@ -135,7 +135,7 @@ impl Calibration {
     pub fn bias_alone(&self) -> Vec<Finding> {
         let inertial = [Sensor::Accelerometer, Sensor::Gyroscope].into_iter();
         let bare = inertial.filter(|sensor| self.triad(*sensor).is_some_and(Triad::is_bias_only));
-        let bare = bare.map(|sensor| Finding::of(Kind::BiasAlone).of_sensor(sensor));
+        let bare = bare.map(|sensor| Finding::of(Kind::BIAS_ALONE).of_sensor(sensor));
         bare.collect()
     }
 }

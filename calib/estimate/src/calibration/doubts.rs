@@ -97,7 +97,7 @@ fn rate_in_doubt(
     let mean = left.rates.iter().sum::<Vector3<f64>>() / left.rates.len() as f64;
     let size = mean.norm();
     let doubt = || {
-        Finding::of(Kind::RateAtRestOff)
+        Finding::of(Kind::RATE_AT_REST_OFF)
             .in_recording(&recording.name)
             .of_sensor(Sensor::Gyroscope)
             .number("size", size, "rad/s")
@@ -137,7 +137,7 @@ fn direction_in_doubt(
     let rms = root_mean_square(&angles);
     let usual = triad.residual_rms;
     let doubt = || {
-        let found = Finding::of(Kind::DirectionOff)
+        let found = Finding::of(Kind::DIRECTION_OFF)
             .in_recording(&recording.name)
             .of_sensor(Sensor::Gyroscope)
             .count("count", angles.len())
@@ -162,8 +162,8 @@ fn norm_in_doubt(
     let rms = root_mean_square(&values);
     // What another tool made does not say what it left.
     let kind = match (WORSE.get() * usual, usual > 0.0) {
-        (worse, _) if rms > worse.max(FINE.1) => Kind::NormOff,
-        (worse, true) if rms > worse.max(GROWN.get()) => Kind::NormGrown,
+        (worse, _) if rms > worse.max(FINE.1) => Kind::NORM_OFF,
+        (worse, true) if rms > worse.max(GROWN.get()) => Kind::NORM_GROWN,
         _ => return None,
     };
     let found = Finding::of(kind)
@@ -186,7 +186,7 @@ fn field_in_doubt(
     let angle = seen.angle_spread.to_radians();
     let limit = UNEVEN.get().max(WORSE.get() * usual);
     (seen.norm_spread.max(angle) > limit).then(|| {
-        let found = Finding::of(Kind::FieldOff)
+        let found = Finding::of(Kind::FIELD_OFF)
             .in_recording(&recording.name)
             .of_sensor(Sensor::Magnetometer)
             .number("share", seen.norm_spread, "share")

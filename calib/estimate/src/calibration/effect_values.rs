@@ -29,7 +29,7 @@ impl EffectValues {
     pub fn effect(&self) -> Result<EffectRef, Box<Finding>> {
         match &self.definition {
             Some(definition) if definition.name != self.name => {
-                let found = Finding::of(Kind::DefinitionOfOther)
+                let found = Finding::of(Kind::DEFINITION_OF_OTHER)
                     .detail("effect", shown(&self.name))
                     .detail("other", shown(&definition.name));
                 Err(Box::new(found))
@@ -42,7 +42,7 @@ impl EffectValues {
             None => effect_named(&self.name)
                 .or_else(|| self.outside.as_ref().map(|outside| outside.0.clone()))
                 .ok_or_else(|| {
-                    let unknown = Finding::of(Kind::EffectUnknown);
+                    let unknown = Finding::of(Kind::EFFECT_UNKNOWN);
                     Box::new(unknown.detail("effect", shown(&self.name)))
                 }),
         }

@@ -45,8 +45,8 @@ fn assumed(source: GravitySource, gravity: f64) -> Option<Finding> {
         | GravitySource::Place {
             altitude: Some(_), ..
         } => return None,
-        GravitySource::Place { .. } => Kind::AltitudeAssumed,
-        GravitySource::Assumed => Kind::GravityAssumed,
+        GravitySource::Place { .. } => Kind::ALTITUDE_ASSUMED,
+        GravitySource::Assumed => Kind::GRAVITY_ASSUMED,
     };
     let found = Finding::of(kind)
         .of_sensor(Sensor::Accelerometer)

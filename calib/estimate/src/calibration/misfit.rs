@@ -99,7 +99,7 @@ impl Remainder {
             Channel::Direction => "turn",
             Channel::Force | Channel::Rate => "corrected_reading",
         };
-        let found = Finding::of(Kind::Misfit)
+        let found = Finding::of(Kind::MISFIT)
             .of_sensor(match self.channel {
                 Channel::Force => Sensor::Accelerometer,
                 Channel::Rate | Channel::Direction => Sensor::Gyroscope,

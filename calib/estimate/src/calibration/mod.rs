@@ -354,7 +354,7 @@ impl Calibration {
         self.effects.iter().try_for_each(|values| {
             let known = values.effect().map(|_| ());
             known.map_err(|_| {
-                let found = Finding::of(Kind::EffectNotHere);
+                let found = Finding::of(Kind::EFFECT_NOT_HERE);
                 Error::not_enough(found.detail("effect", values.name.clone()))
             })
         })

@@ -50,7 +50,7 @@ pub struct NotCalibrated {
 impl NotCalibrated {
     /// Why the calibration fails its gate, with what to do.
     pub(crate) fn gate(&self) -> Finding {
-        let found = Finding::of(Kind::NotCalibrated)
+        let found = Finding::of(Kind::NOT_CALIBRATED)
             .of_sensor(self.sensor)
             .detail("why", self.text.clone());
         match self.bias {

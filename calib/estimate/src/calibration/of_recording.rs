@@ -63,7 +63,7 @@ impl Calibration {
         let differ: Vec<String> = Sensor::ALL.into_iter().filter_map(differ).collect();
         let last = self.provenance.inputs.last()?;
         (!differ.is_empty() && self.was_made_from(recording) == Some(false)).then(|| {
-            Finding::of(Kind::BiasesDiffer)
+            Finding::of(Kind::BIASES_DIFFER)
                 .in_recording(&recording.name)
                 .detail("how", differ.join(", "))
                 .detail("last", last.recording.clone())

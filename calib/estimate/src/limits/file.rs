@@ -71,7 +71,7 @@ fn complaint(limits: &Limits) -> Option<(String, Finding)> {
     let errors = errors.map(|(name, v)| (format!("standard_errors.{name}"), Some(*v)));
     for (key, value) in fixed.chain(effects).chain(errors) {
         if let Some(v) = value.filter(|v| !(v.is_finite() && *v >= 0.0)) {
-            let found = Finding::of(Kind::OutOfRange)
+            let found = Finding::of(Kind::OUT_OF_RANGE)
                 .detail("value", figure(v))
                 .detail("expected", "0 or more");
             return Some((key, found));
@@ -80,7 +80,7 @@ fn complaint(limits: &Limits) -> Option<(String, Finding)> {
     let names: Vec<String> = catalogue().map(|e| e.name().to_owned()).collect();
     for name in limits.effects.keys() {
         if !names.contains(name) {
-            let found = Finding::of(Kind::EffectUnknown);
+            let found = Finding::of(Kind::EFFECT_UNKNOWN);
             let found = found.or_nearest(name, names.iter().map(String::as_str));
             return Some((format!("effects.{name}"), found));
         }
@@ -98,7 +98,7 @@ fn complaint(limits: &Limits) -> Option<(String, Finding)> {
         .flat_map(|(t, names)| names.iter().map(move |n| (t, *n)))
     {
         if !known.contains(name) {
-            let found = Finding::of(Kind::ParameterUnknown);
+            let found = Finding::of(Kind::PARAMETER_UNKNOWN);
             let found = found.or_nearest(name, known.iter().map(String::as_str));
             return Some((format!("{table}.{name}"), found));
         }
@@ -107,7 +107,7 @@ fn complaint(limits: &Limits) -> Option<(String, Finding)> {
     ranges
         .filter(|(_, [low, high])| !(*low..=*high).contains(low))
         .map(|(name, [low, high])| {
-            let found = Finding::of(Kind::Backwards)
+            let found = Finding::of(Kind::BACKWARDS)
                 .detail("from", figure(*low))
                 .detail("to", figure(*high));
             (format!("values.{name}"), found)

@@ -73,7 +73,7 @@ impl LimitLine {
     pub fn finding(&self) -> Finding {
         if self.kind == Bound::Present {
             let sensor = self.name.trim_start_matches("required.");
-            return Finding::of(Kind::RequiredMissing).detail("sensor", sensor);
+            return Finding::of(Kind::REQUIRED_MISSING).detail("sensor", sensor);
         }
         let shown = |value: f64| findings::human(value, &self.unit);
         let allowed = match (self.kind, self.limit) {
@@ -81,7 +81,7 @@ impl LimitLine {
             (_, Limit::One(most)) => format!("at most {}", shown(most)),
             (_, Limit::Range([least, most])) => format!("{} to {}", shown(least), shown(most)),
         };
-        let found = Finding::of(Kind::LimitNotKept)
+        let found = Finding::of(Kind::LIMIT_NOT_KEPT)
             .detail("name", self.words())
             .detail("allowed", allowed);
         match (self.value, self.name.strip_prefix("effects.")) {

@@ -97,7 +97,7 @@ pub fn fit_gyroscope(request: &GyroscopeRequest) -> Result<GyroscopeFit, Error> 
     // One copy of all readings, changed in place: a long recording has no room for more.
     let mut turns: Vec<TurnData> = request.recordings.iter().flat_map(without_bias).collect();
     if turns.is_empty() {
-        return Err(Error::not_enough(Finding::of(Kind::TurnsMissing)));
+        return Err(Error::not_enough(Finding::of(Kind::TURNS_MISSING)));
     }
     let guess = gyroscope_guess(&turns);
     let before = perfect_chords(&turns, guess.unit.scale);
@@ -223,7 +223,7 @@ fn with_effects(
         result = Some((report, chords));
     }
     let (report, chords) =
-        result.ok_or_else(|| Error::not_converged(Finding::of(Kind::SolverRefused)))?;
+        result.ok_or_else(|| Error::not_converged(Finding::of(Kind::SOLVER_REFUSED)))?;
     Ok(GyroscopeFit {
         model: request.model.clone(),
         fitted: Fitted::in_raw_units(&report, &unit, shared, 1.0),

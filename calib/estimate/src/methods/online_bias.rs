@@ -55,8 +55,8 @@ pub fn gyroscope_stretches(
     let corrected = apply_with(&calibration.with_one_bias(), recording, Some(segmentation))?;
     let (Some(stream), Some(_)) = (&corrected.gyroscope, &calibration.gyroscope) else {
         let kind = match calibration.gyroscope {
-            Some(_) => Kind::SensorNotRecorded,
-            None => Kind::SensorNotInCalibration,
+            Some(_) => Kind::SENSOR_NOT_RECORDED,
+            None => Kind::SENSOR_NOT_IN_CALIBRATION,
         };
         let found = Finding::of(kind).in_recording(&recording.name);
         return Err(Error::not_enough(found.of_sensor(Sensor::Gyroscope)));
@@ -99,7 +99,7 @@ pub fn gyroscope_stretches(
             .map(|r| r.span.length())
             .fold(0.0, f64::max);
         return Err(Error::not_enough(
-            Finding::of(Kind::RestTooShort)
+            Finding::of(Kind::REST_TOO_SHORT)
                 .in_recording(&recording.name)
                 .of_sensor(Sensor::Gyroscope)
                 .number("longest", longest, "s")
@@ -117,7 +117,7 @@ pub fn drift_at_rest(recording: &str, stretches: &[Stretch]) -> Option<Finding> 
         .max_by(|a, b| most(a).total_cmp(&most(b)))?;
     let change = most(farthest);
     (change > 0.0).then(|| {
-        Finding::of(Kind::BiasDrifts)
+        Finding::of(Kind::BIAS_DRIFTS)
             .in_recording(recording)
             .of_sensor(Sensor::Gyroscope)
             .between(farthest.span.from, farthest.span.to)
@@ -132,7 +132,7 @@ pub fn earth_in_bias(recording: &str, stretches: &[Stretch]) -> Option<Finding> 
     let largest = stretches.iter().map(|stretch| stretch.by_earth.amax());
     let error = largest.fold(0.0, f64::max);
     (error > 0.0).then(|| {
-        Finding::of(Kind::EarthInBias)
+        Finding::of(Kind::EARTH_IN_BIAS)
             .in_recording(recording)
             .of_sensor(Sensor::Gyroscope)
             .number("error", error, "rad/s")
@@ -198,11 +198,11 @@ pub fn update_accelerometer(
             .of_sensor(Sensor::Accelerometer)
     };
     let Some((model, p)) = calibration.model(Sensor::Accelerometer) else {
-        return Err(Error::not_enough(of(Kind::SensorNotInCalibration)));
+        return Err(Error::not_enough(of(Kind::SENSOR_NOT_IN_CALIBRATION)));
     };
     if means.len() < FEWEST_RESTS.get() {
         return Err(Error::not_enough(
-            of(Kind::RestsTooFew)
+            of(Kind::RESTS_TOO_FEW)
                 .count("rests", means.len())
                 .count("least", FEWEST_RESTS.get()),
         ));
@@ -218,14 +218,14 @@ pub fn update_accelerometer(
     let report = solve(&problem, &start, &mask, &Options::default())?;
     if !report.termination.converged() {
         return Err(Error::not_converged(
-            of(Kind::FitStopped)
+            of(Kind::FIT_STOPPED)
                 .count("steps", report.iterations.len())
                 .detail("ending", format!("{:?}", report.termination)),
         ));
     }
     let condition = condition(&report.uncertainty);
     if condition > WORST_CONDITION.get() {
-        return Err(Error::not_enough(of(Kind::RestsInPlane).number(
+        return Err(Error::not_enough(of(Kind::RESTS_IN_PLANE).number(
             "condition",
             condition,
             "1",
@@ -262,7 +262,7 @@ fn shifted(
     let triad = updated.triad_mut(sensor);
     let back = triad.as_ref().and_then(|triad| inverse(&triad.base().t));
     let (Some(triad), Some(back)) = (triad, back) else {
-        let found = Finding::of(Kind::MatrixSingular).of_sensor(sensor);
+        let found = Finding::of(Kind::MATRIX_SINGULAR).of_sensor(sensor);
         return Err(Error::not_enough(
             found.detail("key", format!("{}.T", sensor.name())),
         ));

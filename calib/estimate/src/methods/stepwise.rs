@@ -69,7 +69,7 @@ pub fn fit_accelerometer(request: &AccelerometerRequest) -> Result<Accelerometer
     let all: Vec<_> = request.recordings.iter().flatten().map(|m| m.raw).collect();
     let unit = accelerometer_unit(&all, request.gravity).ok_or_else(|| {
         Error::not_enough(
-            Finding::of(Kind::NoSphere)
+            Finding::of(Kind::NO_SPHERE)
                 .count("count", all.len())
                 .because(plan::REQUIREMENT.finding()),
         )

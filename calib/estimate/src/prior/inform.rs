@@ -21,7 +21,7 @@ impl Prior {
             .as_ref()
             .is_some_and(|o| o.frame == "symmetric");
         if symmetric {
-            return Err(Error::usage(Finding::of(Kind::PriorFrame)));
+            return Err(Error::usage(Finding::of(Kind::PRIOR_FRAME)));
         }
         let all = &calibration.parameters;
         let common: Vec<(usize, usize)> = self
@@ -31,7 +31,7 @@ impl Prior {
             .filter_map(|(k, name)| Some((all.iter().position(|own| own == name)?, k)))
             .collect();
         if common.is_empty() {
-            return Err(Error::usage(Finding::of(Kind::PriorForeign)));
+            return Err(Error::usage(Finding::of(Kind::PRIOR_FOREIGN)));
         }
         let n = all.len();
         let c = calibration.covariance_matrix();
@@ -53,7 +53,7 @@ impl Prior {
         };
         let judged = estimated.belonging(&gap, &own);
         let Some((judged, solved)) = judged.zip(scaled_solve(&total, &cross, &gap)) else {
-            return Err(Error::input(Finding::of(Kind::PriorDegenerate)));
+            return Err(Error::input(Finding::of(Kind::PRIOR_DEGENERATE)));
         };
         let (shift, shrink) = solved;
         let used = judged.belongs();
@@ -99,7 +99,7 @@ impl Prior {
 
     fn stranger(&self, judged: &Belonging, shares: &[PriorShare]) -> Finding {
         let name = shares.get(judged.furthest).map_or("", |s| s.name.as_str());
-        Finding::of(Kind::NotOfType)
+        Finding::of(Kind::NOT_OF_TYPE)
             .detail("parameter", name)
             .number("distance", judged.deviation.abs(), "1")
             .detail("p", format!("{:.1e}", judged.p_value))

@@ -92,7 +92,7 @@ pub struct PriorShare {
 
 /// The finding about a file of another kind.
 fn other_schema(found: &str) -> Finding {
-    Finding::of(Kind::EntryOther)
+    Finding::of(Kind::ENTRY_OTHER)
         .detail("key", "schema")
         .detail("found", shown(found))
         .detail("expected", PRIOR_SCHEMA)
@@ -107,14 +107,14 @@ impl Prior {
         let text = recording::read_text(path)?;
         let of_file = |found: Finding| Error::input(found.in_file(shown_path(path)));
         let whole: serde_json::Value =
-            serde_json::from_str(&text).map_err(|e| of_file(of_json(Kind::NotJson, &e)))?;
+            serde_json::from_str(&text).map_err(|e| of_file(of_json(Kind::NOT_JSON, &e)))?;
         let schema = whole.get("schema").and_then(|schema| schema.as_str());
         if schema != Some(PRIOR_SCHEMA) {
             return Err(of_file(other_schema(schema.unwrap_or("no schema"))));
         }
         // The text has lines and columns.
         let prior: Self =
-            serde_json::from_str(&text).map_err(|e| of_file(of_json(Kind::Unreadable, &e)))?;
+            serde_json::from_str(&text).map_err(|e| of_file(of_json(Kind::UNREADABLE, &e)))?;
         match prior.fault() {
             None => Ok(prior),
             Some(found) => Err(of_file(found)),
@@ -128,7 +128,7 @@ impl Prior {
             self.mean.len() == n && square(&self.covariance) && square(&self.mean_covariance);
         let numbers = self.mean.iter().chain(self.covariance.iter().flatten());
         let is_usable = fits && numbers.clone().all(|v| v.is_finite());
-        (!is_usable).then(|| Finding::of(Kind::PriorUnusable).count("count", n))
+        (!is_usable).then(|| Finding::of(Kind::PRIOR_UNUSABLE).count("count", n))
     }
 
     /// Covariance of a further device: `Σ` and the error of `μ`.

@@ -43,7 +43,7 @@ impl Corrector {
         for effect in models.effects() {
             let needs = effect.needs();
             if let Some(quantity) = needs.iter().find(|quantity| !is_of_an_instant(**quantity)) {
-                let found = Finding::of(Kind::WholeRecordingNeeded)
+                let found = Finding::of(Kind::WHOLE_RECORDING_NEEDED)
                     .detail("effect", effect.name())
                     .detail("quantity", quantity.to_string());
                 return Err(Error::not_enough(found));

@@ -49,7 +49,7 @@ pub fn require_of_instants(
     match sensor.needs().iter().find(|q| is_unknown(q)) {
         None => Ok(()),
         Some(quantity) => Err(Error::not_enough(
-            Finding::of(Kind::ScalarNeeds)
+            Finding::of(Kind::SCALAR_NEEDS)
                 .in_recording(&recording.name)
                 .detail("name", sensor.name())
                 .detail("quantity", quantity.to_string()),
@@ -67,17 +67,17 @@ fn lacking(
     let rests = intervals.map_or(0, |s| s.statics.len());
     let unseen = |sensor| {
         let is_missing = recording.stream(sensor).is_none();
-        is_missing.then(|| Finding::of(Kind::EffectNeedsSensor).of_sensor(sensor))
+        is_missing.then(|| Finding::of(Kind::EFFECT_NEEDS_SENSOR).of_sensor(sensor))
     };
     let unknown = |sensor, is_known: bool| {
-        let found = || Finding::of(Kind::EffectNeedsErrors).of_sensor(sensor);
+        let found = || Finding::of(Kind::EFFECT_NEEDS_ERRORS).of_sensor(sensor);
         unseen(sensor).or_else(|| (!is_known).then(found))
     };
     let force = || unknown(Sensor::Accelerometer, models.accelerometer.is_some());
     let rate = || unknown(Sensor::Gyroscope, models.gyroscope.is_some());
     let still = |least: usize| {
         (rests < least).then(|| {
-            Finding::of(Kind::EffectNeedsRests)
+            Finding::of(Kind::EFFECT_NEEDS_RESTS)
                 .count("least", least)
                 .count("rests", rests)
         })
@@ -86,10 +86,10 @@ fn lacking(
         Quantity::Time => None,
         Quantity::SpecificForce | Quantity::SpecificForceRate => force(),
         Quantity::AngularRate | Quantity::AngularAcceleration => rate(),
-        Quantity::MagneticField => Some(Finding::of(Kind::EffectNeedsField)),
+        Quantity::MagneticField => Some(Finding::of(Kind::EFFECT_NEEDS_FIELD)),
         Quantity::Temperature | Quantity::TemperatureRate | Quantity::Warming => {
             let is_missing = recording.temperature.is_none();
-            is_missing.then(|| Finding::of(Kind::EffectNeedsTemperature))
+            is_missing.then(|| Finding::of(Kind::EFFECT_NEEDS_TEMPERATURE))
         }
         Quantity::LastTurn | Quantity::SinceTurn => unseen(Sensor::Gyroscope).or_else(|| still(1)),
         Quantity::LastChange => force().or_else(|| still(1)),
@@ -113,7 +113,7 @@ pub fn silent_at_static_intervals(effect: &EffectRef) -> Result<(), Error> {
     };
     let quantities: Vec<String> = quantities.iter().map(ToString::to_string).collect();
     Err(Error::not_enough(
-        Finding::of(Kind::EffectSilentAtRest)
+        Finding::of(Kind::EFFECT_SILENT_AT_REST)
             .detail("effect", effect.name())
             .detail("parameter", &*effect.params()[place].name)
             .detail("quantities", quantities.join(" or the ")),
@@ -128,7 +128,7 @@ pub fn without_instant(effect: &EffectRef) -> Result<(), Error> {
     let instant = effect.params().iter().find(|p| p.role == Role::Instant);
     instant.map_or(Ok(()), |p| {
         Err(Error::not_enough(
-            Finding::of(Kind::EffectNeedsInstant)
+            Finding::of(Kind::EFFECT_NEEDS_INSTANT)
                 .detail("effect", effect.name())
                 .detail("parameter", &*p.name),
         ))

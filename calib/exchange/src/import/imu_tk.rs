@@ -27,7 +27,7 @@ const NUMBERS: usize = 21;
 pub fn imu_tk(accelerometer: &str, gyroscope: &str) -> Result<Calibration, Error> {
     let accelerometer = base(accelerometer, "accelerometer")?;
     let gyroscope = base(gyroscope, "gyroscope")?;
-    let unstated = Finding::of(Kind::ErrorsNotStated).detail("tool", "imu_tk");
+    let unstated = Finding::of(Kind::ERRORS_NOT_STATED).detail("tool", "imu_tk");
     Ok(calibration(
         "imu_tk",
         Some(&accelerometer),
@@ -43,13 +43,13 @@ fn base(text: &str, sensor: &str) -> Result<Base<f64>, Error> {
         for word in line.split_whitespace() {
             let value = word.parse().ok().filter(|v: &f64| v.is_finite());
             all.push(value.ok_or_else(|| {
-                let found = Finding::of(Kind::MatrixNumberExpected).detail("of", sensor);
+                let found = Finding::of(Kind::MATRIX_NUMBER_EXPECTED).detail("of", sensor);
                 Error::input(found.count("line", k + 1))
             })?);
         }
     }
     if all.len() != NUMBERS {
-        let found = Finding::of(Kind::NumbersCount).detail("of", sensor);
+        let found = Finding::of(Kind::NUMBERS_COUNT).detail("of", sensor);
         let found = found.count("found", all.len());
         return Err(Error::input(found.count("expected", NUMBERS)));
     }
@@ -61,7 +61,7 @@ fn base(text: &str, sensor: &str) -> Result<Base<f64>, Error> {
     match t.try_inverse() {
         Some(_) => Ok(base),
         None => {
-            let found = Finding::of(Kind::EntrySingular);
+            let found = Finding::of(Kind::ENTRY_SINGULAR);
             Err(Error::input(found.detail("entry", sensor)))
         }
     }

@@ -37,30 +37,30 @@ const NO_ROTATION: f64 = 1e-3;
 /// ```
 pub fn kalibr(text: &str) -> Result<Calibration, Error> {
     if text.len() > LARGEST {
-        let found = Finding::of(Kind::ImportTooLarge);
+        let found = Finding::of(Kind::IMPORT_TOO_LARGE);
         return Err(Error::input(found.count("limit", LARGEST)));
     }
     let text = text.trim_start_matches('\u{feff}');
     let documents = Yaml::load_from_str(text).map_err(|e| {
-        let found = Finding::of(Kind::NoYaml)
+        let found = Finding::of(Kind::NO_YAML)
             .at_line(e.marker().line() as u64)
             .at_column(e.marker().col() as u64 + 1);
         Error::input(found.detail("reason", e.info()))
     })?;
     let root = documents
         .first()
-        .ok_or_else(|| Error::input(Finding::of(Kind::ImportEmpty)))?;
+        .ok_or_else(|| Error::input(Finding::of(Kind::IMPORT_EMPTY)))?;
     let mut warnings = Findings::new();
     let imu = Imu::first_of(root, &mut warnings)?;
     let model = imu.model()?;
     let accelerometer = imu.accelerometer(model)?;
     let gyroscope = imu.gyroscope(model)?;
     if accelerometer.is_none() && gyroscope.is_none() {
-        return Err(Error::input(Finding::of(Kind::NoSensorsStated)));
+        return Err(Error::input(Finding::of(Kind::NO_SENSORS_STATED)));
     }
     warnings.extend(imu.unread());
     if model == SIZE_EFFECT {
-        let places = Finding::of(Kind::PlacesNotRead);
+        let places = Finding::of(Kind::PLACES_NOT_READ);
         warnings.push(places.detail("entries", "rx_i, ry_i, rz_i"));
     }
     warnings.extend(imu.worth(accelerometer.is_some(), gyroscope.is_some()));
@@ -93,7 +93,7 @@ impl<'a> Imu<'a> {
     /// The first: a result has them under imu0, imu1 …; a configuration has one at the top.
     fn first_of(root: &'a Yaml<'a>, warnings: &mut Findings) -> Result<Self, Error> {
         let Some(entries) = root.as_mapping() else {
-            return Err(Error::input(Finding::of(Kind::NoEntries)));
+            return Err(Error::input(Finding::of(Kind::NO_ENTRIES)));
         };
         let names = entries.keys().filter_map(Yaml::as_str);
         let is_imu = |name: &&str| {
@@ -106,7 +106,7 @@ impl<'a> Imu<'a> {
             return Ok(Self { root });
         };
         if names.len() > 1 {
-            let first = Finding::of(Kind::FirstImuTaken);
+            let first = Finding::of(Kind::FIRST_IMU_TAKEN);
             warnings.push(first.detail("units", names.join(", ")));
         }
         let root = root.as_mapping_get(first).unwrap_or(root);
@@ -123,7 +123,7 @@ impl<'a> Imu<'a> {
             .and_then(|own| known.into_iter().find(|known| *known == own));
         found.ok_or_else(|| {
             let own = model.as_str().unwrap_or_default();
-            let found = Finding::of(Kind::ModelUnknown).detail("found", shown(own));
+            let found = Finding::of(Kind::MODEL_UNKNOWN).detail("found", shown(own));
             Error::input(found.detail("known", known.join(", ")))
         })
     }
@@ -153,7 +153,7 @@ impl<'a> Imu<'a> {
             _ => entry(sensor, name, "A", model)?,
         };
         if (c * c.transpose() - Matrix3::identity()).amax() > NO_ROTATION || c.determinant() < 0.0 {
-            return Err(of_entry(Kind::NoRotation, "gyroscopes.C_gyro_i"));
+            return Err(of_entry(Kind::NO_ROTATION, "gyroscopes.C_gyro_i"));
         }
         let t = inverse(m * c, "gyroscopes.M")?;
         let base = Base {
@@ -172,10 +172,10 @@ impl<'a> Imu<'a> {
         });
         let without: Vec<&str> = without.map(|((name, _), _)| *name).collect();
         let of = |kind: Kind| Finding::of(kind).detail("tool", TOOL);
-        let mut worth = vec![of(Kind::ErrorsNotStated)];
+        let mut worth = vec![of(Kind::ERRORS_NOT_STATED)];
         if !without.is_empty() {
             let sensors = without.join(" and ");
-            worth.push(of(Kind::BiasNotStated).detail("sensors", sensors));
+            worth.push(of(Kind::BIAS_NOT_STATED).detail("sensors", sensors));
         }
         worth
     }
@@ -192,7 +192,7 @@ impl<'a> Imu<'a> {
             for key in keys.filter(|key| !known.contains(key)) {
                 let shown: String = key.chars().take(40).filter(|c| !c.is_control()).collect();
                 said.push(
-                    Finding::of(Kind::EntryUnknown)
+                    Finding::of(Kind::ENTRY_UNKNOWN)
                         .detail("tool", TOOL)
                         .detail("entry", format!("{name}.{shown}")),
                 );
@@ -206,10 +206,10 @@ impl<'a> Imu<'a> {
 fn entry(sensor: &Yaml<'_>, name: &str, key: &str, model: &str) -> Result<Matrix3<f64>, Error> {
     let place = format!("{name}.{key}");
     match sensor.as_mapping_get(key) {
-        Some(found) => matrix_of(found).ok_or_else(|| of_entry(Kind::MatrixExpected, place)),
+        Some(found) => matrix_of(found).ok_or_else(|| of_entry(Kind::MATRIX_EXPECTED, place)),
         None if model == CALIBRATED => Ok(Matrix3::identity()),
         None => {
-            let found = Finding::of(Kind::EntryMissing).detail("entry", place);
+            let found = Finding::of(Kind::ENTRY_MISSING).detail("entry", place);
             Err(Error::input(found.detail("model", model)))
         }
     }
@@ -221,13 +221,13 @@ fn bias(sensor: &Yaml<'_>, name: &str) -> Result<Vector3<f64>, Error> {
         return Ok(Vector3::zeros());
     };
     let three = number_list(found).filter(|all| all.len() == 3);
-    let three = three.ok_or_else(|| of_entry(Kind::VectorExpected, format!("{name}.b")))?;
+    let three = three.ok_or_else(|| of_entry(Kind::VECTOR_EXPECTED, format!("{name}.b")))?;
     Ok(Vector3::from_column_slice(&three))
 }
 
 fn inverse(m: Matrix3<f64>, place: &str) -> Result<Matrix3<f64>, Error> {
     m.try_inverse()
-        .ok_or_else(|| of_entry(Kind::EntrySingular, place))
+        .ok_or_else(|| of_entry(Kind::ENTRY_SINGULAR, place))
 }
 
 fn of_entry(kind: Kind, entry: impl Into<String>) -> Error {

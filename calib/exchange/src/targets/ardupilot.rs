@@ -77,13 +77,13 @@ fn write(source: &Source<'_>, settings: &Settings) -> Result<Written, Error> {
         put(&offset, raw.bias, None)?;
     }
     let mut notes = vec![
-        Finding::of(Kind::OffsetsMeasuredAgain)
+        Finding::of(Kind::OFFSETS_MEASURED_AGAIN)
             .detail("system", "ArduPilot")
             .detail("parameter", "INS_GYR_CAL"),
     ];
     if Controller::is_unknown(source, settings) {
         notes.push(
-            Finding::of(Kind::MaybeCorrected)
+            Finding::of(Kind::MAYBE_CORRECTED)
                 .detail("system", "ArduPilot")
                 .detail("stream", "its log"),
         );
@@ -101,7 +101,7 @@ fn numbered(instance: usize) -> Result<[&'static str; 2], Error> {
         1 => Ok(["INS_ACC2", "INS_GYR2"]),
         2 => Ok(["INS_ACC3", "INS_GYR3"]),
         _ => {
-            let found = Finding::of(Kind::InstanceBeyond).detail("system", "ArduPilot");
+            let found = Finding::of(Kind::INSTANCE_BEYOND).detail("system", "ArduPilot");
             Err(Error::settings(
                 found.count("instance", instance).count("most", 2),
             ))

@@ -22,7 +22,7 @@ pub fn not_applied(source: &Source<'_>) -> Vec<Finding> {
         ..Kept::sensors_of(source)
     };
     let left = losses(source, &applied).into_iter();
-    left.map(|loss| loss.as_kind(Kind::NotApplied)).collect()
+    left.map(|loss| loss.as_kind(Kind::NOT_APPLIED)).collect()
 }
 
 /// A list of numbers, null as not a number; `None` of anything else.

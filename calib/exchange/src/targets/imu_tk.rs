@@ -35,7 +35,7 @@ fn text(base: &Base<f64>) -> Result<Vec<u8>, Error> {
     let scale = diagonal(&base.t);
     let inverse = scale
         .try_inverse()
-        .ok_or_else(|| Error::format(Finding::of(Kind::ScaleZero).detail("target", "imu_tk")))?;
+        .ok_or_else(|| Error::format(Finding::of(Kind::SCALE_ZERO).detail("target", "imu_tk")))?;
     let mut text = String::new();
     for matrix in [base.t * inverse, scale] {
         for row in matrix.row_iter() {

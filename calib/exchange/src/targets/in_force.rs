@@ -46,20 +46,20 @@ impl Controller {
         let readings = source.calibration.readings(sensor);
         match (readings, in_force) {
             (Readings::CorrectedBy(by) | Readings::Mixed(by), None) if by == self.system => {
-                let found = Finding::of(Kind::CorrectedInForce)
+                let found = Finding::of(Kind::CORRECTED_IN_FORCE)
                     .detail("system", system_name(by))
                     .detail("of", sensor.name());
                 Err(Error::settings(found.detail("raw", self.raw)))
             }
             (Readings::Mixed(by), Some(_)) => {
                 let [corrected, others] = source.calibration.corrected_by(sensor, by);
-                let found = Finding::of(Kind::CorrectedPartly)
+                let found = Finding::of(Kind::CORRECTED_PARTLY)
                     .detail("system", system_name(by))
                     .detail("corrected", corrected);
                 Err(Error::settings(found.detail("others", others)))
             }
             (Readings::Restored { by }, Some(_)) => {
-                let found = Finding::of(Kind::CorrectionTakenOff);
+                let found = Finding::of(Kind::CORRECTION_TAKEN_OFF);
                 let found = found.detail("system", system_name(by));
                 Err(Error::settings(found.detail("of", sensor.name())))
             }
@@ -80,14 +80,14 @@ impl Controller {
             .iter()
             .find(|name| in_force.get(*name).is_some_and(|v| *v > 0.0))
         {
-            let found = Finding::of(Kind::ReadingsTurned).detail("parameter", name);
+            let found = Finding::of(Kind::READINGS_TURNED).detail("parameter", name);
             return Err(Error::settings(found.detail("raw", self.raw)));
         }
         let value = |pattern: &str, axis: &str| {
             let name = pattern.replace("{axis}", axis);
             let found = in_force.get(&name).copied();
             found.ok_or_else(|| {
-                let found = Finding::of(Kind::ParameterMissing);
+                let found = Finding::of(Kind::PARAMETER_MISSING);
                 Error::settings(found.detail("parameter", name))
             })
         };
@@ -148,7 +148,7 @@ fn parameters(text: &str) -> Result<HashMap<String, f64>, Error> {
             .and_then(|v| v.parse().ok())
             .filter(|v: &f64| v.is_finite());
         let value = value
-            .ok_or_else(|| Error::input(Finding::of(Kind::ParameterLine).count("line", k + 1)))?;
+            .ok_or_else(|| Error::input(Finding::of(Kind::PARAMETER_LINE).count("line", k + 1)))?;
         all.insert(pair.0.to_owned(), value);
     }
     Ok(all)

@@ -53,8 +53,8 @@ fn write(source: &Source<'_>, settings: &Settings) -> Result<Written, Error> {
         matrix("C_gyro_i", &c)
     );
     let angle = Rotation3::from_matrix_unchecked(q).angle();
-    notes.push(Finding::of(Kind::FrameTurned).number("angle", angle, "rad"));
-    notes.push(Finding::of(Kind::TopicToAdd));
+    notes.push(Finding::of(Kind::FRAME_TURNED).number("angle", angle, "rad"));
+    notes.push(Finding::of(Kind::TOPIC_TO_ADD));
     Ok(Written {
         notes,
         ..Written::text(text)
@@ -62,7 +62,7 @@ fn write(source: &Source<'_>, settings: &Settings) -> Result<Written, Error> {
 }
 
 fn inverse(t: &Matrix3<f64>) -> Result<Matrix3<f64>, Error> {
-    let singular = || Error::format(Finding::of(Kind::MatrixSingular));
+    let singular = || Error::format(Finding::of(Kind::MATRIX_SINGULAR));
     t.try_inverse().ok_or_else(singular)
 }
 
@@ -128,7 +128,7 @@ fn densities(source: &Source<'_>, settings: &Settings) -> (String, Vec<Finding>)
     let notes = if missing.is_empty() {
         Vec::new()
     } else {
-        let unknown = Finding::of(Kind::DensitiesUnknown);
+        let unknown = Finding::of(Kind::DENSITIES_UNKNOWN);
         vec![unknown.detail("listed", missing.join(", "))]
     };
     (text, notes)

@@ -105,7 +105,7 @@ impl Archive {
     }
 
     fn store(&mut self, name: &str, file: &[u8]) -> Result<(), Error> {
-        let too_large = |_| Error::format(Finding::of(Kind::ArchiveTooLarge));
+        let too_large = |_| Error::format(Finding::of(Kind::ARCHIVE_TOO_LARGE));
         let size = u32::try_from(file.len()).map_err(too_large)?;
         let start = u32::try_from(self.bytes.len()).map_err(too_large)?;
         let mut crc = Crc::new();
@@ -133,7 +133,7 @@ impl Archive {
     }
 
     fn finish(mut self) -> Result<Vec<u8>, Error> {
-        let too_large = |_| Error::format(Finding::of(Kind::ArchiveTooLarge));
+        let too_large = |_| Error::format(Finding::of(Kind::ARCHIVE_TOO_LARGE));
         let start = u32::try_from(self.bytes.len()).map_err(too_large)?;
         let size = u32::try_from(self.directory.len()).map_err(too_large)?;
         self.bytes.append(&mut self.directory);

@@ -36,7 +36,7 @@ fn write(source: &Source<'_>, settings: &Settings) -> Result<Written, Error> {
     source.needs_signs("px4")?;
     let k = settings.instance;
     if k >= MOST {
-        let found = Finding::of(Kind::InstanceBeyond).detail("system", "PX4");
+        let found = Finding::of(Kind::INSTANCE_BEYOND).detail("system", "PX4");
         let found = found.count("instance", k);
         return Err(Error::settings(found.count("most", MOST - 1)));
     }
@@ -91,10 +91,10 @@ fn write(source: &Source<'_>, settings: &Settings) -> Result<Written, Error> {
         }
     }
     let ids = format!("CAL_ACC{k}_ID and CAL_GYRO{k}_ID");
-    let mut notes = vec![Finding::of(Kind::SensorsByIds).detail("ids", ids)];
+    let mut notes = vec![Finding::of(Kind::SENSORS_BY_IDS).detail("ids", ids)];
     if Controller::is_unknown(source, settings) {
         notes.push(
-            Finding::of(Kind::MaybeCorrected)
+            Finding::of(Kind::MAYBE_CORRECTED)
                 .detail("system", "PX4")
                 .detail("stream", "sensor_combined"),
         );

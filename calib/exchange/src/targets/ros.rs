@@ -36,7 +36,7 @@ fn write(source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
     sequence(&mut text, "SM", &rows(&base.t));
     sequence(&mut text, "bias", (base.t * base.bias).as_slice());
     Ok(Written {
-        notes: vec![Finding::of(Kind::BiasFromStart)],
+        notes: vec![Finding::of(Kind::BIAS_FROM_START)],
         ..Written::text(text)
     })
 }

@@ -84,7 +84,7 @@ mod tests {
 
     #[test]
     fn commands_have_the_names_of_the_recordings_as_a_shell_reads_them() {
-        let found = Finding::of(Kind::Misfit);
+        let found = Finding::of(Kind::MISFIT);
         let of_recording = |name| Inputs {
             recordings: vec![name],
             place: Vec::new(),
@@ -104,7 +104,7 @@ mod tests {
 
     #[test]
     fn a_setting_has_its_value_and_the_gravity_that_was_given() {
-        let found = Finding::of(Kind::Misfit);
+        let found = Finding::of(Kind::MISFIT);
         let remedy = Remedy::set_to(OptionName::Columns, "az=az*0.5");
         let inputs = Inputs {
             recordings: vec!["a.csv"],
@@ -118,7 +118,7 @@ mod tests {
 
     #[test]
     fn an_option_that_is_set_anew_is_given_once() {
-        let found = Finding::of(Kind::LatitudeDoubtful);
+        let found = Finding::of(Kind::LATITUDE_DOUBTFUL);
         let inputs = Inputs {
             recordings: vec!["a.csv"],
             place: vec![(OptionName::Latitude, 48.0), (OptionName::Altitude, 500.0)],

@@ -27,8 +27,8 @@ const NOTHING_TO_DO: &str = "nothing has to be done";
 /// The table of all kinds for the manual: name, level, text with its names in braces, ways out.
 pub fn manual_table() -> String {
     let mut table = String::from("| kind | level | says | to do |\n| --- | --- | --- | --- |\n");
-    for kind in Kind::ALL {
-        let entry = entry(*kind);
+    for kind in Kind::all() {
+        let entry = entry(kind);
         let own = (!entry.advice.is_empty()).then(|| entry.advice.replace(['[', ']'], ""));
         let remedies = entry
             .remedies
@@ -180,7 +180,7 @@ mod tests {
 
     #[test]
     fn no_entry_names_a_flag_or_a_command() {
-        for entry in Kind::ALL.iter().map(|kind| entry(*kind)) {
+        for entry in Kind::all().map(entry) {
             for words in [entry.reason, entry.text, entry.advice] {
                 assert!(
                     !words.contains("--") && !words.contains("stillpoint"),

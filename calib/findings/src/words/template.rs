@@ -101,7 +101,7 @@ mod tests {
 
     #[test]
     fn names_are_filled_and_parts_without_theirs_left_out() {
-        let found = Finding::of(Kind::Remark)
+        let found = Finding::of(Kind::REMARK)
             .at_interval(2)
             .between(1.0, 2.5)
             .number("size", 0.0028, "m/s^2")
@@ -115,7 +115,7 @@ mod tests {
 
     #[test]
     fn things_are_counted_in_the_singular_and_in_the_plural() {
-        let found = |count| Finding::of(Kind::Remark).count("count", count);
+        let found = |count| Finding::of(Kind::REMARK).count("count", count);
         let text = [1, 3].map(|count| filled("{count:gap}[, {more:row}]", &found(count)));
         assert_eq!(text, ["1 gap", "3 gaps"]);
     }

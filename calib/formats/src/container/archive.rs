@@ -31,7 +31,7 @@ impl Archive {
         let mut entries = Vec::new();
         for (name, packed) in packed {
             if is_outside(&name) {
-                let outside = Finding::of(Kind::EntryOutside);
+                let outside = Finding::of(Kind::ENTRY_OUTSIDE);
                 warnings.push(outside.detail("entry", shown(&name)));
                 continue;
             }

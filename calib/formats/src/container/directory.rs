@@ -76,14 +76,14 @@ pub(super) fn directory(
         if header.len() < 46 || !header.starts_with(HEADER) {
             return Err(Error::at(
                 end.at + position as u64,
-                counted(Finding::of(Kind::ZipDirectoryDamaged), "index", index),
+                counted(Finding::of(Kind::ZIP_DIRECTORY_DAMAGED), "index", index),
             ));
         }
         let [name, extra, comment] = [28, 30, 32].map(|at| number(header, at, 2) as usize);
         let raw = header.get(46..46 + name).unwrap_or_default();
         let name_text = String::from_utf8_lossy(raw).into_owned();
         if number(header, 8, 2) & 1 == 1 {
-            let found = Finding::of(Kind::ZipEncrypted);
+            let found = Finding::of(Kind::ZIP_ENCRYPTED);
             return Err(Error::refused(found.detail("entry", shown(&name_text))));
         }
         let extra_fields = header.get(46 + name..46 + name + extra).unwrap_or_default();
@@ -173,7 +173,7 @@ fn find_end(archive: &mut (impl Read + Seek), length: u64) -> Result<End, Error>
 }
 
 fn truncated(length: u64) -> Error {
-    Error::at(length, Finding::of(Kind::ZipDirectoryMissing))
+    Error::at(length, Finding::of(Kind::ZIP_DIRECTORY_MISSING))
 }
 
 /// Refuses archives that claim more than they can hold.
@@ -186,7 +186,7 @@ fn check(files: &[(String, Packed)], end: u64, limits: Limits) -> Result<(), Err
         if last > end {
             return Err(Error::at(
                 packed.at,
-                Finding::of(Kind::ZipEntryBeyond).detail("entry", shown(name)),
+                Finding::of(Kind::ZIP_ENTRY_BEYOND).detail("entry", shown(name)),
             ));
         }
         spans.push((packed.at, last, name));
@@ -196,7 +196,7 @@ fn check(files: &[(String, Packed)], end: u64, limits: Limits) -> Result<(), Err
     }
     spans.sort_unstable();
     if let Some(pair) = spans.windows(2).find(|pair| pair[0].1 > pair[1].0) {
-        let found = Finding::of(Kind::ZipEntriesOverlap).detail("entry", shown(pair[0].2));
+        let found = Finding::of(Kind::ZIP_ENTRIES_OVERLAP).detail("entry", shown(pair[0].2));
         return Err(Error::refused(found.detail("other", shown(pair[1].2))));
     }
     Ok(())

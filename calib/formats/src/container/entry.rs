@@ -21,7 +21,7 @@ pub(super) fn unpacked(
 ) -> Result<Box<dyn Read + Send>, Error> {
     archive.seek(SeekFrom::Start(packed.at))?;
     let mut header = [0; LOCAL_SIZE];
-    let missing = || Error::at(packed.at, Finding::of(Kind::ZipEntryMissing));
+    let missing = || Error::at(packed.at, Finding::of(Kind::ZIP_ENTRY_MISSING));
     archive
         .read_exact(&mut header)
         .map_err(|error| match error.kind() {
@@ -38,7 +38,7 @@ pub(super) fn unpacked(
         0 => Box::new(content),
         8 => Box::new(DeflateDecoder::new(BufReader::new(content))),
         other => {
-            let found = Finding::of(Kind::ZipMethodUnknown);
+            let found = Finding::of(Kind::ZIP_METHOD_UNKNOWN);
             return Err(Error::refused(found.count("method", other.into())));
         }
     };
@@ -71,12 +71,12 @@ impl Read for Checked {
         self.left -= read as u64;
         self.crc.update(&buffer[..read]);
         if read == 0 && self.left > 0 {
-            let found = counted(Finding::of(Kind::ZipEntryCut), "missing", self.left);
+            let found = counted(Finding::of(Kind::ZIP_ENTRY_CUT), "missing", self.left);
             let cut = io::ErrorKind::UnexpectedEof;
             return Err(io::Error::new(cut, Error::refused(found)));
         }
         if read == 0 && self.crc.sum() != self.expected {
-            let found = Finding::of(Kind::CheckSumWrong).detail("part", "zip entry");
+            let found = Finding::of(Kind::CHECK_SUM_WRONG).detail("part", "zip entry");
             return Err(Error::refused(found).into());
         }
         Ok(read)

@@ -233,7 +233,7 @@ impl Container {
                 format.text(store, &entry.name, self.limits)
             }
             _ => {
-                let found = Finding::of(Kind::EntryElsewhere);
+                let found = Finding::of(Kind::ENTRY_ELSEWHERE);
                 Err(Error::refused(found.detail("entry", shown(&entry.name))))
             }
         }

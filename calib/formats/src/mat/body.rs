@@ -223,7 +223,7 @@ impl<'a> Body<'a> {
         };
         let at = self.at;
         let damaged = |reason: String| {
-            let found = Finding::of(Kind::PartUnpacksNot).detail("part", VARIABLE);
+            let found = Finding::of(Kind::PART_UNPACKS_NOT).detail("part", VARIABLE);
             Error::at(at, found.detail("reason", reason))
         };
         let mut filled = 0;

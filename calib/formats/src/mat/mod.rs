@@ -44,7 +44,7 @@ fn read(reader: &mut dyn Read, wanted: &Wanted, limits: Limits) -> Result<Conten
         .take(HEADER)?
         .ok_or_else(|| Error::at(0, cut("header", "MATLAB file")))?;
     if header.get(126..128) == Some(b"MI") {
-        return Err(Error::refused(Finding::of(Kind::MatlabBigEndian)));
+        return Err(Error::refused(Finding::of(Kind::MATLAB_BIG_ENDIAN)));
     }
     let offset = header
         .get(116..124)
@@ -86,7 +86,7 @@ impl File {
         if tag.kind != MATRIX && tag.kind != COMPRESSED {
             return Err(Error::at(
                 at,
-                Finding::of(Kind::ElementUnexpected).count("type", tag.kind as usize),
+                Finding::of(Kind::ELEMENT_UNEXPECTED).count("type", tag.kind as usize),
             ));
         }
         let mut part = bytes.part(tag.length);

@@ -100,7 +100,7 @@ impl Objects {
         let Some(bytes) = cell.matrix.as_deref() else {
             return Err(Error::at(
                 cell.at,
-                findings::Finding::of(findings::Kind::TimetableTooEarly),
+                findings::Finding::of(findings::Kind::TIMETABLE_TOO_EARLY),
             ));
         };
         let element = Element {

@@ -76,7 +76,7 @@ impl<'a> Value<'a> {
         if depth == DEPTH {
             return Err(Error::at(
                 at,
-                findings::Finding::of(findings::Kind::NestedTooDeep)
+                findings::Finding::of(findings::Kind::NESTED_TOO_DEEP)
                     .count("limit", DEPTH)
                     .detail("things", "values"),
             ));

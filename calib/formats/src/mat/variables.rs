@@ -108,7 +108,7 @@ impl Variables {
         }
         let unread = class.filter(|class| !read && *class != "timetable");
         if let Some(class) = unread {
-            let unread = Finding::of(Kind::VariableNotRead)
+            let unread = Finding::of(Kind::VARIABLE_NOT_READ)
                 .detail("variable", shown(name))
                 .detail("class", shown(class));
             self.recorder.content.warnings.push(unread);
@@ -153,7 +153,7 @@ impl Variables {
         let times = times.map(|times| Stamps::values(times, objects));
         let times = times.transpose()?.flatten();
         let Some(stamps) = times.as_ref().and_then(Stamps::of) else {
-            let found = Finding::of(Kind::RowTimesUnknown);
+            let found = Finding::of(Kind::ROW_TIMES_UNKNOWN);
             return Err(Error::refused(found.detail("variable", shown(name))));
         };
         let stream = match quantity {
@@ -167,7 +167,7 @@ impl Variables {
         let rows = x.len();
         if y.len() != rows || z.len() != rows || stamps.len() != rows {
             let lengths = [rows, y.len(), z.len(), stamps.len()].map(|length| length.to_string());
-            let found = Finding::of(Kind::ColumnsUnequal).detail("name", shown(name));
+            let found = Finding::of(Kind::COLUMNS_UNEQUAL).detail("name", shown(name));
             return Err(Error::refused(found.detail("listed", lengths.join(", "))));
         }
         self.recorder.reserve(stream, rows);
@@ -251,7 +251,7 @@ impl Variables {
             self.recorder.content.unclear.extend(unread);
         }
         if self.recorder.content.streams.is_empty() {
-            let unknown = Finding::of(Kind::VariablesUnknown);
+            let unknown = Finding::of(Kind::VARIABLES_UNKNOWN);
             self.recorder.content.warnings.push(unknown);
         }
         self.recorder.content.listed = self.others;

@@ -23,7 +23,7 @@ fn read(file: &mut dyn ReadSeek, wanted: &Wanted, limits: Limits) -> Result<Cont
     let (Some(topics), Some(messages)) = (tables.get("topics"), tables.get("messages")) else {
         let mut names: Vec<&str> = tables.keys().map(String::as_str).collect();
         names.sort_unstable();
-        let found = Finding::of(Kind::NoBagTables).detail("tables", names.join(", "));
+        let found = Finding::of(Kind::NO_BAG_TABLES).detail("tables", names.join(", "));
         // Of Sensor Logger.
         let of_app = ["Gyroscope", "Accelerometer"];
         return Err(Error::refused(
@@ -61,7 +61,7 @@ fn read(file: &mut dyn ReadSeek, wanted: &Wanted, limits: Limits) -> Result<Cont
                 .any(|s| !s.stamps.is_empty()) =>
         {
             let at = found.place.byte.unwrap_or(0);
-            let damaged = counted(Finding::of(Kind::FileDamaged), "byte", at);
+            let damaged = counted(Finding::of(Kind::FILE_DAMAGED), "byte", at);
             recorder.content.cut = Some(damaged.because(*found));
         }
         other => other?,

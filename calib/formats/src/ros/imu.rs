@@ -144,10 +144,10 @@ impl Topic {
             match fields.bytes(4) {
                 Some([0, 1, ..]) => {}
                 Some([0, 0, ..]) => {
-                    return Err(Error::at(at, Finding::of(Cause::MessageBigEndian)));
+                    return Err(Error::at(at, Finding::of(Cause::MESSAGE_BIG_ENDIAN)));
                 }
                 Some([a, b, ..]) => {
-                    let found = Finding::of(Cause::EncapsulationUnknown);
+                    let found = Finding::of(Cause::ENCAPSULATION_UNKNOWN);
                     return Err(Error::at(
                         at,
                         found.detail("code", format!("0x{a:02x}{b:02x}")),
@@ -262,7 +262,7 @@ impl<K: Eq + Hash> Topics<K> {
         };
         if read.encoding == Encoding::Cdr && message.starts_with(ZSTD) {
             let message = unpacked(message)
-                .ok_or_else(|| Error::at(at, Finding::of(Cause::MessageCompressed)))?;
+                .ok_or_else(|| Error::at(at, Finding::of(Cause::MESSAGE_COMPRESSED)))?;
             return read.take(&message, at, recorder);
         }
         read.take(message, at, recorder)

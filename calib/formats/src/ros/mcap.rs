@@ -68,7 +68,7 @@ struct File {
 impl File {
     fn cut(&mut self, at: u64, between_records: bool) {
         self.recorder.content.cut = Some(match between_records {
-            true => Finding::of(Kind::FileNotClosed).count("byte", at as usize),
+            true => Finding::of(Kind::FILE_NOT_CLOSED).count("byte", at as usize),
             false => cut_at(at, "a record"),
         });
     }
@@ -148,7 +148,7 @@ impl File {
         let mut sum = flate2::Crc::new();
         sum.update(&unpacked);
         if crc != 0 && sum.sum() != crc {
-            let found = Finding::of(Kind::CheckSumWrong).detail("part", "chunk");
+            let found = Finding::of(Kind::CHECK_SUM_WRONG).detail("part", "chunk");
             return self.skip(at, found);
         }
         let mut records = Fields(&unpacked);
@@ -157,7 +157,7 @@ impl File {
             let body = head
                 .and_then(|(op, length)| Some((op, records.bytes(usize::try_from(length).ok()?)?)));
             let Some((op, body)) = body else {
-                return self.skip(at, Finding::of(Kind::EndsWithinRecord));
+                return self.skip(at, Finding::of(Kind::ENDS_WITHIN_RECORD));
             };
             if op != CHUNK {
                 self.record(op, body, at)?;

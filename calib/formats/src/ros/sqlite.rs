@@ -82,7 +82,7 @@ impl<'a> Database<'a> {
         if !page.is_power_of_two() || page < 512 || usable < 480 {
             return Err(Error::at(
                 16,
-                Finding::of(Kind::PageSizeWrong).count("bytes", page),
+                Finding::of(Kind::PAGE_SIZE_WRONG).count("bytes", page),
             ));
         }
         Ok(Self {
@@ -104,7 +104,7 @@ impl<'a> Database<'a> {
         let at = at.filter(whole).ok_or_else(|| {
             Error::at(
                 self.length,
-                Finding::of(Kind::PageMissing).count("page", number),
+                Finding::of(Kind::PAGE_MISSING).count("page", number),
             )
         })?;
         // Pages follow each other mostly, so that the buffer is kept.
@@ -151,11 +151,11 @@ impl<'a> Database<'a> {
     ) -> Result<(), Error> {
         let (at, page) = self.page(number)?;
         let of_page = |kind: Kind| Finding::of(kind).count("page", number);
-        let damaged = |part: &str| Error::at(at, of_page(Kind::PageDamaged).detail("part", part));
+        let damaged = |part: &str| Error::at(at, of_page(Kind::PAGE_DAMAGED).detail("part", part));
         *left = left
             .checked_sub(1)
             .filter(|_| depth < DEPTH)
-            .ok_or_else(|| Error::at(at, of_page(Kind::PagesInCircle)))?;
+            .ok_or_else(|| Error::at(at, of_page(Kind::PAGES_IN_CIRCLE)))?;
         let start = if number == 1 { HEADER } else { 0 };
         let header = &page[start..];
         let (kind, cells) = (header[0], big_endian(&header[3..5]));

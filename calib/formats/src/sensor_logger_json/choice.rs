@@ -41,16 +41,16 @@ pub(crate) fn choose(content: &mut Content, turned: bool) -> Result<(), Error> {
                 .iter_mut()
                 .flatten()
                 .for_each(|value| *value = -*value);
-            let turned = Finding::of(Kind::SignTurned).detail("system", SYSTEM);
+            let turned = Finding::of(Kind::SIGN_TURNED).detail("system", SYSTEM);
             content.warnings.push(turned);
         }
         chosen.push(accel);
     } else if linear.is_some() {
-        return Err(Error::refused(Finding::of(Kind::LoggerWithoutGravity)));
+        return Err(Error::refused(Finding::of(Kind::LOGGER_WITHOUT_GRAVITY)));
     }
     chosen.extend(gyro);
     let taken: Vec<&str> = chosen.iter().map(|stream| stream.source.as_str()).collect();
-    let taken = Finding::of(Kind::StreamsChosen)
+    let taken = Finding::of(Kind::STREAMS_CHOSEN)
         .detail("system", SYSTEM)
         .detail("streams", taken.join(" and "));
     content.warnings.push(taken);

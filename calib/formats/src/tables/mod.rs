@@ -133,7 +133,7 @@ impl Tabular {
     /// A build without it, and what to do.
     fn reader(&self) -> Result<Reader, Error> {
         self.reader.ok_or_else(|| {
-            let found = Finding::of(Kind::NotInBuild).detail("format", self.called);
+            let found = Finding::of(Kind::NOT_IN_BUILD).detail("format", self.called);
             let build = Remedy::Build {
                 feature: self.name.into(),
             };
@@ -182,7 +182,7 @@ pub fn write_parquet(columns: &[(String, Vec<f64>)]) -> Result<Vec<u8>, Error> {
     #[cfg(not(feature = "parquet"))]
     {
         let _ = columns;
-        let found = Finding::of(Kind::NotWrittenByBuild).detail("format", "Parquet");
+        let found = Finding::of(Kind::NOT_WRITTEN_BY_BUILD).detail("format", "Parquet");
         Err(Error::refused(found.remedy(Remedy::Build {
             feature: "parquet".into(),
         })))
@@ -203,7 +203,7 @@ fn guarded<T>(read: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
     let before = CATCHES.replace(true);
     let read = catch_unwind(AssertUnwindSafe(read));
     CATCHES.set(before);
-    read.unwrap_or_else(|_| Err(Error::refused(Finding::of(Kind::ReaderGaveUp))))
+    read.unwrap_or_else(|_| Err(Error::refused(Finding::of(Kind::READER_GAVE_UP))))
 }
 
 #[cfg(test)]

@@ -90,7 +90,7 @@ pub(super) fn with_unit(name: &str, unit: Option<&str>) -> String {
 pub(super) fn check(rows: u64, limit: u64) -> Result<(), Error> {
     match rows > limit {
         true => {
-            let found = counted(Finding::of(Kind::TableTooLong), "rows", rows);
+            let found = counted(Finding::of(Kind::TABLE_TOO_LONG), "rows", rows);
             Err(Error::refused(counted(found, "limit", limit)))
         }
         false => Ok(()),
@@ -110,7 +110,7 @@ pub(super) fn check_cells(
     let cells = rows.saturating_mul(columns as u64);
     match cells > ALWAYS && cells / limits.ratio > length {
         true => {
-            let found = counted(Finding::of(Kind::CellsTooMany), "cells", cells);
+            let found = counted(Finding::of(Kind::CELLS_TOO_MANY), "cells", cells);
             Err(Error::refused(counted(found, "length", length)))
         }
         false => Ok(()),

@@ -36,12 +36,12 @@ fn tables(store: &Store, limits: Limits) -> Result<Listed, Error> {
             }
             (SheetType::WorkSheet, _) => listed
                 .warnings
-                .push(Finding::of(Kind::SheetHidden).detail("sheet", shown(&sheet.name))),
+                .push(Finding::of(Kind::SHEET_HIDDEN).detail("sheet", shown(&sheet.name))),
             _ => {}
         }
     }
     match listed.names.is_empty() {
-        true => Err(Error::refused(Finding::of(Kind::NoSheet))),
+        true => Err(Error::refused(Finding::of(Kind::NO_SHEET))),
         false => Ok(listed),
     }
 }
@@ -92,12 +92,12 @@ fn check(store: &Store, limits: Limits) -> Result<(), Error> {
         let unpacked =
             unpacked.map_err(|error| unreadable(format!("part {}", shown(name)), &error))?;
         if unpacked == HELD {
-            let found = Finding::of(Kind::UnpacksTooLarge).detail("what", shown(name));
+            let found = Finding::of(Kind::UNPACKS_TOO_LARGE).detail("what", shown(name));
             let found = counted(found, "limit", HELD);
             return Err(Error::refused(found.only_remedies([Remedy::SaveAsCsv])));
         }
         if words.most > unpacked.max(MANY) {
-            let found = Finding::of(Kind::WordsTooMany).detail("part", shown(name));
+            let found = Finding::of(Kind::WORDS_TOO_MANY).detail("part", shown(name));
             let found = counted(found, "words", words.most);
             return Err(Error::refused(counted(found, "bytes", unpacked)));
         }
@@ -191,14 +191,14 @@ impl Sheet<'_> {
             DataRef::Error(error) => Cell::Text(error.to_string()),
         };
         if row < self.row || row >= ROWS || column >= COLUMNS || column < self.first {
-            return Err(self.refused(Kind::CellImpossible, row, column));
+            return Err(self.refused(Kind::CELL_IMPOSSIBLE, row, column));
         }
         while self.row < row {
             self.end_line()?;
         }
         let at = column - self.first;
         if self.columns > at {
-            return Err(self.refused(Kind::CellTwice, row, column));
+            return Err(self.refused(Kind::CELL_TWICE, row, column));
         }
         for _ in self.columns.max(1)..=at {
             self.line.push(',');
@@ -219,7 +219,7 @@ impl Sheet<'_> {
     fn end_line(&mut self) -> Result<(), Error> {
         // A date among words is a remark; among numbers it is the stamp of a reading.
         if let (Some((row, column)), true) = (self.date, self.numbers) {
-            return Err(self.refused(Kind::CellIsDate, row, column));
+            return Err(self.refused(Kind::CELL_IS_DATE, row, column));
         }
         self.line.push('\n');
         self.out.write_all(self.line.as_bytes())?;

@@ -128,8 +128,8 @@ pub(super) fn undo(content: &mut Content, parameters: &Parameters, selected: Opt
         undone.push(format!("CAL_{kind}{sensor}"));
     }
     let kind = match left {
-        true => Kind::CorrectedBySystem,
-        false => Kind::CorrectionUndone,
+        true => Kind::CORRECTED_BY_SYSTEM,
+        false => Kind::CORRECTION_UNDONE,
     };
     let are = if undone.len() == 1 { "is" } else { "are" };
     content.warnings.push(

@@ -105,7 +105,7 @@ impl File {
             b'B' | b'I' | b'M' | b'Q' | b'R' | b'L' | b'C' | b'S' => Ok(()),
             other => Err(Error::at(
                 at,
-                Finding::of(Kind::MessageKindUnknown).detail("code", format!("0x{other:02x}")),
+                Finding::of(Kind::MESSAGE_KIND_UNKNOWN).detail("code", format!("0x{other:02x}")),
             )),
         }
     }
@@ -178,7 +178,7 @@ impl File {
             } else {
                 ""
             };
-            let lost = Finding::of(Kind::LogDropouts)
+            let lost = Finding::of(Kind::LOG_DROPOUTS)
                 .from_time(*first)
                 .count("count", self.dropouts.len())
                 .number("missing", lost, "s")

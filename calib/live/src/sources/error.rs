@@ -90,31 +90,31 @@ impl Error {
     /// The finding that ended the session, with its source or file as the place.
     pub fn finding(&self) -> Finding {
         match self {
-            Self::NoSource(name) => Finding::of(Kind::SourceUnknown).in_file(name),
+            Self::NoSource(name) => Finding::of(Kind::SOURCE_UNKNOWN).in_file(name),
             Self::Lost {
                 address,
                 seconds,
                 cause,
             } => {
-                let lost = Finding::of(Kind::PhoneLost).in_file(address);
+                let lost = Finding::of(Kind::PHONE_LOST).in_file(address);
                 let lost = lost.detail("reason", cause);
                 match *seconds > 0.0 {
                     true => lost.number("seconds", *seconds, "s"),
                     false => lost,
                 }
             }
-            Self::Restless { address, times } => Finding::of(Kind::PhoneRestless)
+            Self::Restless { address, times } => Finding::of(Kind::PHONE_RESTLESS)
                 .in_file(address)
                 .count("times", *times),
             Self::TooMuch { name, limit } => match *limit {
-                Limit::Line(bytes) => Finding::of(Kind::LineWithoutEnd).count("limit", bytes),
+                Limit::Line(bytes) => Finding::of(Kind::LINE_WITHOUT_END).count("limit", bytes),
                 Limit::Text(bytes) => {
-                    Finding::of(Kind::TextTooLong).number("limit", bytes as f64, "count")
+                    Finding::of(Kind::TEXT_TOO_LONG).number("limit", bytes as f64, "count")
                 }
-                Limit::Samples(count) => Finding::of(Kind::SessionTooLong).count("limit", count),
+                Limit::Samples(count) => Finding::of(Kind::SESSION_TOO_LONG).count("limit", count),
             }
             .in_file(name),
-            Self::NotPhyphox { address, begin } => Finding::of(Kind::NotPhyphox)
+            Self::NotPhyphox { address, begin } => Finding::of(Kind::NOT_PHYPHOX)
                 .in_file(address)
                 .detail("begin", begin),
             Self::NoSensor {
@@ -122,13 +122,13 @@ impl Error {
                 experiment,
                 sensor,
                 found,
-            } => Finding::of(Kind::PhoneWithoutSensor)
+            } => Finding::of(Kind::PHONE_WITHOUT_SENSOR)
                 .in_file(address)
                 .detail("experiment", experiment)
                 .detail("missing", *sensor)
                 .detail("found", found),
             Self::File { path, cause } => {
-                Finding::of_system(Kind::SessionFile, cause).in_file(shown_path(path))
+                Finding::of_system(Kind::SESSION_FILE, cause).in_file(shown_path(path))
             }
             Self::Unreadable(error) => error.finding(),
         }

@@ -44,7 +44,7 @@ pub(crate) fn without_held(
     };
     let mean = stream.len() as f64 / starts.len() as f64;
     warnings.push(
-        Finding::of(Kind::SlowerSensor)
+        Finding::of(Kind::SLOWER_SENSOR)
             .in_recording(name)
             .of_sensor(sensor)
             .number("ratio", mean, "1")

@@ -76,7 +76,7 @@ pub(crate) fn to_seconds(
         if let Some(line) = table.clock.wraps.first() {
             let count = table.clock.wraps.len();
             warnings.push(
-                Finding::of(Kind::CounterWraps)
+                Finding::of(Kind::COUNTER_WRAPS)
                     .in_recording(&table.name)
                     .count("count", count)
                     .count("line", *line as usize),
@@ -142,10 +142,10 @@ fn checked(table: &Table) -> Result<Affine, Error> {
     };
     let of = |kind: Kind| Finding::of(kind).in_file(&table.name);
     if table.clock.dates {
-        return Err(Error::usage(of(Kind::ExpressionOfDates)));
+        return Err(Error::usage(of(Kind::EXPRESSION_OF_DATES)));
     }
     if affine.scale <= 0.0 {
-        let backwards = of(Kind::ExpressionBackwards);
+        let backwards = of(Kind::EXPRESSION_BACKWARDS);
         return Err(Error::usage(
             backwards.detail("factor", figure(affine.scale)),
         ));
@@ -160,7 +160,7 @@ fn of_expression(table: &Table, options: &ReadOptions, scale: f64) -> Result<Tim
     match rate.filter(|rate| scale > 0.0 && !POSSIBLE.contains(rate)) {
         None => Ok(unit),
         Some(rate) => Err(Error::usage(
-            Finding::of(Kind::ExpressionUnit)
+            Finding::of(Kind::EXPRESSION_UNIT)
                 .in_file(&table.name)
                 .detail("unit", unit.name())
                 .detail("rate", significant(rate, 6)),
@@ -195,7 +195,7 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
                     .unwrap_or(&TimeUnit::Seconds);
                 Err(in_file(
                     &table.name,
-                    Finding::of(Kind::TimeUnitStated)
+                    Finding::of(Kind::TIME_UNIT_STATED)
                         .detail("unit", unit.name())
                         .detail("rate", significant(rate, 6))
                         .only_remedies([Remedy::such_as(OptionName::TimeUnit, other.name())]),
@@ -206,7 +206,7 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
     let mut columns = table.roles.iter();
     let unknown = |(role, name): &&(Role, String)| *role == Role::Time && says_unknown_unit(name);
     if let Some((_, column)) = columns.find(unknown) {
-        let found = Finding::of(Kind::TimeUnitOpen).detail("column", shown(column));
+        let found = Finding::of(Kind::TIME_UNIT_OPEN).detail("column", shown(column));
         // Any unit that the option takes would be another.
         let count = per_second(column).map_or_else(|| "100".to_owned(), |count| count.to_string());
         let scaled = Remedy::such_as(OptionName::Columns, format!("t={column}/{count}"));
@@ -287,7 +287,7 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
                 first.is_some_and(|first| (1e4..1e6).contains(first) || (0.0..1.0).contains(first));
             let is_days = is_days && plausible(&TimeUnit::Days);
             if let Some((_, column)) = ticks {
-                let found = Finding::of(Kind::TimeUnitOpen).detail("step", significant(step, 6));
+                let found = Finding::of(Kind::TIME_UNIT_OPEN).detail("step", significant(step, 6));
                 let scaled = Remedy::such_as(OptionName::Columns, format!("t={column}/32768"));
                 return Err(in_file(&table.name, found.only_remedies([scaled])));
             }
@@ -311,7 +311,7 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
                 }
                 None => Remedy::examples(counted.chain([unit(TimeUnit::Milliseconds)])),
             };
-            let found = Finding::of(Kind::TimeUnitOpen).detail("step", significant(step, 6));
+            let found = Finding::of(Kind::TIME_UNIT_OPEN).detail("step", significant(step, 6));
             Err(in_file(&table.name, found.only_remedies([remedy])))
         }
     }
@@ -335,14 +335,14 @@ fn unit_of_ones(table: &Table, warnings: &mut Findings) -> Result<TimeUnit, Erro
         return Ok(unit);
     }
     if table.plain_time {
-        warnings.push(Finding::of(Kind::StampsCountRows).in_recording(&table.name));
+        warnings.push(Finding::of(Kind::STAMPS_COUNT_ROWS).in_recording(&table.name));
         return Ok(TimeUnit::Seconds);
     }
-    Err(in_file(&table.name, Finding::of(Kind::StampsByOne)))
+    Err(in_file(&table.name, Finding::of(Kind::STAMPS_BY_ONE)))
 }
 
 fn decided(table: &Table, unit: TimeUnit) -> Finding {
-    Finding::of(Kind::TimeUnitTold)
+    Finding::of(Kind::TIME_UNIT_TOLD)
         .in_recording(&table.name)
         .detail("unit", unit.name())
 }

@@ -38,7 +38,7 @@ pub(crate) fn refuse(name: &str, sensor: Sensor, samples: &Samples) -> Result<()
         return Err(at_line(
             name,
             found.line,
-            Finding::of(Kind::RowsOfDevices)
+            Finding::of(Kind::ROWS_OF_DEVICES)
                 .of_sensor(sensor)
                 .count("count", found.count)
                 .detail("apart", rounded(found.apart))
@@ -49,7 +49,7 @@ pub(crate) fn refuse(name: &str, sensor: Sensor, samples: &Samples) -> Result<()
         return Err(at_line(
             name,
             samples.line(0),
-            Finding::of(Kind::DevicesByTurns)
+            Finding::of(Kind::DEVICES_BY_TURNS)
                 .of_sensor(sensor)
                 .count("devices", devices),
         ));

@@ -62,7 +62,7 @@ pub(crate) fn choose(table: &mut Table, options: &ReadOptions) -> Result<(), Err
     };
     let is_it = |(value, _): &&(usize, usize)| devices.column.is(*value, &wanted);
     let Some(&(value, _)) = devices.values.iter().find(is_it) else {
-        let missing = devices.found(Kind::DeviceMissing, table);
+        let missing = devices.found(Kind::DEVICE_MISSING, table);
         return Err(Error::usage(missing.detail("wanted", quoted(&wanted))));
     };
     let label = |line: u64| devices.column.of_rows.get(labels.row(line));
@@ -82,7 +82,7 @@ fn alone(table: &Table, labels: &Labels, wanted: &str) -> Result<(), Error> {
         return Ok(());
     }
     Err(Error::usage(
-        Finding::of(Kind::DeviceNotTold)
+        Finding::of(Kind::DEVICE_NOT_TOLD)
             .in_file(&table.name)
             .detail("wanted", quoted(wanted)),
     ))
@@ -166,7 +166,8 @@ impl<'a> Devices<'a> {
                 any_of: vec![Setting::to(OptionName::Instance, ALL)],
             });
         }
-        self.found(Kind::DevicesInTable, table).only_remedies(ways)
+        self.found(Kind::DEVICES_IN_TABLE, table)
+            .only_remedies(ways)
     }
 }
 

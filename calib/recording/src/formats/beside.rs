@@ -54,7 +54,7 @@ pub(super) fn add_magnetometer(
         return;
     };
     let Some(part) = magnetometer::part(&Look::at(&files.head(entry)), unit) else {
-        let unknown = Finding::of(Kind::FieldColumnsUnknown).detail("file", shown(&entry.name));
+        let unknown = Finding::of(Kind::FIELD_COLUMNS_UNKNOWN).detail("file", shown(&entry.name));
         return parts::without_field(tables, &Error::input(unknown));
     };
     let origin = tables.first().and_then(|table| table.clock.origin);
@@ -130,7 +130,7 @@ pub(super) fn refuse_unused(files: &Files, used: &[&str]) -> Result<(), Error> {
     let Some((entry, _)) = files.heads().into_iter().find(may_hold_a_sensor) else {
         return Ok(());
     };
-    let found = Finding::of(Kind::SensorUnused).detail("table", shown(&entry.name));
+    let found = Finding::of(Kind::SENSOR_UNUSED).detail("table", shown(&entry.name));
     let found = match files.is_archive() {
         true => found.detail("archive", files.kind()),
         false => found,

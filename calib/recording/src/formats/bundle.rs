@@ -54,7 +54,7 @@ impl Format for Bundle {
         };
         let source = files.source(entry, options)?;
         let format = (self.0)(&source)
-            .ok_or_else(|| in_file(&files.called(entry), Finding::of(Kind::UnknownFormat)))?;
+            .ok_or_else(|| in_file(&files.called(entry), Finding::of(Kind::UNKNOWN_FORMAT)))?;
         let mut recording = format.read(source, options)?;
         let whole = recording.accelerometer.is_some() && recording.gyroscope.is_some();
         if !whole && options.entry.is_none() && options.columns.0.is_empty() {
@@ -144,7 +144,7 @@ fn only<'a>(files: &Files, found: &[Found<'a>]) -> Result<&'a Entry, Error> {
             let likely = whole.first().map_or(first, |whole| whole);
             Err(in_file(
                 &files.name,
-                Finding::of(Kind::EntryOpen)
+                Finding::of(Kind::ENTRY_OPEN)
                     .count("count", names.len())
                     .detail("listed", names.join(", "))
                     .only_remedies([Remedy::such_as(

@@ -49,7 +49,7 @@ pub(super) fn files(source: Source, format: &dyn Format) -> Result<Files, Error>
 
 pub(super) fn mismatch(name: &str, format: &dyn Format, expected: &str) -> Error {
     Error::usage(
-        Finding::of(Kind::OtherFormat)
+        Finding::of(Kind::OTHER_FORMAT)
             .in_file(name)
             .detail("format", format.name())
             .detail("expected", expected),

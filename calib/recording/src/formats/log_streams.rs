@@ -113,7 +113,7 @@ pub(super) fn content(
         None => binary.format.read(&mut binary.reader, wanted, limits),
     });
     let content = catch_unwind(read).unwrap_or_else(|_| {
-        let gave_up = Finding::of(Kind::ReaderGaveUp);
+        let gave_up = Finding::of(Kind::READER_GAVE_UP);
         Err(file_formats::Error::at(0, gave_up))
     });
     let content = content.map_err(|error| Error::input(error.finding().in_file(&binary.name)))?;

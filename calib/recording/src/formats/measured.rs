@@ -59,10 +59,10 @@ impl Format for Measured {
         let name = binary.name.clone();
         let of = |kind: Kind| Finding::of(kind).in_file(&name);
         if !options.columns.0.is_empty() {
-            return Err(Error::usage(of(Kind::ColumnsOfLog)));
+            return Err(Error::usage(of(Kind::COLUMNS_OF_LOG)));
         }
         if let (Some(device), None) = (&options.device, options.instance) {
-            let other = of(Kind::InstanceNotNumber).detail("instance", shown(device));
+            let other = of(Kind::INSTANCE_NOT_NUMBER).detail("instance", shown(device));
             return Err(Error::usage(other));
         }
         refuse_part(&name, options)?;
@@ -93,7 +93,7 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
             1..=12 => listed.join(", "),
             more => format!("{} and {} more", listed[..12].join(", "), more - 12),
         };
-        let found = Finding::of(Kind::LogWithoutSensor).detail("listed", shown(&listed));
+        let found = Finding::of(Kind::LOG_WITHOUT_SENSOR).detail("listed", shown(&listed));
         let why = cut.as_ref().or_else(|| warnings.first());
         return Err(in_file(
             name,
@@ -109,7 +109,7 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
             None => Sensor::Accelerometer,
             Some(_) => Sensor::Gyroscope,
         };
-        let found = Finding::of(Kind::LogSensorUnclear)
+        let found = Finding::of(Kind::LOG_SENSOR_UNCLEAR)
             .of_sensor(missing)
             .detail("unclear", shown_list(unclear.iter()));
         let known = accel.as_ref().or(gyro.as_ref());
@@ -222,7 +222,7 @@ fn table(
         .iter()
         .position(|value| !value.iter().all(|v| v.is_finite() && v.abs() < 1e15));
     if let Some(at) = finite.filter(|_| !options.na_drop) {
-        let found = Finding::of(Kind::RecordNotFinite).count("record", at + 1);
+        let found = Finding::of(Kind::RECORD_NOT_FINITE).count("record", at + 1);
         return Err(in_file(&name, found));
     }
     let stamps: Vec<f64> = match options.rate {
@@ -283,7 +283,7 @@ fn samples(
         if options.sort_time {
             samples.append(t, value, record);
         } else if let Pushed::Backwards(last) = samples.push(t, value, record) {
-            let found = Finding::of(Kind::TimeGoesBack)
+            let found = Finding::of(Kind::TIME_GOES_BACK)
                 .count("record", record as usize)
                 .detail("from", figure(last))
                 .detail("to", figure(t));
@@ -348,7 +348,7 @@ impl Chooser<'_> {
             return Ok(());
         }
         let instead = processed.filter(|stream| stream.rate() >= SLOW.get());
-        let found = Finding::of(Kind::LoggedSlowly)
+        let found = Finding::of(Kind::LOGGED_SLOWLY)
             .in_file(self.name)
             .detail("stream", shown(&stream.source))
             .number("rate", rate, "Hz");
@@ -386,7 +386,7 @@ impl Chooser<'_> {
         };
         in_file(
             self.name,
-            Finding::of(Kind::LogSensorsOpen)
+            Finding::of(Kind::LOG_SENSORS_OPEN)
                 .of_sensor(sensor)
                 .count("count", streams.len())
                 .detail("listed", listed.join(", "))

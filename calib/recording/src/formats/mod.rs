@@ -105,7 +105,7 @@ pub fn by_name(name: &str) -> Result<&'static dyn Format, Box<Finding>> {
         .find(|format| format.name() == name)
         .ok_or_else(|| {
             let names: Vec<_> = FORMATS.iter().map(|format| format.name()).collect();
-            let found = Finding::of(Kind::NoFormat).detail("format", crate::shown::shown(name));
+            let found = Finding::of(Kind::NO_FORMAT).detail("format", crate::shown::shown(name));
             Box::new(found.detail("known", names.join(", ")))
         })
 }

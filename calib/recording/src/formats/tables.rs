@@ -44,7 +44,7 @@ impl Format for Tables {
         };
         let format = (self.1)(&source);
         let format =
-            format.ok_or_else(|| in_file(source.name(), Finding::of(Kind::UnknownFormat)))?;
+            format.ok_or_else(|| in_file(source.name(), Finding::of(Kind::UNKNOWN_FORMAT)))?;
         let mut recording = format.read(source, options)?;
         let described = &mut recording.description.format;
         if described.is_empty() {

@@ -17,7 +17,7 @@ pub(crate) fn refuse_twins(names: &[String], map: &ColumnMap) -> Result<(), Box<
     for (i, (role, column)) in roles.iter().enumerate() {
         if let Some(other) = roles[..i].iter().position(|(_, other)| other == column) {
             let given = |i: usize| format!("{}={}", map.0[i].0.name(), shown(&map.0[i].1));
-            return Err(Finding::of(Kind::ColumnForTwo)
+            return Err(Finding::of(Kind::COLUMN_FOR_TWO)
                 .detail("given", format!("{},{}", given(other), given(i)))
                 .count("column", column + 1)
                 .detail("first", roles[other].0.name())
@@ -59,7 +59,7 @@ pub(crate) fn roles_by_map(
     let mut roles = Vec::new();
     for (role, wanted) in &map.0 {
         let column = find(wanted).ok_or_else(|| {
-            let missing = Finding::of(Kind::NoSuchColumn)
+            let missing = Finding::of(Kind::NO_SUCH_COLUMN)
                 .detail("role", role.name())
                 .detail("wanted", shown(wanted))
                 .count("count", names.len());

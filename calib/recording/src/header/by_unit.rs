@@ -66,7 +66,7 @@ pub(crate) fn by_unit(
         .flatten()
         .map(|(role, at)| format!("{}=`{}`", role.name(), crate::shown::shown(&names[*at])));
     let named: Vec<String> = named.collect();
-    Some(Finding::of(Kind::ColumnsByUnit).detail("columns", named.join(", ")))
+    Some(Finding::of(Kind::COLUMNS_BY_UNIT).detail("columns", named.join(", ")))
 }
 
 fn is<U: FromStr>(unit: &str, holds: impl Fn(U) -> bool) -> bool {

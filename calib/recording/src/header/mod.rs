@@ -127,7 +127,7 @@ impl Layout {
                 some => {
                     let missing: Vec<_> = (0..3).filter(|&i| some[i].is_none()).collect();
                     let missing: Vec<_> = missing.into_iter().map(|i| axes[i].name()).collect();
-                    Err(Finding::of(Kind::ColumnMissing)
+                    Err(Finding::of(Kind::COLUMN_MISSING)
                         .detail("missing", missing.join(" and "))
                         .remedy(suggestion(&self.names))
                         .into())
@@ -152,15 +152,14 @@ impl Layout {
             .filter(|triad| triad.sensor() == Some(Sensor::Accelerometer));
         let unknown = match (accelerometers.next(), accelerometers.next()) {
             // The advice is the first one's, and who means another has its names.
-            (Some(_), Some(other)) => Finding::of(Kind::SensorTwice)
+            (Some(_), Some(other)) => Finding::of(Kind::SENSOR_TWICE)
                 .of_sensor(Sensor::Accelerometer)
                 .detail(
                     "columns",
                     shown_list(other.columns.iter().map(|at| &self.names[*at])),
                 ),
-            _ => {
-                Finding::of(Kind::NoSensorColumns).detail("columns", shown_list(self.names.iter()))
-            }
+            _ => Finding::of(Kind::NO_SENSOR_COLUMNS)
+                .detail("columns", shown_list(self.names.iter())),
         };
         Err(unknown.only_remedies([suggestion(&self.names)]).into())
     }
@@ -337,7 +336,7 @@ fn roles_by_name(
             Some(at) => {
                 let other = roles[at].1;
                 let by_number = firsts_of_several(names, only);
-                return Err(Finding::of(Kind::ColumnsAlike)
+                return Err(Finding::of(Kind::COLUMNS_ALIKE)
                     .count("first", other + 1)
                     .detail("first_name", shown(&names[other]))
                     .count("second", index + 1)

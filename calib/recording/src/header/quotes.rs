@@ -12,9 +12,9 @@ pub(crate) fn open_quote<'a>(below: impl Iterator<Item = (u64, &'a [u8])>) -> Fi
         .next();
     match next {
         Some((end, line, at)) if !continues(&line[at + 1..]) => {
-            Finding::of(Kind::QuoteOverLines).count("end", end as usize)
+            Finding::of(Kind::QUOTE_OVER_LINES).count("end", end as usize)
         }
-        _ => Finding::of(Kind::QuoteOpen),
+        _ => Finding::of(Kind::QUOTE_OPEN),
     }
 }
 

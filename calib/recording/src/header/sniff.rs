@@ -114,7 +114,7 @@ impl Start {
         let kept = sample(name, head)?;
         let dialect = dialect_of(&kept);
         if kept.iter().all(|k| k.comment) {
-            return Err(in_file(name, Finding::of(Kind::NoData)));
+            return Err(in_file(name, Finding::of(Kind::NO_DATA)));
         }
         let row = first_row(&kept, dialect);
         let finder = Finder {
@@ -141,7 +141,7 @@ impl Start {
         };
         if dialect.decimal_comma {
             start.warnings.push(
-                Finding::of(Kind::NumberSpelling)
+                Finding::of(Kind::NUMBER_SPELLING)
                     .detail("spelling", "decimal commas")
                     .detail("read_as", "decimal points"),
             );
@@ -248,7 +248,7 @@ impl Start {
             && self.is_numbers(torn)
         {
             self.after = self.after.max(torn.number);
-            let cut = Finding::of(Kind::RowCut).detail("which", "first");
+            let cut = Finding::of(Kind::ROW_CUT).detail("which", "first");
             self.warnings.push(cut.count("line", torn.number as usize));
         }
     }
@@ -266,7 +266,7 @@ impl Start {
         let cells = cells(bytes, self.dialect);
         if std::str::from_utf8(bytes).is_err() {
             self.warnings.push(
-                Finding::of(Kind::TextEncoding)
+                Finding::of(Kind::TEXT_ENCODING)
                     .detail("part", "the header")
                     .detail("encoding", "Latin-1"),
             );
@@ -278,7 +278,7 @@ impl Start {
         if rows.is_empty() {
             // A wrong header is the better news.
             Layout::of_names(names, &options.columns, only).map_err(refuse)?;
-            let none = Finding::of(Kind::NoRows).detail("found", "header");
+            let none = Finding::of(Kind::NO_ROWS).detail("found", "header");
             return Err(refuse(none.into()));
         }
         if names.len() == width + 1 && names.last().is_some_and(String::is_empty) {
@@ -291,14 +291,14 @@ impl Start {
         if width != names.len() && !(width == names.len() + 1 && ends_empty(rows, self.dialect)) {
             let doubled = width > names.len() && width <= 2 * names.len();
             if self.dialect.separator == Separator::Byte(b',') && doubled && only_integers(rows) {
-                let twice = Finding::of(Kind::CommaTwice)
+                let twice = Finding::of(Kind::COMMA_TWICE)
                     .count("names", names.len())
                     .count("width", width);
                 return Err(refuse(twice.into()));
             }
             if options.columns.0.is_empty() {
                 names.resize(width.max(names.len()), String::new());
-                let other = Finding::of(Kind::HeaderWidth)
+                let other = Finding::of(Kind::HEADER_WIDTH)
                     .count("names", cells.len())
                     .count("width", width)
                     .only_remedies(by_readings(rows, self.dialect, width, only));
@@ -359,7 +359,7 @@ impl Start {
             self.undecided = matches!(unnamed.width(), 6..=8) && only.is_none();
             let roles = told.or_else(|| self.undecided.then(|| unnamed.two_triads()));
             let roles = roles.ok_or_else(|| {
-                let unknown = Finding::of(Kind::NoHeader).count("width", width);
+                let unknown = Finding::of(Kind::NO_HEADER).count("width", width);
                 let example = by_readings(rows, self.dialect, width, only);
                 refuse(unknown.only_remedies(example).into())
             })?;
@@ -369,7 +369,7 @@ impl Start {
                     .iter()
                     .map(|(role, i)| format!("{}={}", role.name(), i + 1))
                     .collect();
-                let told = Finding::of(Kind::ColumnsByReadings);
+                let told = Finding::of(Kind::COLUMNS_BY_READINGS);
                 self.warnings.push(told.detail("columns", used.join(",")));
             }
             roles

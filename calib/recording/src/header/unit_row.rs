@@ -131,9 +131,9 @@ impl Row<'_> {
         option: Option<(OptionName, &str)>,
     ) -> Finding {
         let found = match unknown {
-            Some(unknown) => Finding::of(Kind::UnitRowUnknown)
+            Some(unknown) => Finding::of(Kind::UNIT_ROW_UNKNOWN)
                 .detail("known", unknown.word("known").unwrap_or_default()),
-            None => Finding::of(Kind::UnitRowContradicts),
+            None => Finding::of(Kind::UNIT_ROW_CONTRADICTS),
         };
         let found = found
             .detail("cell", shown(self.cells[column].trim()))

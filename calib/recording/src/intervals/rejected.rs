@@ -78,13 +78,13 @@ impl Rejected {
     /// A finding of stretches with this reason.
     fn of_reason(&self) -> Finding {
         match self.reason {
-            Reason::Turning(_) => Finding::of(Kind::StretchTurns),
-            Reason::Tilting(_) => Finding::of(Kind::StretchTilts),
-            Reason::Vibrating => Finding::of(Kind::StretchVibrates),
-            Reason::Empty => Finding::of(Kind::StretchEmpty),
+            Reason::Turning(_) => Finding::of(Kind::STRETCH_TURNS),
+            Reason::Tilting(_) => Finding::of(Kind::STRETCH_TILTS),
+            Reason::Vibrating => Finding::of(Kind::STRETCH_VIBRATES),
+            Reason::Empty => Finding::of(Kind::STRETCH_EMPTY),
             Reason::Clipped(axis) => {
                 let axis = ["x", "y", "z"].get(axis).copied().unwrap_or_default();
-                Finding::of(Kind::StretchClipped).detail("axis", axis)
+                Finding::of(Kind::STRETCH_CLIPPED).detail("axis", axis)
             }
         }
     }

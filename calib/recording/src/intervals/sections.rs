@@ -28,7 +28,7 @@ enum Unit {
 pub fn read_sections(path: &Path, recording: &Recording) -> Result<Vec<Span>, Error> {
     let fail = |line: u64, found: Finding| at_line(&shown_path(path), line, found);
     let unreadable = |line: u64, error: &csv::Error| {
-        let found = Finding::of(Kind::SectionsUnreadable);
+        let found = Finding::of(Kind::SECTIONS_UNREADABLE);
         fail(line, found.detail("reason", shown(&error.to_string())))
     };
     let text = read_text(path)?;
@@ -53,7 +53,7 @@ pub fn read_sections(path: &Path, recording: &Recording) -> Result<Vec<Span>, Er
         _ => {
             return Err(fail(
                 1,
-                Finding::of(Kind::SectionsColumns).detail(
+                Finding::of(Kind::SECTIONS_COLUMNS).detail(
                     "columns",
                     shown(&header.iter().collect::<Vec<_>>().join(",")),
                 ),
@@ -79,7 +79,7 @@ pub fn read_sections(path: &Path, recording: &Recording) -> Result<Vec<Span>, Er
             cell.parse::<f64>().map_err(|_| {
                 fail(
                     line,
-                    Finding::of(Kind::NumberExpected)
+                    Finding::of(Kind::NUMBER_EXPECTED)
                         .detail("cell", shown(cell))
                         .count("column", k + 1),
                 )
@@ -92,7 +92,7 @@ pub fn read_sections(path: &Path, recording: &Recording) -> Result<Vec<Span>, Er
                 let n = stream.map_or(0, Stream::len);
                 fail(
                     line,
-                    Finding::of(Kind::SamplesOutside)
+                    Finding::of(Kind::SAMPLES_OUTSIDE)
                         .detail("from", figure(a))
                         .detail("to", figure(b))
                         .count("count", n),
@@ -102,7 +102,7 @@ pub fn read_sections(path: &Path, recording: &Recording) -> Result<Vec<Span>, Er
         if span.length() <= 0.0 || span.length().is_nan() {
             return Err(fail(
                 line,
-                Finding::of(Kind::IntervalEmpty)
+                Finding::of(Kind::INTERVAL_EMPTY)
                     .detail("from", figure(span.from))
                     .detail("to", figure(span.to)),
             ));
@@ -110,7 +110,7 @@ pub fn read_sections(path: &Path, recording: &Recording) -> Result<Vec<Span>, Er
         if let Some(before) = spans.last().filter(|s| s.to > span.from) {
             return Err(fail(
                 line,
-                Finding::of(Kind::IntervalsOverlap)
+                Finding::of(Kind::INTERVALS_OVERLAP)
                     .detail("from", format!("{:.3}", span.from))
                     .detail("end", format!("{:.3}", before.to)),
             ));
@@ -118,7 +118,7 @@ pub fn read_sections(path: &Path, recording: &Recording) -> Result<Vec<Span>, Er
         spans.push(span);
     }
     if spans.is_empty() {
-        let none = Finding::of(Kind::NoIntervals);
+        let none = Finding::of(Kind::NO_INTERVALS);
         return Err(fail(1, none.detail("named", &recording.name)));
     }
     Ok(spans)

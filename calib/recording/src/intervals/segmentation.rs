@@ -82,12 +82,12 @@ impl TurnFault {
             found.detail("start", format!("{:.2} s", span.from))
         };
         match self {
-            Self::Gap(span) => within(Kind::TurnGap, span),
-            Self::Frozen(span) => within(Kind::TurnFrozen, span),
+            Self::Gap(span) => within(Kind::TURN_GAP, span),
+            Self::Frozen(span) => within(Kind::TURN_FROZEN, span),
             Self::Saturated { samples } => {
-                Finding::of(Kind::TurnSaturated).count("samples", *samples)
+                Finding::of(Kind::TURN_SATURATED).count("samples", *samples)
             }
-            Self::Empty => Finding::of(Kind::TurnEmpty),
+            Self::Empty => Finding::of(Kind::TURN_EMPTY),
         }
     }
 }
@@ -204,7 +204,7 @@ impl Segmentation {
                 .iter()
                 .min_by(|a, b| away(a).total_cmp(&away(b)));
             if nearest.is_none_or(|rest| away(rest) > 0.0) {
-                let none = Finding::of(Kind::NoIntervalThere)
+                let none = Finding::of(Kind::NO_INTERVAL_THERE)
                     .in_recording(&recording.name)
                     .detail("instant", figure(t));
                 return Err(Error::usage(match nearest {

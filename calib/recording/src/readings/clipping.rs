@@ -145,7 +145,7 @@ pub(super) fn found(sensor: Sensor, stream: &Stream, said: &Findings) -> Vec<Sym
     };
     let named = |axis: usize| {
         said.iter().any(|own| {
-            own.kind == Kind::Saturated
+            own.kind == Kind::SATURATED
                 && own.place.sensor == Some(sensor)
                 && own.word("axis") == Some(["x", "y", "z"][axis])
         })
@@ -220,7 +220,7 @@ mod tests {
         };
         let found = |said: &Findings| found(Sensor::Gyroscope, &stream, said);
         let said = |sensor: Sensor, axis: &str| -> Findings {
-            let one = findings::Finding::of(Kind::Saturated);
+            let one = findings::Finding::of(Kind::SATURATED);
             vec![one.of_sensor(sensor).detail("axis", axis)].into()
         };
         assert_eq!(found(&Findings::new()).len(), 1);

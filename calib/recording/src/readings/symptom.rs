@@ -165,7 +165,7 @@ impl Symptom {
                 rows,
                 from_row,
                 to_row,
-            } => of(Kind::Saturated, *sensor)
+            } => of(Kind::SATURATED, *sensor)
                 .detail("axis", axes_in_words(&[*axis]))
                 .number("limit", *limit, unit(*sensor))
                 .count("rows", *rows)
@@ -176,7 +176,7 @@ impl Symptom {
                 axes,
                 step,
                 spread,
-            } => of(Kind::Quantised, *sensor)
+            } => of(Kind::QUANTISED, *sensor)
                 .detail("axes", axes_in_words(axes))
                 .number("step", *step, unit(*sensor))
                 .number("noise", *spread, unit(*sensor))
@@ -188,7 +188,7 @@ impl Symptom {
                 share,
                 least,
             } => {
-                let found = of(Kind::DeadZone, *sensor)
+                let found = of(Kind::DEAD_ZONE, *sensor)
                     .detail("axes", axes_in_words(axes))
                     .number("least", *least, unit(*sensor))
                     .affects("corrected_reading", *least, unit(*sensor));
@@ -202,7 +202,7 @@ impl Symptom {
                 after,
                 size,
                 intervals,
-            } => of(Kind::Rezeroed, *sensor)
+            } => of(Kind::REZEROED, *sensor)
                 .number("after", *after, "s")
                 .number("size", *size, unit(*sensor))
                 .count("intervals", intervals.len())
@@ -213,7 +213,7 @@ impl Symptom {
                 times,
                 axes,
                 largest,
-            } => of(Kind::Spikes, *sensor)
+            } => of(Kind::SPIKES, *sensor)
                 .count("count", rows.len())
                 .number("largest", *largest, unit(*sensor))
                 .detail("axes", axes_in_words(axes))
@@ -225,8 +225,8 @@ impl Symptom {
                 from_here_on,
             } => {
                 let kind = match from_here_on {
-                    true => Kind::NoiseChanged,
-                    false => Kind::Vibration,
+                    true => Kind::NOISE_CHANGED,
+                    false => Kind::VIBRATION,
                 };
                 let plural = if intervals.len() == 1 { "" } else { "s" };
                 let called = format!("static interval{plural} {}", listed(intervals));
@@ -238,7 +238,7 @@ impl Symptom {
                 sensor,
                 period,
                 size,
-            } => of(Kind::RestsSwing, *sensor)
+            } => of(Kind::RESTS_SWING, *sensor)
                 .number("period", *period, "s")
                 .number("size", *size, unit(*sensor)),
             Self::RestsTurn {
@@ -246,12 +246,12 @@ impl Symptom {
                 of,
                 angle,
                 length,
-            } => Finding::of(Kind::RestsTurn)
+            } => Finding::of(Kind::RESTS_TURN)
                 .count("count", intervals.len())
                 .count("of", *of)
                 .number("angle", *angle, "rad")
                 .number("length", *length, "s"),
-            Self::HandHeld { rate } => Finding::of(Kind::HandHeld).number("rate", *rate, "rad/s"),
+            Self::HandHeld { rate } => Finding::of(Kind::HAND_HELD).number("rate", *rate, "rad/s"),
         }
     }
 }

@@ -118,7 +118,7 @@ impl Recording {
         truth: &[f64],
     ) -> Result<Self, Error> {
         if self.scalar(name).is_some() {
-            let taken = Finding::of(Kind::NameTaken).detail("name", name);
+            let taken = Finding::of(Kind::NAME_TAKEN).detail("name", name);
             return Err(in_file(&self.name, taken));
         }
         let arrays = [("readings", readings.len()), ("truth", truth.len())];
@@ -132,7 +132,7 @@ impl Recording {
         }
         let (start, end) = (self.start(), self.end());
         if start < end && !t.iter().any(|t| (start..=end).contains(t)) {
-            let outside = Finding::of(Kind::ScalarOutside)
+            let outside = Finding::of(Kind::SCALAR_OUTSIDE)
                 .detail("name", name)
                 .number("from", start, "s")
                 .number("to", end, "s");
@@ -165,11 +165,11 @@ impl Rows<'_> {
             arrays.into_iter().filter(|(_, len)| *len != 0),
         )?;
         if self.accel.is_empty() && self.gyro.is_empty() {
-            return Err(in_file(name, Finding::of(Kind::ArraysEmpty)));
+            return Err(in_file(name, Finding::of(Kind::ARRAYS_EMPTY)));
         }
         if self.t.len() < 2 {
             return Err(Error::not_enough(
-                Finding::of(Kind::OneSample).in_file(name),
+                Finding::of(Kind::ONE_SAMPLE).in_file(name),
             ));
         }
         Ok(())
@@ -245,7 +245,7 @@ fn of_one_length(
     let Some((array, len)) = arrays.find(|(_, len)| *len != stamps) else {
         return Ok(());
     };
-    let lengths = Finding::of(Kind::ArrayLengths)
+    let lengths = Finding::of(Kind::ARRAY_LENGTHS)
         .detail("array", array)
         .count("rows", len)
         .count("stamps", stamps);
@@ -262,7 +262,7 @@ fn origin(t: &[f64]) -> i64 {
 
 /// Time goes from `last` back to `t`.
 fn goes_back(name: &str, line: u64, last: f64, t: f64) -> Error {
-    let back = Finding::of(Kind::TimeGoesBack)
+    let back = Finding::of(Kind::TIME_GOES_BACK)
         .detail("from", figure(last))
         .detail("to", figure(t))
         .only_remedies([Remedy::SortRows, Remedy::Split]);
@@ -273,7 +273,7 @@ fn check(name: &str, row: usize, array: &str, value: f64, column: usize) -> Resu
     if value.is_finite() && value.abs() < LARGEST.get() {
         return Ok(());
     }
-    let found = Finding::of(Kind::ArrayNotFinite)
+    let found = Finding::of(Kind::ARRAY_NOT_FINITE)
         .detail("array", array)
         .detail("value", figure(value));
     Err(at_column(name, row as u64 + 1, column, found))

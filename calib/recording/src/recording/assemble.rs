@@ -29,7 +29,7 @@ use crate::units::{
 impl Recording {
     /// Returns true if stamps were ignored for a given rate.
     pub(super) fn has_ignored_stamps(&self) -> bool {
-        self.warnings.has(Kind::StampsIgnored)
+        self.warnings.has(Kind::STAMPS_IGNORED)
     }
 }
 
@@ -60,7 +60,7 @@ pub(crate) fn assemble(
         }
         recording.zero_ns = in_seconds?;
     } else if tables.iter().any(|table| table.has_time) {
-        let ignored = Finding::of(Kind::StampsIgnored);
+        let ignored = Finding::of(Kind::STAMPS_IGNORED);
         recording
             .warnings
             .push(ignored.in_recording(&recording.name));
@@ -147,7 +147,7 @@ pub(crate) fn assemble(
     thermometer::check_clock(&mut recording);
     let sensors = [&recording.accelerometer, &recording.gyroscope].map(Option::is_some);
     let only = |missing: &str, only: &str| {
-        Finding::of(Kind::OneSensorOnly)
+        Finding::of(Kind::ONE_SENSOR_ONLY)
             .detail("missing", missing)
             .detail("only", only)
     };
@@ -158,7 +158,7 @@ pub(crate) fn assemble(
         ([false, false], true) => {
             Some(only("accelerometer", "magnetometer").detail("neither", "gyroscope"))
         }
-        ([false, false], false) => Some(Finding::of(Kind::NoSensor)),
+        ([false, false], false) => Some(Finding::of(Kind::NO_SENSOR)),
     };
     let missing = missing.map(|missing| match unused.is_empty() {
         true => missing,
@@ -306,7 +306,7 @@ fn overridden(name: &str, stated: Stated, options: &ReadOptions) -> impl Iterato
         .into_iter()
         .filter_map(move |(quantity, given, said)| {
             let (given, said) = given.zip(said).filter(|(given, said)| given != said)?;
-            let found = Finding::of(Kind::UnitOverridden).in_recording(name);
+            let found = Finding::of(Kind::UNIT_OVERRIDDEN).in_recording(name);
             let found = found.detail("quantity", quantity).detail("given", given);
             Some(found.detail("stated", said))
         })
@@ -331,7 +331,7 @@ fn finish<U>(
         return Ok(None);
     }
     if !samples.t.windows(2).all(|pair| pair[0] < pair[1]) {
-        return Err(in_file(name, Finding::of(Kind::StampsTooLarge)));
+        return Err(in_file(name, Finding::of(Kind::STAMPS_TOO_LARGE)));
     }
     let mut warnings = Findings::new();
     repeated::refuse(name, sensor, &samples)?;
@@ -385,7 +385,7 @@ fn overlap(recording: &Recording) -> Result<(), Error> {
     match (accel.span(), gyro.span()) {
         (Some((a0, a1)), Some((g0, g1))) if a1 < g0 || g1 < a0 => Err(in_file(
             &recording.name,
-            Finding::of(Kind::NeverOverlap)
+            Finding::of(Kind::NEVER_OVERLAP)
                 .detail("accel_from", figure(a0))
                 .detail("accel_to", figure(a1))
                 .detail("gyro_from", figure(g0))

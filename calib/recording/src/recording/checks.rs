@@ -21,7 +21,7 @@ pub(crate) fn order(name: &str, samples: &Samples, warnings: &mut Findings) -> R
     let repeats = samples.repeats;
     if repeats.count > 0 {
         warnings.push(
-            Finding::of(Kind::RowsRepeated)
+            Finding::of(Kind::ROWS_REPEATED)
                 .in_recording(name)
                 .count("count", repeats.count)
                 .count("first_line", repeats.first as usize)
@@ -30,18 +30,18 @@ pub(crate) fn order(name: &str, samples: &Samples, warnings: &mut Findings) -> R
     }
     let merged = samples.other_twins().count();
     if samples.t.len() < 2 && merged + repeats.count > 0 {
-        return Err(in_file(name, Finding::of(Kind::StampsAllEqual)));
+        return Err(in_file(name, Finding::of(Kind::STAMPS_ALL_EQUAL)));
     }
     if merged > samples.t.len() {
         return Err(in_file(
             name,
-            Finding::of(Kind::StampsTooCoarse)
+            Finding::of(Kind::STAMPS_TOO_COARSE)
                 .count("merged", merged)
                 .count("all", merged + samples.t.len()),
         ));
     }
     if merged > 0 {
-        let equal = Finding::of(Kind::StampsEqual).in_recording(name);
+        let equal = Finding::of(Kind::STAMPS_EQUAL).in_recording(name);
         warnings.push(equal.count("count", merged));
     }
     Ok(())
@@ -85,7 +85,7 @@ pub(crate) fn bursts(
         let step = behind.map_or(mean, |found| found.step);
         let rate = significant(1.0 / step, 6);
         warnings.push(
-            Finding::of(Kind::StampsOfArrival)
+            Finding::of(Kind::STAMPS_OF_ARRIVAL)
                 .in_recording(name)
                 .of_sensor(sensor)
                 .number("median", median, "s")
@@ -117,7 +117,7 @@ pub(crate) fn gaps(name: &str, sensor: Sensor, gaps: &[Gap], warnings: &mut Find
     if let Some(longest) = longest {
         let missing = gaps.iter().map(|gap| gap.t1 - gap.t0).sum();
         warnings.push(
-            Finding::of(Kind::SamplesLost)
+            Finding::of(Kind::SAMPLES_LOST)
                 .in_recording(name)
                 .of_sensor(sensor)
                 .between(longest.t0, longest.t1)
@@ -156,7 +156,7 @@ pub(crate) fn celsius(
         if least > HOT.get() {
             let of = |fahrenheit: f64| (fahrenheit - 32.0) / 1.8;
             warnings.push(
-                Finding::of(Kind::TemperatureDoubtful)
+                Finding::of(Kind::TEMPERATURE_DOUBTFUL)
                     .in_recording(name)
                     .number("least", least, "1")
                     .number("most", most, "1")
@@ -167,8 +167,8 @@ pub(crate) fn celsius(
         return Some(celsius);
     }
     let kind = match counts || jumps {
-        true => Kind::TemperatureInCounts,
-        false => Kind::TemperatureImpossible,
+        true => Kind::TEMPERATURE_IN_COUNTS,
+        false => Kind::TEMPERATURE_IMPOSSIBLE,
     };
     let found = Finding::of(kind)
         .in_recording(name)

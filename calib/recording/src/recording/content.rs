@@ -56,7 +56,7 @@ impl Recording {
         let si = GyroUnit::RadiansPerSecond.name();
         let described = self.description.of(Sensor::Gyroscope)?;
         let is_assumed = described.unit_by == UnitBy::Nothing && described.unit == si;
-        let finding = Finding::of(Kind::UnitAssumed).in_recording(&self.name);
+        let finding = Finding::of(Kind::UNIT_ASSUMED).in_recording(&self.name);
         is_assumed.then(|| finding.of_sensor(described.sensor))
     }
 

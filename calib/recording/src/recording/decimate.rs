@@ -63,7 +63,7 @@ impl Recording {
             }
             *stream = means(stream, block, GAP.get() * step);
             self.warnings.push(
-                Finding::of(Kind::Averaged)
+                Finding::of(Kind::AVERAGED)
                     .in_recording(&self.name)
                     .of_sensor(sensor)
                     .number("rate", rate, "Hz")

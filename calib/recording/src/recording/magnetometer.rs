@@ -92,7 +92,7 @@ impl Magnetometer {
 pub(crate) fn dead(table: &Table) -> Option<Finding> {
     let values = &table.magnetometer.values;
     let is_dead = !values.is_empty() && values.iter().all(|value| value.amax() == 0.0);
-    let found = Finding::of(Kind::MagnetometerDead).in_recording(&table.name);
+    let found = Finding::of(Kind::MAGNETOMETER_DEAD).in_recording(&table.name);
     is_dead.then(|| found.of_sensor(Sensor::Magnetometer))
 }
 

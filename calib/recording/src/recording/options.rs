@@ -99,7 +99,7 @@ impl ReadOptions {
     pub(crate) fn check(&self) -> Result<(), Error> {
         match self.rate {
             Some(rate) if !(1e-3..=1e7).contains(&rate) => Err(Error::usage(
-                Finding::of(Kind::RateImpossible).detail("rate", figure(rate)),
+                Finding::of(Kind::RATE_IMPOSSIBLE).detail("rate", figure(rate)),
             )),
             _ => Ok(()),
         }
@@ -248,19 +248,19 @@ impl FromStr for ColumnMap {
         for entry in text.split(',') {
             let (role, column) = entry
                 .split_once('=')
-                .ok_or_else(|| of(Kind::ColumnEntry, entry))?;
+                .ok_or_else(|| of(Kind::COLUMN_ENTRY, entry))?;
             let role = Role::from_name(role.trim()).ok_or_else(|| {
-                Finding::of(Kind::ColumnRole)
+                Finding::of(Kind::COLUMN_ROLE)
                     .detail("role", shown(role.trim()))
                     .detail("known", Role::ALL.map(Role::name).join(", "))
             })?;
             if map.iter().any(|(other, _)| *other == role) {
-                let twice = Finding::of(Kind::ColumnTwice);
+                let twice = Finding::of(Kind::COLUMN_TWICE);
                 return Err(twice.detail("role", role.name()).into());
             }
             let column = column.trim().to_owned();
             if column.is_empty() {
-                return Err(of(Kind::ColumnUnnamed, entry).into());
+                return Err(of(Kind::COLUMN_UNNAMED, entry).into());
             }
             map.push((role, column));
         }

@@ -67,7 +67,7 @@ pub(crate) fn refuse_part(name: &str, options: &ReadOptions) -> Result<(), Error
     match options.part {
         None | Some(1) => Ok(()),
         Some(part) => Err(Error::usage(
-            Finding::of(Kind::PartMissing)
+            Finding::of(Kind::PART_MISSING)
                 .in_file(name)
                 .count("part", part),
         )),
@@ -101,7 +101,7 @@ fn only_part(
     if let Some((table, _)) = with_sensor().find(|(_, of)| count(of) != most) {
         return Err(in_file(
             &table.name,
-            Finding::of(Kind::ClocksRestartApart).count("most", most),
+            Finding::of(Kind::CLOCKS_RESTART_APART).count("most", most),
         ));
     }
     let Some((first, sessions)) = with_sensor().next() else {
@@ -117,7 +117,7 @@ fn only_part(
         .map(|at| &sessions[at])
     {
         warnings.push(
-            Finding::of(Kind::SessionLeftOut)
+            Finding::of(Kind::SESSION_LEFT_OUT)
                 .in_recording(&first.name)
                 .count("line", session.first as usize)
                 .count("rows", session.rows),
@@ -155,7 +155,7 @@ fn several(table: &Table, sessions: &[Session], long: &[usize], given: Option<us
         true => figure((stamp / 1e3).round() / 1e6),
         false => figure(stamp),
     };
-    let found = Finding::of(Kind::PartOpen)
+    let found = Finding::of(Kind::PART_OPEN)
         .in_file(&table.name)
         .at_line(again.first)
         .detail("from", shown(before.to))
@@ -181,7 +181,7 @@ fn time_is_first(table: &Table) -> bool {
 
 fn backwards(name: &str, origin: Option<i64>, time_first: bool, back: Backwards) -> Error {
     let Backwards { line, last, t } = back;
-    let found = Finding::of(Kind::TimeGoesBack)
+    let found = Finding::of(Kind::TIME_GOES_BACK)
         .detail("from", figure(last))
         .detail("to", figure(t));
     let found = match origin {

@@ -38,7 +38,7 @@ pub(crate) fn sum(linear: &Samples, gravity: &Samples) -> Result<Samples, Box<Fi
         }
     }
     if 2 * sum.t.len() < linear.t.len() {
-        return Err(Finding::of(Kind::SumOfOtherStamps).into());
+        return Err(Finding::of(Kind::SUM_OF_OTHER_STAMPS).into());
     }
     Ok(sum)
 }
@@ -64,16 +64,16 @@ pub(crate) fn of_columns(table: &mut Table, split: &Split) -> Result<(), Error> 
     };
     if left > SHARE.get() * level {
         // ROS calls what an accelerometer reads its linear acceleration.
-        table.warnings.push(of(Kind::GravityNotAdded));
+        table.warnings.push(of(Kind::GRAVITY_NOT_ADDED));
         return Ok(());
     }
-    let added = of(Kind::GravityAdded);
+    let added = of(Kind::GRAVITY_ADDED);
     let sum = sum(&table.accel, &gravity);
     table.accel = sum.map_err(|found| in_file(&table.name, *found))?;
     table.negated = split.is_apples || level < LESS_THAN_IN_SI.get();
     table.warnings.push(added);
     if table.negated {
-        let turned = Finding::of(Kind::SignTurned).in_recording(&table.name);
+        let turned = Finding::of(Kind::SIGN_TURNED).in_recording(&table.name);
         table.warnings.push(turned.detail("system", "Apple"));
     }
     Ok(())
@@ -96,6 +96,6 @@ mod tests {
         assert_eq!((both.t, both.values), (vec![0.0, 2.0], x(&[11.0, 23.0])));
         let late = Samples::of(vec![0.5, 1.5, 2.5], x(&[1.0, 2.0, 3.0]));
         let apart = sum(&linear, &late).unwrap_err();
-        assert_eq!(apart.kind, Kind::SumOfOtherStamps);
+        assert_eq!(apart.kind, Kind::SUM_OF_OTHER_STAMPS);
     }
 }

@@ -61,7 +61,7 @@ pub fn to_parquet(recording: &mut Recording) -> Result<Vec<u8>, Error> {
 
 /// A sensor that is interpolated to the stamps of `other`.
 fn joined(sensor: Sensor, other: &str) -> Finding {
-    Finding::of(Kind::ClockJoined)
+    Finding::of(Kind::CLOCK_JOINED)
         .of_sensor(sensor)
         .detail("other", other)
 }

@@ -39,7 +39,7 @@ impl Rows<'_> {
             self.cells.pop();
         }
         if let Some(names) = self.other_header(line) {
-            let other = Finding::of(Kind::OtherHeader)
+            let other = Finding::of(Kind::OTHER_HEADER)
                 .count("header_line", self.start.header_line as usize)
                 .detail("names", names);
             return Err(Trouble::Refused(self.at(line, 0, other)));
@@ -66,7 +66,7 @@ impl Rows<'_> {
         // A file of a thermometer has no others.
         let alone = temperature.filter(|_| !layout.has_sensor());
         if accel.is_none() && gyro.is_none() && field.is_none() && alone.is_none() {
-            let empty = Finding::of(Kind::RowEmpty);
+            let empty = Finding::of(Kind::ROW_EMPTY);
             return Err(Trouble::Missing(self.at(line, 0, empty)));
         }
         let t = self.stamp(line)?;
@@ -107,7 +107,7 @@ impl Rows<'_> {
             return Ok(());
         }
         let column = self.start.layout.column(self.start.layout.width - 1);
-        let cut = Finding::of(Kind::NumberCut)
+        let cut = Finding::of(Kind::NUMBER_CUT)
             .detail("cell", shown_cell(content))
             .detail("column", column)
             .count("digits", usual);
@@ -173,7 +173,7 @@ impl Rows<'_> {
         let column = self.start.layout.column(column);
         let is_measure = || is_number_with_unit(&line.bytes[cell.clone()]);
         let kind = match fault {
-            Fault::Text if is_measure() => Kind::UnitOfCell,
+            Fault::Text if is_measure() => Kind::UNIT_OF_CELL,
             _ => fault.kind(),
         };
         let found = Finding::of(kind)
@@ -235,7 +235,7 @@ impl Rows<'_> {
 
     fn ragged(&self, line: Line<'_>) -> Error {
         let (found, expected) = (self.cells.len(), self.start.layout.width);
-        let ragged = Finding::of(Kind::RowRagged)
+        let ragged = Finding::of(Kind::ROW_RAGGED)
             .count("found", found)
             .count("expected", expected);
         self.at(line, 0, ragged)

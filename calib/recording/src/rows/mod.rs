@@ -46,7 +46,7 @@ pub(crate) fn refuse_lone_header(
 ) -> Result<(), Error> {
     match headers.first() {
         Some(first) if headers.len() < A_HABIT => {
-            let again = Finding::of(Kind::HeaderAgain);
+            let again = Finding::of(Kind::HEADER_AGAIN);
             let again = again.count("header_line", header_line as usize);
             Err(at_column(name, *first, 1, again))
         }
@@ -285,7 +285,7 @@ impl<'a> Rows<'a> {
         if self.rows > self.options.max_rows {
             let limit = self.options.max_rows as usize;
             let more = Remedy::such_as(OptionName::MaxRows, limit.saturating_mul(2).to_string());
-            let found = Finding::of(Kind::TooManyRows).count("limit", limit);
+            let found = Finding::of(Kind::TOO_MANY_ROWS).count("limit", limit);
             let found = found.only_remedies([more]);
             return Err(at_line(&self.table.name, line, found));
         }
@@ -345,7 +345,7 @@ impl<'a> Rows<'a> {
                 table.temperature.push(temperature);
             }
         }
-        room.map_err(|()| Trouble::Refused(self.at(line, 0, Finding::of(Kind::OutOfMemory))))
+        room.map_err(|()| Trouble::Refused(self.at(line, 0, Finding::of(Kind::OUT_OF_MEMORY))))
     }
 
     /// The stamp of a row without one: rows so far, or their time at the given rate.
@@ -365,10 +365,10 @@ impl<'a> Rows<'a> {
         if self.rows == 0 {
             return Err(self
                 .pending
-                .unwrap_or_else(|| in_file(name, Finding::of(Kind::NoRows))));
+                .unwrap_or_else(|| in_file(name, Finding::of(Kind::NO_ROWS))));
         }
         let spelt = |spelling: &str, read_as: &str| {
-            Finding::of(Kind::NumberSpelling)
+            Finding::of(Kind::NUMBER_SPELLING)
                 .in_recording(name)
                 .detail("spelling", spelling)
                 .detail("read_as", read_as)
@@ -378,7 +378,7 @@ impl<'a> Rows<'a> {
                 return Err(error);
             }
             warnings.push(
-                Finding::of(Kind::RowCut)
+                Finding::of(Kind::ROW_CUT)
                     .in_recording(name)
                     .detail("which", "last")
                     .detail("why", error.to_string()),
@@ -393,7 +393,7 @@ impl<'a> Rows<'a> {
                 refuse_lone_header(name, header_line, headers)?;
             }
             warnings.push(
-                Finding::of(Kind::HeadersLeftOut)
+                Finding::of(Kind::HEADERS_LEFT_OUT)
                     .count("header_line", header_line as usize)
                     .in_recording(name)
                     .count("count", headers.len())
@@ -401,11 +401,11 @@ impl<'a> Rows<'a> {
             );
         }
         if self.skipped > 0 {
-            let broken = Finding::of(Kind::RowsBroken).in_recording(name);
+            let broken = Finding::of(Kind::ROWS_BROKEN).in_recording(name);
             warnings.push(broken.count("count", self.skipped));
         }
         if self.dropped > 0 {
-            let without = Finding::of(Kind::RowsWithoutNumbers).in_recording(name);
+            let without = Finding::of(Kind::ROWS_WITHOUT_NUMBERS).in_recording(name);
             warnings.push(without.count("count", self.dropped));
         }
         if self.spellings.fortran {

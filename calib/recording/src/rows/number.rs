@@ -41,16 +41,16 @@ impl Fault {
     /// The finding of a cell that has it.
     pub fn kind(self) -> Kind {
         match self {
-            Self::Missing => Kind::NumberMissing,
-            Self::NotFinite => Kind::NumberNotFinite,
-            Self::Thousands => Kind::ThousandsSeparators,
-            Self::DecimalComma => Kind::DecimalComma,
-            Self::Hexadecimal => Kind::Hexadecimal,
-            Self::Absurd => Kind::NumberAbsurd,
-            Self::Date => Kind::DateUnknown,
-            Self::OtherDate => Kind::DateOther,
-            Self::OtherOrder => Kind::DateOtherOrder,
-            Self::Text => Kind::NotANumber,
+            Self::Missing => Kind::NUMBER_MISSING,
+            Self::NotFinite => Kind::NUMBER_NOT_FINITE,
+            Self::Thousands => Kind::THOUSANDS_SEPARATORS,
+            Self::DecimalComma => Kind::DECIMAL_COMMA,
+            Self::Hexadecimal => Kind::HEXADECIMAL,
+            Self::Absurd => Kind::NUMBER_ABSURD,
+            Self::Date => Kind::DATE_UNKNOWN,
+            Self::OtherDate => Kind::DATE_OTHER,
+            Self::OtherOrder => Kind::DATE_OTHER_ORDER,
+            Self::Text => Kind::NOT_A_NUMBER,
         }
     }
 }

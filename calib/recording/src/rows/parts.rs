@@ -145,7 +145,7 @@ impl Part {
         };
         if let (Some(usual), None) = (self.usual_rate, options.rate) {
             return Err(Error::usage(
-                Finding::of(Kind::RowsWithoutTime)
+                Finding::of(Kind::ROWS_WITHOUT_TIME)
                     .in_file(&input.name)
                     .number("rate", usual, "Hz")
                     .only_remedies([Remedy::such_as(OptionName::Rate, usual.to_string())]),
@@ -258,7 +258,7 @@ pub(crate) fn read(
 }
 
 fn is_of_no_rows(error: &Error) -> bool {
-    error.finding().kind == Kind::NoData
+    error.finding().kind == Kind::NO_DATA
 }
 
 /// Goes on without a magnetometer, and says why: no calibration uses it.
@@ -266,6 +266,6 @@ pub(crate) fn without_field(tables: &mut [Table], why: &dyn std::fmt::Display) {
     if let Some(table) = tables.first_mut() {
         table
             .warnings
-            .push(Finding::of(Kind::FieldLeftOut).detail("why", why.to_string()));
+            .push(Finding::of(Kind::FIELD_LEFT_OUT).detail("why", why.to_string()));
     }
 }

@@ -79,7 +79,7 @@ impl Table {
         if start.undecided {
             table.decide_roles(&start)?;
         } else if start.told_by_norm && rests::at_one_reading(&table.accel.values) {
-            let found = Finding::of(Kind::NoHeaderNoForce)
+            let found = Finding::of(Kind::NO_HEADER_NO_FORCE)
                 .count("width", start.layout.width)
                 .only_remedies([as_taken(&start)]);
             return Err(at_line(&table.name, start.after + 1, found));
@@ -102,7 +102,7 @@ impl Table {
                 return Err(self.unknown_columns(start));
             }
             let columns = with_temperature(slow);
-            let found = Finding::of(Kind::NoHeaderSlow)
+            let found = Finding::of(Kind::NO_HEADER_SLOW)
                 .count("width", start.layout.width)
                 .count("slow", slow)
                 .only_remedies([Remedy::such_as(OptionName::Columns, columns)]);
@@ -132,7 +132,7 @@ impl Table {
             .iter()
             .map(|(role, column)| format!("{}={column}", role.name()))
             .collect();
-        let mut told = Finding::of(Kind::ColumnsByReadings)
+        let mut told = Finding::of(Kind::COLUMNS_BY_READINGS)
             .in_recording(&self.name)
             .detail("columns", taken.join(","));
         if by_rests.is_some() {
@@ -144,7 +144,7 @@ impl Table {
 
     /// Builds the error that nothing tells the columns apart.
     fn unknown_columns(&self, start: &Start) -> Error {
-        let found = Finding::of(Kind::NoHeaderUndecided)
+        let found = Finding::of(Kind::NO_HEADER_UNDECIDED)
             .count("width", start.layout.width)
             .only_remedies([as_taken(start)]);
         at_line(&self.name, start.after + 1, found)
@@ -206,7 +206,7 @@ fn no_time(input: &Input, start: &Start) -> Error {
         false => entry(names, at),
     };
     let column = column.map(|&at| (OptionName::Columns, format!("t={}", called(at))));
-    let none = Finding::of(Kind::NoTime).in_file(&input.name);
+    let none = Finding::of(Kind::NO_TIME).in_file(&input.name);
     let none = match said_rate(&input.head) {
         Some(rate) => none
             .number("said", rate, "Hz")

@@ -182,7 +182,7 @@ impl Table {
         if kept.t.is_empty() {
             return Err(in_file(
                 &self.name,
-                Finding::of(Kind::OtherSensor).detail("columns", role),
+                Finding::of(Kind::OTHER_SENSOR).detail("columns", role),
             ));
         }
         *other = Samples::default();

@@ -49,9 +49,9 @@ impl Batch {
     pub fn fault(&self, line: &Range<usize>) -> Option<Finding> {
         match self.nul {
             Some(nul) if nul < self.before + line.end as u64 => {
-                Some(Finding::of(Kind::BinaryData).count("at_byte", nul as usize))
+                Some(Finding::of(Kind::BINARY_DATA).count("at_byte", nul as usize))
             }
-            _ if is_too_long(line.len()) => Some(Finding::of(Kind::LineTooLong)),
+            _ if is_too_long(line.len()) => Some(Finding::of(Kind::LINE_TOO_LONG)),
             _ => None,
         }
     }
@@ -124,7 +124,7 @@ impl<R: Read> Batches<R> {
                     return None;
                 }
                 if is_too_long(bytes.len()) {
-                    self.stop = Some(Stop::Line(Finding::of(Kind::LineTooLong).into()));
+                    self.stop = Some(Stop::Line(Finding::of(Kind::LINE_TOO_LONG).into()));
                     return None;
                 }
             }
@@ -174,7 +174,7 @@ impl<R: Read> Batches<R> {
         bytes.truncate(old + read.as_ref().map_or(0, |&read| read));
         match read {
             Err(error) => {
-                let stopped = Finding::of(Kind::ReadingStopped);
+                let stopped = Finding::of(Kind::READING_STOPPED);
                 let stopped = stopped.detail("reason", error.to_string());
                 self.stop = Some(Stop::Line(stopped.into()));
             }
@@ -183,7 +183,7 @@ impl<R: Read> Batches<R> {
             Ok(_) => {}
         }
         if self.before + bytes.len() as u64 > self.max_bytes {
-            let found = Finding::of(Kind::TooManyBytes)
+            let found = Finding::of(Kind::TOO_MANY_BYTES)
                 .count("limit", self.max_bytes as usize)
                 .detail("what", "text");
             self.stop = Some(Stop::Text(found.into()));

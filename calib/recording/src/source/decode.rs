@@ -41,8 +41,8 @@ const SIGNATURES: &[Signature] = &[
     ),
     (b"7z\xbc\xaf\x27\x1c", PACKED, "a 7z archive", None),
     (b"Rar!", PACKED, "a rar archive", None),
-    (b"PK\x03\x04", Kind::ZipWithin, "", None),
-    (b"\xd0\xcf\x11\xe0", Kind::OldOffice, "", None),
+    (b"PK\x03\x04", Kind::ZIP_WITHIN, "", None),
+    (b"\xd0\xcf\x11\xe0", Kind::OLD_OFFICE, "", None),
     (b"\x1f\x8b", PACKED, "a gzip archive", IN_ARCHIVE),
     (b"\x28\xb5\x2f\xfd", PACKED, "a zstd archive", IN_ARCHIVE),
     (b"MATLAB 5.0 MAT-file", FOREIGN, "a MATLAB file", None),
@@ -60,11 +60,11 @@ const SIGNATURES: &[Signature] = &[
     (b"\x93NUMPY", FOREIGN, "a NumPy array", None),
     (b"%PDF-", FOREIGN, "a PDF document", None),
     (b"\x89PNG", FOREIGN, "a picture", None),
-    (b"version https://git-lfs", Kind::GitPointer, "", None),
-    (b"<!DOCTYPE", Kind::HtmlPage, "", None),
-    (b"<html", Kind::HtmlPage, "", None),
+    (b"version https://git-lfs", Kind::GIT_POINTER, "", None),
+    (b"<!DOCTYPE", Kind::HTML_PAGE, "", None),
+    (b"<html", Kind::HTML_PAGE, "", None),
     (b"<?xml", FOREIGN, "an XML file", None),
-    (b"H Product:Blackbox", Kind::BlackboxLog, "", None),
+    (b"H Product:Blackbox", Kind::BLACKBOX_LOG, "", None),
     // The last one, which an array of them is refused as.
     (
         b"{",
@@ -74,8 +74,8 @@ const SIGNATURES: &[Signature] = &[
     ),
 ];
 
-const PACKED: Kind = Kind::PackedFile;
-const FOREIGN: Kind = Kind::ForeignFile;
+const PACKED: Kind = Kind::PACKED_FILE;
+const FOREIGN: Kind = Kind::FOREIGN_FILE;
 const IN_ARCHIVE: Option<Named> = Some(("within", "an archive"));
 
 /// True for a MAT file of level 4, which has no signature: type, rows, columns, imaginary part, length of a name that ends
@@ -147,7 +147,7 @@ pub(crate) fn text(name: &str, unpacked: Unpacked) -> (Box<dyn Read + Send>, Fin
     let encoding = encoding::of(&head);
     if let Some(encoding) = encoding {
         warnings.push(
-            Finding::of(Kind::TextEncoding)
+            Finding::of(Kind::TEXT_ENCODING)
                 .in_recording(name)
                 .detail("part", "the text")
                 .detail("encoding", encoding.name()),
@@ -178,7 +178,7 @@ pub(crate) fn refuse_own(name: &str, head: &[u8]) -> Result<(), Error> {
     match what {
         Some(what) => Err(in_file(
             name,
-            Finding::of(Kind::OwnDocument).detail("what", what),
+            Finding::of(Kind::OWN_DOCUMENT).detail("what", what),
         )),
         None => Ok(()),
     }
@@ -190,7 +190,7 @@ const BEGIN: usize = 256;
 /// Refuses formats that are known but not read.
 pub(crate) fn refuse_other_formats(name: &str, head: &[u8]) -> Result<(), Error> {
     if is_mat4(head) {
-        return Err(in_file(name, Finding::of(Kind::OldMatlab)));
+        return Err(in_file(name, Finding::of(Kind::OLD_MATLAB)));
     }
     if head.get(257..262) == Some(b"ustar") {
         let packed = Finding::of(PACKED)
@@ -214,9 +214,9 @@ pub(crate) fn refuse_other_formats(name: &str, head: &[u8]) -> Result<(), Error>
 
 fn empty(name: &str) -> Error {
     if name == "<stdin>" {
-        return Error::usage(Finding::of(Kind::EmptyInput));
+        return Error::usage(Finding::of(Kind::EMPTY_INPUT));
     }
-    in_file(name, Finding::of(Kind::EmptyFile))
+    in_file(name, Finding::of(Kind::EMPTY_FILE))
 }
 
 /// The first bytes, and a reader that still has them.

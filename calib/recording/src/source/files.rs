@@ -159,7 +159,7 @@ impl Files {
 
     /// Builds the error that no entry is called `name`.
     pub(crate) fn no_entry(&self, name: &str) -> Error {
-        let found = Finding::of(Kind::NoEntry)
+        let found = Finding::of(Kind::NO_ENTRY)
             .detail("entry", shown(name))
             .detail("listed", self.listed());
         let known = self.entries().iter().map(|entry| entry.name.as_str());
@@ -168,7 +168,7 @@ impl Files {
 
     /// Builds the error that no entry is a recording.
     pub(crate) fn without_recording(&self) -> Error {
-        let found = Finding::of(Kind::NoRecordingInFolder)
+        let found = Finding::of(Kind::NO_RECORDING_IN_FOLDER)
             .detail("holder", self.kind())
             .detail("listed", self.listed());
         in_file(&self.name, found)
@@ -176,7 +176,7 @@ impl Files {
 
     /// Builds the error that two entries have the same sensor.
     pub(crate) fn of_one_sensor(&self, first: &str, second: &str) -> Error {
-        let found = Finding::of(Kind::FilesOfOneSensor)
+        let found = Finding::of(Kind::FILES_OF_ONE_SENSOR)
             .detail("first", first)
             .detail("second", second);
         in_file(&self.name, found)

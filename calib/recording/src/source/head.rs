@@ -17,7 +17,7 @@ pub(crate) fn take_head(name: &str, reader: &mut dyn Read) -> Result<Vec<u8>, Er
 
 /// An error of the system in the middle of a file.
 pub(super) fn stopped(name: &str, error: &std::io::Error) -> Error {
-    let found = Finding::of(Kind::ReadingStopped);
+    let found = Finding::of(Kind::READING_STOPPED);
     in_file(name, found.detail("reason", error.to_string()))
 }
 

@@ -89,7 +89,7 @@ impl Input {
             };
             self = self.changed(change)?;
             self.warnings.push(
-                Finding::of(Kind::NumberSpelling)
+                Finding::of(Kind::NUMBER_SPELLING)
                     .in_recording(&self.name)
                     .detail("spelling", spelling.spelling)
                     .detail("read_as", spelling.read_as),
@@ -132,7 +132,7 @@ impl Input {
         let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
         if let Some(extension) = extension.filter(|e| BINARY.contains(&e.as_str())) {
             self.warnings.push(
-                Finding::of(Kind::NameMisleads)
+                Finding::of(Kind::NAME_MISLEADS)
                     .in_recording(&self.name)
                     .detail("extension", extension),
             );
@@ -160,7 +160,7 @@ fn take_preface(name: &str, reader: &mut dyn Read, head: &mut Vec<u8>) -> Result
             break;
         }
         if head.len() > LONGEST_PREFACE {
-            return Err(in_file(name, Finding::of(Kind::OnlyComments)));
+            return Err(in_file(name, Finding::of(Kind::ONLY_COMMENTS)));
         }
         let more = take_head(name, reader)?;
         length = more.len() as u64;

@@ -84,7 +84,7 @@ impl Source {
         if metadata.is_file() && metadata.len() > options.max_bytes {
             return Err(in_file(
                 &name,
-                Finding::of(Kind::FileTooLarge)
+                Finding::of(Kind::FILE_TOO_LARGE)
                     .detail("size", bytes(metadata.len() as f64))
                     .number("rows", metadata.len() as f64 / 70.0, "count")
                     .detail("memory", bytes(metadata.len() as f64 / 70.0 * 128.0))
@@ -119,7 +119,7 @@ impl Source {
 
     fn standard_input(options: &ReadOptions) -> Result<Self, Error> {
         if io::stdin().is_terminal() {
-            return Err(Error::usage(Finding::of(Kind::InputIsTerminal)));
+            return Err(Error::usage(Finding::of(Kind::INPUT_IS_TERMINAL)));
         }
         Self::of(
             "<stdin>".to_owned(),
@@ -218,10 +218,10 @@ impl Source {
         match self.within() {
             Self::Text(input) => Ok(input),
             Self::Files(files) => {
-                let several = Finding::of(Kind::SeveralFiles).detail("holder", files.kind());
+                let several = Finding::of(Kind::SEVERAL_FILES).detail("holder", files.kind());
                 Err(in_file(&files.name, several))
             }
-            Self::Binary(binary) => Err(in_file(&binary.name, Finding::of(Kind::NoText))),
+            Self::Binary(binary) => Err(in_file(&binary.name, Finding::of(Kind::NO_TEXT))),
             Self::Tables(_, inner) => inner.into_text(),
         }
     }
@@ -335,7 +335,7 @@ fn place<'o>(
     let read = { read }.read_to_end(&mut bytes);
     read.map_err(|error| head::stopped(name, &error))?;
     if bytes.len() as u64 > limit {
-        let found = Finding::of(Kind::TooManyBytes).count("limit", limit as usize);
+        let found = Finding::of(Kind::TOO_MANY_BYTES).count("limit", limit as usize);
         return Err(in_file(name, found.only_remedies([])));
     }
     Ok((None, bytes.into()))

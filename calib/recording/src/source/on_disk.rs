@@ -41,7 +41,7 @@ impl Unchanged {
         }
         Err(in_file(
             &shown_path(&self.path),
-            Finding::of(Kind::FileChanged),
+            Finding::of(Kind::FILE_CHANGED),
         ))
     }
 }
@@ -50,8 +50,8 @@ impl Unchanged {
 pub(crate) fn explained(path: &Path, error: io::Error) -> Error {
     let source = if error.kind() == io::ErrorKind::NotFound {
         let kind = match path.is_symlink() {
-            true => Kind::LinkToNothing,
-            false => Kind::FileMissing,
+            true => Kind::LINK_TO_NOTHING,
+            false => Kind::FILE_MISSING,
         };
         let mut found = Finding::of(kind).detail("reason", error.to_string());
         if path.is_relative()
@@ -59,7 +59,7 @@ pub(crate) fn explained(path: &Path, error: io::Error) -> Error {
         {
             found = found.detail("folder", shown_path(&here));
         }
-        if let (Kind::FileMissing, Some(neighbour)) = (kind, nearest(path)) {
+        if let (Kind::FILE_MISSING, Some(neighbour)) = (kind, nearest(path)) {
             found = found.detail("nearest", shown(&neighbour));
         }
         io::Error::new(error.kind(), found)

@@ -29,7 +29,7 @@ impl Input {
             Origin::Memory(bytes) => {
                 Source::of_bytes(&self.name, bytes.clone(), options)?.into_text()
             }
-            Origin::Stream => Err(in_file(&self.name, Finding::of(Kind::ReadTwice))),
+            Origin::Stream => Err(in_file(&self.name, Finding::of(Kind::READ_TWICE))),
         }
     }
 }

@@ -102,7 +102,7 @@ pub(crate) fn accel_unit(
     }
     let by_rests = by_rests.filter(|_| stated.is_none());
     if by_rests.is_some_and(|level| !KNOWN.iter().any(|range| range.contains(&level))) {
-        let found = Finding::of(Kind::GravityOfNoUnit).detail("radius", significant(norm, 4));
+        let found = Finding::of(Kind::GRAVITY_OF_NO_UNIT).detail("radius", significant(norm, 4));
         let is_gravity =
             |unit: &AccelUnit| NEAR_GRAVITY.contains(&(norm * unit.scale() / STANDARD_GRAVITY));
         let fitting = AccelUnit::PHYSICAL.into_iter().find(is_gravity);
@@ -136,12 +136,12 @@ pub(crate) fn accel_unit(
     if stated.is_none() {
         match unit {
             AccelUnit::G => warnings.push(
-                told(Kind::UnitByGravity, name, Sensor::Accelerometer)
+                told(Kind::UNIT_BY_GRAVITY, name, Sensor::Accelerometer)
                     .detail("unit", unit.name())
                     .number("norm", norm, "1"),
             ),
             AccelUnit::Counts => warnings.push(
-                told(Kind::ReadAsCounts, name, Sensor::Accelerometer)
+                told(Kind::READ_AS_COUNTS, name, Sensor::Accelerometer)
                     .number("norm", norm, "1")
                     .remedy(Remedy::if_wrong([OptionName::AccelUnit])),
             ),
@@ -152,7 +152,7 @@ pub(crate) fn accel_unit(
         && norm * unit.scale() < LEAST.get()
         && stream.len() >= values::ENOUGH.get()
     {
-        let removed = Finding::of(Kind::GravityRemoved)
+        let removed = Finding::of(Kind::GRAVITY_REMOVED)
             .detail("norm", format!("{norm:.3}"))
             .detail("unit", unit.name());
         return Err(in_file(
@@ -174,7 +174,7 @@ fn refuse_direction(name: &str, stream: &Stream) -> Result<(), Error> {
     }
     Err(in_file(
         name,
-        Finding::of(Kind::Normalised)
+        Finding::of(Kind::NORMALISED)
             .detail("length", format!("{:.4}", median_norm(&stream.values))),
     ))
 }
@@ -200,14 +200,14 @@ fn refuse_other_gravity(
         .into_iter()
         .find(|unit| NEAR_GRAVITY.contains(&share(unit)));
     let found = match right {
-        Some(right) => Finding::of(Kind::GravityInOtherUnit)
+        Some(right) => Finding::of(Kind::GRAVITY_IN_OTHER_UNIT)
             .detail("right", right.name())
             .only_remedies([Remedy::set_to(OptionName::AccelUnit, right.name())]),
         // Readings about zero are those of a sensor without gravity, which is said elsewhere.
         None if by_rests.is_none() || in_unit < LEAST.get() / 4.0 => return Ok(()),
         None => {
             let ratio = in_unit / STANDARD_GRAVITY;
-            Finding::of(Kind::GravityOff).detail("ratio", format!("{ratio:.2}"))
+            Finding::of(Kind::GRAVITY_OFF).detail("ratio", format!("{ratio:.2}"))
         }
     };
     Err(in_file(
@@ -239,7 +239,7 @@ fn unknown_unit(
     let factor = format!("{column}=NAME*0.001");
     in_file(
         name,
-        Finding::of(Kind::UnitStrange)
+        Finding::of(Kind::UNIT_STRANGE)
             .of_sensor(sensor)
             .detail("unit", shown(unit))
             .only_remedies([Remedy::examples([
@@ -271,7 +271,7 @@ pub(crate) fn gyro_unit(
     let stated = said.given.or(said.stated);
     if let Some(change) = accel.and_then(|accel| unit_change(accel, stream)) {
         let ([from, to], [until, since]) = (change.units, change.between);
-        let changes = told(Kind::RateUnitChanges, name, Sensor::Gyroscope)
+        let changes = told(Kind::RATE_UNIT_CHANGES, name, Sensor::Gyroscope)
             .detail("from", from.name())
             .detail("to", to.name())
             .number("until", until, "s")
@@ -297,7 +297,7 @@ pub(crate) fn gyro_unit(
             true => Ok((unit, UnitBy::File)),
             false => Err(in_file(
                 name,
-                Finding::of(Kind::TurnsImpossible)
+                Finding::of(Kind::TURNS_IMPOSSIBLE)
                     .detail("unit", unit.name())
                     .detail("fastest", format!("{} rad/s", FASTEST.get())),
             )),
@@ -315,7 +315,7 @@ pub(crate) fn gyro_unit(
     let integers = values::are_integers(stream.values.iter());
     let si = GyroUnit::RadiansPerSecond;
     let as_counts = || {
-        told(Kind::ReadAsCounts, name, Sensor::Gyroscope)
+        told(Kind::READ_AS_COUNTS, name, Sensor::Gyroscope)
             .remedy(Remedy::if_wrong([OptionName::GyroUnit]))
     };
     if by_turns.is_none()
@@ -337,12 +337,12 @@ pub(crate) fn gyro_unit(
         (Some(GyroUnit::RadiansPerSecond), _) => return Ok((si, UnitBy::Data)),
         (None, fastest) if fastest < FASTEST.get() => return Ok((si, UnitBy::Nothing)),
         (Some(GyroUnit::Counts), _) => (GyroUnit::Counts, as_counts()),
-        (Some(unit), _) => (unit, of(Kind::UnitByTurns, unit)),
+        (Some(unit), _) => (unit, of(Kind::UNIT_BY_TURNS, unit)),
         (None, ..5000.0) if !integers && !is_wrong(GyroUnit::DegreesPerSecond) => {
             let unit = GyroUnit::DegreesPerSecond;
             (
                 unit,
-                of(Kind::UnitBySize, unit).number("fastest", fastest, "1"),
+                of(Kind::UNIT_BY_SIZE, unit).number("fastest", fastest, "1"),
             )
         }
         (None, _) => (
@@ -371,12 +371,12 @@ fn refuse_other_turns(
     };
     let found = match by_turns {
         Some(told) if told == unit => return Ok(()),
-        Some(told) => Finding::of(Kind::TurnsInOtherUnit)
+        Some(told) => Finding::of(Kind::TURNS_IN_OTHER_UNIT)
             .detail("told", told.name())
             .only_remedies([Remedy::such_as(OptionName::GyroUnit, told.name())]),
         None => match wrong_by(accel, stream, unit) {
             None => return Ok(()),
-            Some(factor) => Finding::of(Kind::TurnsOff).number("factor", factor, "1"),
+            Some(factor) => Finding::of(Kind::TURNS_OFF).number("factor", factor, "1"),
         },
     };
     let found = found.detail("by", by).detail("unit", unit.name());
@@ -425,7 +425,7 @@ fn refuse_restless_rest(
     };
     Err(in_file(
         name,
-        Finding::of(Kind::RestlessRest)
+        Finding::of(Kind::RESTLESS_REST)
             .detail("unit", unit.name())
             .number("noise", noise, "rad/s")
             .number("bias", bias, "rad/s")

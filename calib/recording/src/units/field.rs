@@ -70,7 +70,9 @@ impl FromStr for FieldUnit {
             "gauss" | "g" | "gs" => Ok(Self::Gauss),
             "mgauss" | "mg" | "milligauss" => Ok(Self::Milligauss),
             "counts" | "lsb" | "raw" | "adc" => Ok(Self::Counts),
-            _ => Err(Finding::of(Kind::UnitUnknown).detail("known", KNOWN).into()),
+            _ => Err(Finding::of(Kind::UNIT_UNKNOWN)
+                .detail("known", KNOWN)
+                .into()),
         }
     }
 }

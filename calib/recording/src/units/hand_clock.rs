@@ -93,10 +93,10 @@ fn clock(step: f64, unit: TimeUnit, speed: f64) -> Option<f64> {
 /// The clock that they may be of, or that they count the rows.
 pub(crate) fn refuse(recording: &Recording) -> Result<(), Error> {
     let told = |kind: Kind| recording.warnings.iter().find(|own| own.kind == kind);
-    let guessed = told(Kind::TimeUnitTold).filter(|own| own.value("rate").is_some());
+    let guessed = told(Kind::TIME_UNIT_TOLD).filter(|own| own.value("rate").is_some());
     let (Some(accel), true) = (
         &recording.accelerometer,
-        guessed.is_some() || told(Kind::StampsCountRows).is_some(),
+        guessed.is_some() || told(Kind::STAMPS_COUNT_ROWS).is_some(),
     ) else {
         return Ok(());
     };
@@ -112,7 +112,7 @@ pub(crate) fn refuse(recording: &Recording) -> Result<(), Error> {
     let source = described.map_or(&recording.name, |own| &own.source);
     let Some(guessed) = guessed else {
         return match pace.duration > LONGEST.get() {
-            true => Err(in_file(source, Finding::of(Kind::StampsByOne))),
+            true => Err(in_file(source, Finding::of(Kind::STAMPS_BY_ONE))),
             false => Ok(()),
         };
     };
@@ -122,7 +122,7 @@ pub(crate) fn refuse(recording: &Recording) -> Result<(), Error> {
     };
     let other = clock(step, unit, pace.speed).filter(|_| pace.speed > FASTEST.get());
     let Some(clock) = other else { return Ok(()) };
-    let found = Finding::of(Kind::TimeUnitTooFast)
+    let found = Finding::of(Kind::TIME_UNIT_TOO_FAST)
         .detail("unit", unit.name())
         .detail("speed", format!("{:.0}°/s", pace.speed.to_degrees()));
     let by_clock = described.map_or_else(String::new, |own| own.by_clock(clock));

@@ -50,7 +50,7 @@ macro_rules! unit {
             fn from_str(text: &str) -> Result<Self, Box<Finding>> {
                 let unknown = || {
                     let known = [$($spelling),*].join(", ");
-                    Finding::of(Kind::UnitUnknown).detail("known", known).into()
+                    Finding::of(Kind::UNIT_UNKNOWN).detail("known", known).into()
                 };
                 Self::spelled(&normal(text)).ok_or_else(unknown)
             }

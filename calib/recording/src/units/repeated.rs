@@ -55,7 +55,7 @@ pub(crate) fn refuse(name: &str, sensor: Sensor, samples: &Samples) -> Result<()
     Err(at_line(
         name,
         samples.line(0),
-        Finding::of(Kind::AxisRepeated)
+        Finding::of(Kind::AXIS_REPEATED)
             .of_sensor(sensor)
             .detail("repeated", said.join(" and "))
             .detail("axes", axes)

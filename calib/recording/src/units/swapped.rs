@@ -62,7 +62,7 @@ fn refuse_force(table: &Table, is_alone: bool, options: &ReadOptions) -> Result<
     let Some(length) = length.filter(|_| said.is_none()) else {
         return Ok(());
     };
-    let force = Finding::of(Kind::ForceAsRate).detail("length", significant(length, 3));
+    let force = Finding::of(Kind::FORCE_AS_RATE).detail("length", significant(length, 3));
     let columns = exchanged(table).filter(|_| is_alone);
     let columns = columns
         .as_deref()
@@ -108,7 +108,7 @@ pub(crate) fn refuse(tables: &[Table], options: &ReadOptions) -> Result<(), Erro
         return Ok(());
     }
     let one_table = std::ptr::eq(of_accel, of_gyro);
-    let swapped = Finding::of(Kind::SensorsSwapped);
+    let swapped = Finding::of(Kind::SENSORS_SWAPPED);
     Err(in_file(
         &of_gyro.name,
         match exchanged(of_accel).filter(|_| one_table) {
@@ -180,7 +180,7 @@ mod tests {
             Recording::from_bytes("a.csv", format!("t,gx,gy,gz\n{rows}").as_bytes(), &untold)
         };
         let refused =
-            |up| matches!(at_rest(up), Err(error) if error.finding().kind == Kind::ForceAsRate);
+            |up| matches!(at_rest(up), Err(error) if error.finding().kind == Kind::FORCE_AS_RATE);
         assert!(refused(9.81) && refused(0.95));
         assert!(at_rest(2.5).is_ok() && at_rest(0.02).is_ok());
     }

@@ -57,7 +57,7 @@ pub(crate) fn check(
             found.detail("axis", ["x", "y", "z"][axis])
         };
         if samples.t.len() >= ENOUGH.get() && low == high {
-            let found = of(Kind::AxisConstant);
+            let found = of(Kind::AXIS_CONSTANT);
             let found = match sensor {
                 Sensor::Gyroscope => found.remedy(accelerometer_alone()),
                 _ => found,
@@ -65,32 +65,32 @@ pub(crate) fn check(
             return Err(stuck(name, found, samples, low));
         }
         if let Some(run) = stuck_within(samples, axis) {
-            let found = of(Kind::AxisStuck).detail("column", column(sensor, axis));
+            let found = of(Kind::AXIS_STUCK).detail("column", column(sensor, axis));
             return Err(stopped(name, found, samples, axis, run));
         }
         if let Some(first) = separated(samples.values.iter().map(|value| value[axis])) {
             let value = samples.values[first][axis];
-            let found = of(Kind::ThousandsByPoints)
+            let found = of(Kind::THOUSANDS_BY_POINTS)
                 .detail("value", figure(value))
                 .detail("thousands", figure(1e3 * value));
             return Err(at_line(name, samples.line(first), found));
         }
         if let Some(found) = lost(samples.values.iter().map(|value| value[axis])) {
-            let points = of(Kind::PointsLost)
+            let points = of(Kind::POINTS_LOST)
                 .detail("value", figure(found.value))
                 .detail("beside", figure(found.beside));
             return Err(at_line(name, samples.line(found.at), points));
         }
         let peak = high.max(-low);
         if peak > 0.0 && peak < TINIEST.get() {
-            let tiny = of(Kind::ReadingsTiny).detail("peak", format!("{peak:e}"));
+            let tiny = of(Kind::READINGS_TINY).detail("peak", format!("{peak:e}"));
             return Err(in_file(name, tiny));
         }
         if sixteen_bits || unsigned {
             let kind = if unsigned {
-                Kind::SignLost
+                Kind::SIGN_LOST
             } else {
-                Kind::Overflow
+                Kind::OVERFLOW
             };
             refuse_overflow(name, of(kind), samples, axis)?;
         }
@@ -101,7 +101,7 @@ pub(crate) fn check(
         let rows = [low, high].map(|rail| cut_off_at(&samples.values, axis, step, rail));
         if let Some(rows) = rows.into_iter().max().filter(|&rows| rows > 0) {
             warnings.push(
-                Finding::of(Kind::Saturated)
+                Finding::of(Kind::SATURATED)
                     .in_recording(name)
                     .of_sensor(sensor)
                     .detail("axis", ["x", "y", "z"][axis])
@@ -190,10 +190,10 @@ fn of_another_level(name: &str, samples: &Samples, change: &LevelChange) -> Erro
         (1e3, "mg", "g"),
     ];
     let found = match units.into_iter().find(|(factor, ..)| is(*factor)) {
-        Some((_, from, to)) => Finding::of(Kind::UnitChanges)
+        Some((_, from, to)) => Finding::of(Kind::UNIT_CHANGES)
             .detail("from", from)
             .detail("to", to),
-        None => Finding::of(Kind::NormChanges),
+        None => Finding::of(Kind::NORM_CHANGES),
     };
     at_line(
         name,

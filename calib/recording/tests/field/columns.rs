@@ -114,7 +114,7 @@ fn temperatures_in_counts_are_never_degrees_and_the_offered_line_makes_them_so()
         let found = read(&text);
         assert!(found.temperature.is_none(), "{name}");
         let mut all = found.warnings.iter();
-        let of_temperature = [Kind::TemperatureInCounts, Kind::TemperatureImpossible];
+        let of_temperature = [Kind::TEMPERATURE_IN_COUNTS, Kind::TEMPERATURE_IMPOSSIBLE];
         let said = all.find(|f| of_temperature.contains(&f.kind)).unwrap();
         let words = said.text(findings::Front::CommandLine);
         assert!(words.contains("MPU-6050"), "{words}");
@@ -246,7 +246,7 @@ fn a_header_that_comes_again_is_left_out_and_said_once() {
     let found = read(&text);
     is_it(&found, &s, 1e-4);
     let again: Vec<_> = found.warnings.iter().collect();
-    assert!(matches!(again[..], [one] if one.kind == Kind::HeadersLeftOut));
+    assert!(matches!(again[..], [one] if one.kind == Kind::HEADERS_LEFT_OUT));
     assert_eq!(again[0].value("count"), Some(3.0));
     assert_eq!(again[0].value("line"), Some(502.0));
 }

@@ -215,7 +215,7 @@ fn the_text_of_an_ardupilot_log_is_read_as_corrected() {
     });
     let found = read(&text);
     is_it(&found, &s, 1e-4);
-    let corrected = findings::Kind::CorrectedBySystem;
+    let corrected = findings::Kind::CORRECTED_BY_SYSTEM;
     assert!(found.warnings.iter().any(|own| own.kind == corrected));
 }
 

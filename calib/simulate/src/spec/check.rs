@@ -140,7 +140,7 @@ impl Spec {
             };
             if place >= count {
                 let things = if key == "turn" { "turns" } else { "placements" };
-                let found = Finding::of(Kind::PlaceMissing)
+                let found = Finding::of(Kind::PLACE_MISSING)
                     .count("place", place)
                     .count("count", count)
                     .detail("things", things);
@@ -181,7 +181,7 @@ impl SensorSpec {
         number(&key("dead_zone"), self.dead_zone, 0.0..=LARGE)?;
         number(&key("range"), self.range.unwrap_or(1.0), 1e-9..=1e12)?;
         if self.counts && self.step == 0.0 {
-            let found = Finding::of(Kind::StepMissing);
+            let found = Finding::of(Kind::STEP_MISSING);
             return Err(Complaint::new(key("counts"), found));
         }
         let clock = &self.clock;
@@ -205,7 +205,7 @@ impl SensorSpec {
             .low_pass
             .is_some_and(|corner| corner >= 0.5 * effective)
         {
-            let found = Finding::of(Kind::FilterTooHigh);
+            let found = Finding::of(Kind::FILTER_TOO_HIGH);
             return Err(Complaint::new(key("low_pass"), found));
         }
         // Jitter brings two stamps to a tenth of a step; a coarser clock would make them equal.
@@ -279,7 +279,7 @@ fn direction(key: &str, v: [f64; 3]) -> Result<(), Complaint> {
     v.iter().try_for_each(|&c| number(key, c, -LARGE..=LARGE))?;
     match v.iter().any(|c| c.abs() > 1e-6) {
         true => Ok(()),
-        false => Err(Complaint::new(key, Finding::of(Kind::DirectionZero))),
+        false => Err(Complaint::new(key, Finding::of(Kind::DIRECTION_ZERO))),
     }
 }
 

@@ -46,7 +46,7 @@ pub(crate) fn number(key: &str, value: f64, range: RangeInclusive<f64>) -> Resul
         return Ok(());
     }
     let (from, to) = range.into_inner();
-    let found = Finding::of(Kind::OutOfRange)
+    let found = Finding::of(Kind::OUT_OF_RANGE)
         .detail("value", figure(value))
         .detail("expected", format!("{} to {}", figure(from), figure(to)));
     Err(Complaint::new(key, found))

@@ -328,7 +328,7 @@ impl Spec {
         all.retain(|effect| effect.sensor() == sensor);
         for own in self.own.of(sensor) {
             if all.iter().any(|other| other.name() == own.name()) {
-                let found = Finding::of(Kind::EffectTaken).detail("name", own.name());
+                let found = Finding::of(Kind::EFFECT_TAKEN).detail("name", own.name());
                 return Err(Complaint::new(format!("effects.{}", own.name()), found));
             }
             all.push(own.clone());

@@ -18,7 +18,7 @@ impl Spec {
         for (name, wanted) in &self.effects {
             let key = format!("effects.{name}");
             let Some(effect) = all.iter().find(|e| e.name() == name) else {
-                let found = Finding::of(Kind::EffectUnknown);
+                let found = Finding::of(Kind::EFFECT_UNKNOWN);
                 let known = all.iter().map(|e| e.name());
                 return Err(Complaint::new(key, found.or_nearest(name, known)));
             };
@@ -27,7 +27,7 @@ impl Spec {
                 let own = || effect.params().iter().map(|p| &*p.name).chain([SIZE]);
                 if !own().any(|n| n == parameter) {
                     let known = own().collect::<Vec<_>>().join(", ");
-                    let found = Finding::of(Kind::ParameterUnknown)
+                    let found = Finding::of(Kind::PARAMETER_UNKNOWN)
                         .detail("effect", name.clone())
                         .detail("known", known)
                         .or_nearest(parameter, own());
@@ -61,7 +61,7 @@ impl Spec {
             return Err(silent(key, "vibration"));
         }
         if effect.nature() == Nature::EarthRotation && self.latitude.is_some() {
-            let twice = Finding::of(Kind::GivenTwice).detail("other", "latitude");
+            let twice = Finding::of(Kind::GIVEN_TWICE).detail("other", "latitude");
             return Err(Complaint::new(key, twice));
         }
         Ok(())
@@ -80,7 +80,7 @@ impl Spec {
         for (name, value) in &self.parameters {
             let key = format!("parameters.{name}");
             if !known.contains(name) {
-                let found = Finding::of(Kind::ParameterUnknown);
+                let found = Finding::of(Kind::PARAMETER_UNKNOWN);
                 let known = known.iter().map(String::as_str);
                 return Err(Complaint::new(key, found.or_nearest(name, known)));
             }
@@ -94,6 +94,6 @@ impl Spec {
 fn silent(key: String, section: &'static str) -> Complaint {
     Complaint::new(
         key,
-        Finding::of(Kind::EffectSilent).detail("section", section),
+        Finding::of(Kind::EFFECT_SILENT).detail("section", section),
     )
 }

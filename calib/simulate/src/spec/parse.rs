@@ -42,7 +42,7 @@ impl Spec {
     /// [`Error::Usage`] for a seed above 2⁶³ − 1, which TOML cannot hold.
     pub fn to_toml(&self) -> Result<String, Error> {
         let unwritable = |e: toml::ser::Error| {
-            Error::usage(Finding::of(Kind::Unwritable).detail("reason", e.to_string()))
+            Error::usage(Finding::of(Kind::UNWRITABLE).detail("reason", e.to_string()))
         };
         toml::to_string(self).map_err(unwritable)
     }

@@ -52,7 +52,7 @@ pub fn listed(motions: &[Span]) -> String {
 
 /// The unit of a gyroscope whose header names none, and whose readings do not tell it.
 fn assumed() -> Finding {
-    Finding::of(Kind::UnitAssumed).of_sensor(Sensor::Gyroscope)
+    Finding::of(Kind::UNIT_ASSUMED).of_sensor(Sensor::Gyroscope)
 }
 
 /// The recording as a stream where the file allows it, else in memory.

@@ -49,7 +49,7 @@ pub fn screen(shown: &Shown<'_>) -> Screen {
     for finding in gravest_first(&calibration.warnings) {
         let text = finding.text(Front::CommandLine);
         // What would be gained by the place is among the next steps.
-        let of_gravity = judgement.grade != Grade::Bad && finding.kind == Kind::GravityAssumed;
+        let of_gravity = judgement.grade != Grade::Bad && finding.kind == Kind::GRAVITY_ASSUMED;
         match of_gravity {
             true => said.push(text),
             false if !said.contains(&text) => remarks.push(text),

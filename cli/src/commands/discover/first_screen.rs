@@ -38,7 +38,7 @@ pub fn screen(
     // What would be gained by the place is among the next steps.
     let fitted = fitted.map(|finding| {
         (
-            finding.kind == Kind::GravityAssumed || finding.kind.is_of_a_search(),
+            finding.kind == Kind::GRAVITY_ASSUMED || finding.kind.is_of_a_search(),
             finding.text(Front::CommandLine),
         )
     });
@@ -82,7 +82,7 @@ pub fn brief(findings: &Findings) -> String {
     let gravest = verdict.reasons.first().map(String::as_str);
     let mut found = gravest_first(&findings.calibration.warnings);
     found.retain(|own| own.kind.is_of_a_search() && Some(own.kind.name()) != gravest);
-    found.sort_by_key(|own| own.kind != Kind::EffectNamed);
+    found.sort_by_key(|own| own.kind != Kind::EFFECT_NAMED);
     sentences.extend(found.iter().map(|own| show::capital(&own.reason()) + "."));
     if findings.proposed.is_some() {
         sentences.push("A formula is proposed for what remains.".into());

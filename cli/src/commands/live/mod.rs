@@ -75,7 +75,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     }
     let recording = &finished.recording;
     if args.source == "-" && !recording.exists() {
-        let empty = calib::Error::usage(Finding::of(Kind::EmptyInput));
+        let empty = calib::Error::usage(Finding::of(Kind::EMPTY_INPUT));
         return Err(empty.into());
     }
     show::say(&format!(

@@ -298,8 +298,8 @@ fn a_bias_that_steps_twice_is_no_iron_nearby() {
         }
     }
     let found = calibrated(&session, &request(Method::Auto)).warnings;
-    assert!(found.has(Kind::MagneticBiasStepped));
-    assert!(!found.has(Kind::FieldUneven) && !found.has(Kind::FieldLittleUneven));
+    assert!(found.has(Kind::MAGNETIC_BIAS_STEPPED));
+    assert!(!found.has(Kind::FIELD_UNEVEN) && !found.has(Kind::FIELD_LITTLE_UNEVEN));
 }
 
 /// The session with the readings of the magnetometer moved by what `moved` makes of the share of the time that has passed.
@@ -317,7 +317,7 @@ fn with_bias(seed: u64, moved: impl Fn(f64) -> [f64; 3]) -> Session {
 fn a_bias_that_steps_before_the_last_three_placements_is_told_from_iron() {
     let session = with_bias(4, |share| [f64::from(share > 0.88), 0.5, 0.0]);
     let found = calibrated(&session, &request(Method::Auto)).warnings;
-    assert!(found.has(Kind::MagneticBiasStepped));
+    assert!(found.has(Kind::MAGNETIC_BIAS_STEPPED));
 }
 
 #[test]
@@ -332,8 +332,8 @@ fn a_bias_that_sways_is_no_uneven_field_and_its_standard_error_counts_that() {
             ]
         };
         let calibration = calibrated(&with_bias(4, sways), &request(Method::Auto));
-        let said = calibration.warnings.has(Kind::BiasUnsteady);
-        assert!(!calibration.warnings.has(Kind::FieldLittleUneven));
+        let said = calibration.warnings.has(Kind::BIAS_UNSTEADY);
+        assert!(!calibration.warnings.has(Kind::FIELD_LITTLE_UNEVEN));
         (calibration.magnetometer.unwrap().bias_std[0].unwrap(), said)
     };
     let ((still, unsaid), (swaying, said)) = (bias_std(0.0), bias_std(0.7));

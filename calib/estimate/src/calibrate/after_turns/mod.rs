@@ -76,7 +76,7 @@ impl AfterTurns {
         calibration.write_parameters(&values, &covariance);
         let is_gyroscope = |found: &Finding| found.place.sensor == Some(Sensor::Gyroscope);
         if self.is_what_lacks {
-            warnings.retain(|found| found.kind != Kind::EffectMissing || is_gyroscope(found));
+            warnings.retain(|found| found.kind != Kind::EFFECT_MISSING || is_gyroscope(found));
         }
         warnings.push(self.finding);
     }
@@ -159,7 +159,7 @@ fn rested<'a>(
 fn said(decay: &Decay) -> Finding {
     let squares = decay.at_first.iter().map(|error| error.norm_squared());
     let size = (squares.sum::<f64>() / decay.at_first.len().max(1) as f64).sqrt();
-    Finding::of(Kind::SettlesAfterTurns)
+    Finding::of(Kind::SETTLES_AFTER_TURNS)
         .of_sensor(Sensor::Accelerometer)
         .number("size", size, "m/s^2")
         .number("within", decay.tau, "s")

@@ -54,9 +54,9 @@ fn motion(calibration: &Calibration, found: &Finding) -> Option<(Sensor, Vector3
     let near_si = triad.base().t.determinant().abs().cbrt();
     let size = found.value("size").map_or(0.0, f64::abs) / near_si;
     let motion = match found.kind {
-        Kind::BiasMoved => OF_A_RAMP.get() * Vector3::repeat(found.value("change")? / near_si),
-        Kind::BiasWandered | Kind::BiasUnsteady => Vector3::repeat(size),
-        Kind::BiasStep => {
+        Kind::BIAS_MOVED => OF_A_RAMP.get() * Vector3::repeat(found.value("change")? / near_si),
+        Kind::BIAS_WANDERED | Kind::BIAS_UNSTEADY => Vector3::repeat(size),
+        Kind::BIAS_STEP => {
             let axis = ["x", "y", "z"].map(|axis| found.word("axis") == Some(axis));
             let all = axis == [false; 3];
             Vector3::from_fn(|k, _| {

@@ -36,7 +36,7 @@ pub fn too_fast(
     let (turn, step, coning) = found.iter().max_by(|a, b| a.2.total_cmp(&b.2))?;
     let needed = stream.median_step()?.recip() * step / (0.3 * FAST.get());
     Some(
-        Finding::of(Kind::TurnsTooFast)
+        Finding::of(Kind::TURNS_TOO_FAST)
             .in_recording(&recording.name)
             .of_sensor(Sensor::Gyroscope)
             .at_turn(turn.from)

@@ -47,7 +47,7 @@ pub(in crate::calibrate) fn open_by_directions(directions: &[Vector3<f64>]) -> O
         .map(|k| FORCE_NAMES[k])
         .collect();
     (!open.is_empty()).then(|| {
-        refusal(directions, Kind::DirectionsTooFew)
+        refusal(directions, Kind::DIRECTIONS_TOO_FEW)
             .count("directions", distinct.len())
             .detail("parameters", open.join(", "))
     })
@@ -90,7 +90,7 @@ pub fn not_in_one_plane(means: &[Vec<StaticMean>]) -> Result<(), Error> {
     let directions: Vec<Vector3<f64>> = raw.iter().map(Vector3::normalize).collect();
     Err(Error::not_enough(refusal(
         &directions,
-        Kind::PlacementsInPlane,
+        Kind::PLACEMENTS_IN_PLANE,
     )))
 }
 
@@ -140,7 +140,7 @@ mod tests {
 
     #[test]
     fn a_refusal_names_what_is_not_known_the_requirement_and_the_placements() {
-        let found = refusal(&in_plane(Vector3::z()), Kind::PlacementsLeaveOpen)
+        let found = refusal(&in_plane(Vector3::z()), Kind::PLACEMENTS_LEAVE_OPEN)
             .detail("parameters", "accel.s_z")
             .count("rank", 8)
             .count("free", 9);

@@ -51,7 +51,7 @@ pub fn cut_towards_zero(fit: &JointFit, recordings: &[&Recording]) -> Option<Fin
     }
     let step = cut.first()?.steps.max() * scale;
     Some(
-        Finding::of(Kind::CutTowardsZero)
+        Finding::of(Kind::CUT_TOWARDS_ZERO)
             .in_recording(&recordings.first()?.name)
             .of_sensor(Sensor::Accelerometer)
             .number("step", step, "m/s^2")

@@ -10,7 +10,7 @@ pub(in crate::calibrate) fn dead_axes(recording: &Recording) -> Vec<Finding> {
     let sensors = [Sensor::Accelerometer, Sensor::Gyroscope].into_iter();
     let found = sensors.filter_map(|sensor| {
         let axis = only_noise(&recording.stream(sensor)?.values)?;
-        let found = Finding::of(Kind::AxisOnlyNoise).of_sensor(sensor);
+        let found = Finding::of(Kind::AXIS_ONLY_NOISE).of_sensor(sensor);
         let found = found.in_recording(&recording.name);
         Some(found.detail("axis", ["x", "y", "z"][axis]))
     });
@@ -21,7 +21,11 @@ pub(in crate::calibrate) fn dead_axes(recording: &Recording) -> Vec<Finding> {
 pub(in crate::calibrate) fn say_dead_axes(gates: &mut Findings, recording: &Recording) {
     for axis in dead_axes(recording) {
         let follows = |gate: &Finding| {
-            let kinds = [Kind::GravityMissed, Kind::AxesNotShown, Kind::LeftHanded];
+            let kinds = [
+                Kind::GRAVITY_MISSED,
+                Kind::AXES_NOT_SHOWN,
+                Kind::LEFT_HANDED,
+            ];
             gate.place.sensor == axis.place.sensor && kinds.contains(&gate.kind)
         };
         gates.retain(|gate| !follows(gate));

@@ -96,7 +96,7 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
     let count = directions.len();
     if fit.fitted.rank < free {
         let open = involved(fit.fitted).join(", ");
-        let found = refusal(directions, Kind::PlacementsLeaveOpen)
+        let found = refusal(directions, Kind::PLACEMENTS_LEAVE_OPEN)
             .detail("parameters", open)
             .count("rank", fit.fitted.rank)
             .count("free", free);
@@ -110,7 +110,7 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
         return Err(Error::not_enough(found));
     }
     if count <= free {
-        let found = refusal(directions, Kind::PlacementsTooFew).count("free", free);
+        let found = refusal(directions, Kind::PLACEMENTS_TOO_FEW).count("free", free);
         return Err(Error::not_enough(with_weakest(found, fit)));
     }
     if !fit.ending.termination.converged()
@@ -133,7 +133,7 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
         .map(|w| w.name.as_str())
         .collect();
     if !refused.is_empty() {
-        let found = refusal(directions, Kind::PlacementsTellLittle)
+        let found = refusal(directions, Kind::PLACEMENTS_TELL_LITTLE)
             .detail("parameters", refused.join(", "));
         return Err(Error::not_enough(with_weakest(found, fit)));
     }
@@ -143,7 +143,7 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
     let is_full = found.missing_faces.is_empty() && count >= plan::REQUIREMENT.placements;
     let is_enough = found.is_complete() || (is_known && is_full);
     if !is_enough {
-        let missing = Finding::of(Kind::PlacementsMissing)
+        let missing = Finding::of(Kind::PLACEMENTS_MISSING)
             .of_sensor(Sensor::Accelerometer)
             .detail("found", found.found());
         let missing = match weakest {
@@ -165,7 +165,7 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
 
 /// Builds the finding about a fit that did not converge.
 fn stopped(sensor: Sensor, ending: &Ending) -> Finding {
-    Finding::of(Kind::FitStopped)
+    Finding::of(Kind::FIT_STOPPED)
         .of_sensor(sensor)
         .count("steps", ending.steps)
         .detail("ending", format!("{:?}", ending.termination))
@@ -238,12 +238,12 @@ pub(in crate::calibrate) fn gyroscope_is_determined(
     };
     if fitted.rank < fitted.free.len() {
         let open = involved(fitted);
-        let found = refusal(Kind::TurnsLeaveOpen, &open).count("rank", fitted.rank);
+        let found = refusal(Kind::TURNS_LEAVE_OPEN, &open).count("rank", fitted.rank);
         return Err(Error::not_enough(found));
     }
     if 2 * turns <= fitted.free.len() {
         let least = fitted.free.len() / 2 + 1;
-        let found = refusal(Kind::TurnsTooFew, &[]).count("least", least);
+        let found = refusal(Kind::TURNS_TOO_FEW, &[]).count("least", least);
         return Err(Error::not_enough(found));
     }
     if !fit.ending.termination.converged() {
@@ -259,7 +259,10 @@ pub(in crate::calibrate) fn gyroscope_is_determined(
         .map(|w| w.name.as_str())
         .collect();
     if !refused.is_empty() && fit.rms < LOST.get() {
-        return Err(Error::not_enough(refusal(Kind::TurnsTellLittle, &refused)));
+        return Err(Error::not_enough(refusal(
+            Kind::TURNS_TELL_LITTLE,
+            &refused,
+        )));
     }
     let found = format!("{turns} turns");
     warnings.extend(
@@ -313,7 +316,7 @@ struct Weak {
 
 impl Weak {
     fn finding(self, sensor: Sensor, evidence: &str) -> Finding {
-        Finding::of(Kind::WeakParameter)
+        Finding::of(Kind::WEAK_PARAMETER)
             .of_sensor(sensor)
             .detail("parameter", self.name)
             .detail("error", self.error)
@@ -368,7 +371,7 @@ mod tests {
     #[test]
     fn a_share_beyond_the_whole_is_not_known() {
         let words = [2.5e15, 1.2, f64::NAN, 0.314, 0.0567, 0.00031].map(|share| {
-            let found = Finding::of(Kind::PlacementsTooFew);
+            let found = Finding::of(Kind::PLACEMENTS_TOO_FEW);
             known_to(found, "accel.s_x", share, (share, "share")).what()
         });
         let ends = [

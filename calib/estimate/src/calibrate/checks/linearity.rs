@@ -39,7 +39,7 @@ pub fn untested_linearity(calibration: &Calibration) -> Option<Finding> {
                 true => own.std_added * scale,
                 false => own.std_added / scale * calibration.gravity,
             };
-            let found = Finding::of(Kind::LinearityUntested)
+            let found = Finding::of(Kind::LINEARITY_UNTESTED)
                 .of_sensor(Sensor::Accelerometer)
                 .detail("effect", own.effect.clone())
                 .detail("parameter", own.parameter.clone())
@@ -54,8 +54,8 @@ pub fn untested_linearity(calibration: &Calibration) -> Option<Finding> {
 /// accelerometer shows what they would hide, and one of the turns does not.
 fn says_it(found: &Finding) -> bool {
     match found.kind {
-        Kind::PlacementsMissing | Kind::EffectMissing | Kind::CutTowardsZero => true,
-        Kind::Misfit => found.place.sensor != Some(Sensor::Gyroscope),
+        Kind::PLACEMENTS_MISSING | Kind::EFFECT_MISSING | Kind::CUT_TOWARDS_ZERO => true,
+        Kind::MISFIT => found.place.sensor != Some(Sensor::Gyroscope),
         _ => false,
     }
 }

@@ -77,7 +77,7 @@ fn fast_sampling(recording: &Recording) -> Option<Finding> {
         .filter_map(Stream::median_step);
     let rate = steps.min_by(f64::total_cmp)?.recip();
     (rate > FASTEST.get()).then(|| {
-        Finding::of(Kind::SampledFast)
+        Finding::of(Kind::SAMPLED_FAST)
             .number("rate", rate, "Hz")
             .number("block", (rate / ENOUGH_RATE.get()).round(), "count")
     })
@@ -89,7 +89,7 @@ pub(super) fn force_is_all_they_need(effects: &[EffectRef]) -> Result<(), Error>
         let all = effect.needs().into_iter();
         if let Some(need) = all.clone().find(|need| *need != Quantity::SpecificForce) {
             return Err(Error::not_enough(
-                Finding::of(Kind::EffectNeedsMeans)
+                Finding::of(Kind::EFFECT_NEEDS_MEANS)
                     .detail("effect", effect.name())
                     .detail("quantity", need.to_string()),
             ));
@@ -110,7 +110,7 @@ pub(super) fn enough_rests(
     let found = means.iter().map(Vec::len).sum::<usize>();
     if let Some(first) = rejected.clone().next().filter(|_| found < 2) {
         return Err(Error::not_enough(
-            of(Kind::QuietNotStatic)
+            of(Kind::QUIET_NOT_STATIC)
                 .count("found", found)
                 .count("count", rejected.count())
                 .detail("first", first.to_string()),
@@ -118,7 +118,7 @@ pub(super) fn enough_rests(
     }
     match found {
         0 => {
-            let never = of(Kind::NeverStill)
+            let never = of(Kind::NEVER_STILL)
                 .number("rest", plan::REQUIREMENT.rest, "s")
                 .because(plan::REQUIREMENT.finding());
             Err(Error::not_enough(match quietest_of(recordings) {
@@ -137,8 +137,8 @@ pub(super) fn enough_rests(
                 .filter_map(|r| r.accelerometer.as_ref()?.span());
             let whole: f64 = spans.map(|(from, to)| to - from).sum();
             let kind = match length < STILL.get() * whole {
-                true => Kind::OneStaticInterval,
-                false => Kind::AllStatic,
+                true => Kind::ONE_STATIC_INTERVAL,
+                false => Kind::ALL_STATIC,
             };
             Err(Error::not_enough(
                 of(kind)

@@ -58,7 +58,7 @@ pub(in crate::calibrate) fn the_norm_tells_them(
     if names.is_empty() {
         return Ok(());
     }
-    let found = Finding::of(Kind::EffectsAlike).detail("parameters", names.join(", "));
+    let found = Finding::of(Kind::EFFECTS_ALIKE).detail("parameters", names.join(", "));
     Err(Error::not_enough(found))
 }
 

@@ -78,7 +78,7 @@ fn axes_of_the_room(recording: &Recording, segmentation: &Segmentation) -> Optio
         .all(|[told, read]| *read < FOLLOWED.get() * told);
     (over.len() >= TURNS.get() && stays).then(|| {
         let most = over.iter().map(|turn| turn[0]).fold(0.0, f64::max);
-        Finding::of(Kind::AxesOfTheRoom)
+        Finding::of(Kind::AXES_OF_THE_ROOM)
             .count("turns", over.len())
             .number("angle", most, "rad")
     })
@@ -102,7 +102,7 @@ fn angles_for_rates(segmentation: &Segmentation) -> Option<Finding> {
     };
     (rests.len() >= RESTS.get() && (0..3).any(is_angle)).then(|| {
         let widest = (0..3).map(range).fold(0.0, f64::max);
-        Finding::of(Kind::AnglesForRates).number("range", widest, "rad/s")
+        Finding::of(Kind::ANGLES_FOR_RATES).number("range", widest, "rad/s")
     })
 }
 

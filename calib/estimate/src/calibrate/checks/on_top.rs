@@ -25,7 +25,7 @@ findings::tuning! {
 /// Returns the finding that a gyroscope reads nothing at rest, as none does whose readings nobody corrected.
 pub fn corrected_before(recording: &Recording, segmentation: &Segmentation) -> Option<Finding> {
     reads_zero_at_rest(recording, segmentation).then(|| {
-        Finding::of(Kind::BiasRemovedBefore)
+        Finding::of(Kind::BIAS_REMOVED_BEFORE)
             .in_recording(&recording.name)
             .of_sensor(Sensor::Gyroscope)
     })

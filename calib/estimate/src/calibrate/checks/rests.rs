@@ -34,7 +34,7 @@ pub(in crate::calibrate) fn disagreeing_rests<'a>(
         .iter()
         .map(|outlier| {
             let (recording, k, rest) = rests[outlier.row];
-            Finding::of(Kind::IntervalDisagrees)
+            Finding::of(Kind::INTERVAL_DISAGREES)
                 .in_recording(&recording.name)
                 .at_interval(k)
                 .between(rest.span.from, rest.span.to)
@@ -62,7 +62,7 @@ pub(in crate::calibrate) fn long_turns(
         .filter(|turn| turn.fault.is_none())
         .filter(|turn| turn.span.length() > LONG_TURN.get().max(3.0 * usual))
         .map(|turn| {
-            Finding::of(Kind::LongTurn)
+            Finding::of(Kind::LONG_TURN)
                 .in_recording(&recording.name)
                 .at_turn(segmentation.before() + turn.from)
                 .between(turn.span.from, turn.span.to)
@@ -89,7 +89,7 @@ pub(in crate::calibrate) fn restless(
         .filter_map(|(k, rest)| {
             let spread = unsteady(rest)?;
             Some(
-                Finding::of(Kind::NotStill)
+                Finding::of(Kind::NOT_STILL)
                     .in_recording(&recording.name)
                     .at_interval(segmentation.before() + k)
                     .between(rest.span.from, rest.span.to)

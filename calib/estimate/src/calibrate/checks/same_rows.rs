@@ -50,7 +50,7 @@ pub fn no_rows_come_again<'a>(
             false => &all[first.0].name,
         };
         return Err(Error::input(
-            Finding::of(Kind::ReadingsTwice)
+            Finding::of(Kind::READINGS_TWICE)
                 .in_recording(&all[second.0].name)
                 .of_sensor(sensor)
                 .from_time(time(second))

@@ -30,7 +30,7 @@ pub fn without_copies<'a>(
         };
         match kept.iter().find(is_copy) {
             Some(twin) => said.push(
-                Finding::of(Kind::SameData)
+                Finding::of(Kind::SAME_DATA)
                     .in_recording(&recording.name)
                     .detail("other", twin.name.clone()),
             ),
@@ -62,7 +62,7 @@ pub fn none_is_there_twice<'a>(
             };
             let (here, there) = (of_first.statics[i].span, of_second.statics[j].span);
             return Err(Error::input(
-                Finding::of(Kind::ReadingsTwice)
+                Finding::of(Kind::READINGS_TWICE)
                     .in_recording(&second.name)
                     .at_interval(j)
                     .from_time(there.from)

@@ -40,7 +40,7 @@ pub fn refuse_attitude(effects: &[EffectRef]) -> Result<(), Error> {
         effect.sensor() == Sensor::Accelerometer && effect.needs().contains(&Quantity::Attitude)
     };
     effects.iter().find(looks).map_or(Ok(()), |effect| {
-        let found = Finding::of(Kind::EffectNeedsAttitude).detail("effect", effect.name());
+        let found = Finding::of(Kind::EFFECT_NEEDS_ATTITUDE).detail("effect", effect.name());
         Err(Error::not_enough(found))
     })
 }

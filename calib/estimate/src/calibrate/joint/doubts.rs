@@ -40,13 +40,13 @@ pub fn placements_apart(fit: &JointFit) -> Option<Finding> {
         })
         .collect();
     let places = all.join(", ");
-    (!all.is_empty()).then(|| Finding::of(Kind::PlacementsApart).detail("places", places))
+    (!all.is_empty()).then(|| Finding::of(Kind::PLACEMENTS_APART).detail("places", places))
 }
 
 /// An effect that the rows speak for though no channel as a whole misfits: its part in the errors is not in them.
 pub fn of_missing(missing: &Missing) -> Option<Finding> {
     (missing.p_value < SPEAKS.get()).then(|| {
-        let found = Finding::of(Kind::EffectMissing);
+        let found = Finding::of(Kind::EFFECT_MISSING);
         let found = match missing.explains_most() {
             true => found
                 .of_sensor(missing.effect.sensor())
@@ -65,7 +65,7 @@ pub fn disturbances(fit: &JointFit, warnings: &mut Findings) {
     let name = |recording: usize| &fit.data.sources[recording].name;
     for lost in &fit.data.lost {
         warnings.push(
-            Finding::of(Kind::TurnLost)
+            Finding::of(Kind::TURN_LOST)
                 .in_recording(name(lost.recording))
                 .at_turn(lost.turn)
                 .between(lost.span.from, lost.span.to)
@@ -75,7 +75,7 @@ pub fn disturbances(fit: &JointFit, warnings: &mut Findings) {
     for (place, gap) in &fit.data.gaps {
         let rest = &fit.data.rests[*place];
         warnings.push(
-            Finding::of(Kind::IntervalGap)
+            Finding::of(Kind::INTERVAL_GAP)
                 .in_recording(name(rest.recording))
                 .at_interval(rest.interval)
                 .between(rest.span.from, rest.span.to)
@@ -85,19 +85,19 @@ pub fn disturbances(fit: &JointFit, warnings: &mut Findings) {
     }
     if let Some(shaken) = fit.data.shakes_throughout() {
         warnings.push(
-            Finding::of(Kind::ShakyIntervals)
+            Finding::of(Kind::SHAKY_INTERVALS)
                 .count("shaken", shaken)
                 .count("all", fit.data.rests.len()),
         );
     }
     for (place, source) in fit.data.sources.iter().enumerate() {
         if source.sways() {
-            warnings.push(Finding::of(Kind::DeviceSways).in_recording(name(place)));
+            warnings.push(Finding::of(Kind::DEVICE_SWAYS).in_recording(name(place)));
         }
     }
     for flagged in &fit.flagged {
         let kind = match flagged.reason {
-            Reason::BiasStepped => Kind::BiasStepped,
+            Reason::BiasStepped => Kind::BIAS_STEPPED,
             Reason::Disturbed => flagged.fault.kind,
         };
         let found = Finding::of(kind)
@@ -132,7 +132,7 @@ pub fn influences(fit: &JointFit, warnings: &mut Findings) {
     for influence in fit.influential(INFLUENTIAL.get()) {
         let rest = &fit.data.rests[influence.rest];
         warnings.push(
-            Finding::of(Kind::InfluentialInterval)
+            Finding::of(Kind::INFLUENTIAL_INTERVAL)
                 .in_recording(&fit.data.sources[rest.recording].name)
                 .at_interval(rest.interval)
                 .between(rest.span.from, rest.span.to)

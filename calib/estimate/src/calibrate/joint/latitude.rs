@@ -53,7 +53,7 @@ impl LatitudeDoubt {
     /// The finding.
     pub fn finding(&self) -> Finding {
         let other_sign = self.given * self.seen < 0.0;
-        Finding::of(Kind::LatitudeDoubtful)
+        Finding::of(Kind::LATITUDE_DOUBTFUL)
             .number("given", self.latitude, "°")
             .number("expected", self.given, "rad/s")
             .number("shown", self.seen, "rad/s")

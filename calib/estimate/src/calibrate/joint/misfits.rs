@@ -20,7 +20,7 @@ pub(super) fn say_misfits(
     warnings: &mut Findings,
 ) {
     let has_thermometer = recordings.iter().any(|r| r.temperature.is_some());
-    let turned_at_rest = warnings.has(Kind::RestsTurn);
+    let turned_at_rest = warnings.has(Kind::RESTS_TURN);
     let misfits = remainders
         .iter()
         .filter_map(|r| r.finding(WITH_WALKS.get()));

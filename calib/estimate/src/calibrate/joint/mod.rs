@@ -37,7 +37,7 @@ pub(super) fn calibrate(
 ) -> Result<Outcome, Error> {
     let no_force = |r: &&Recording| r.accelerometer.is_none();
     if !request.static_means.is_empty() || recordings.recordings.iter().any(no_force) {
-        return Err(Error::usage(Finding::of(Kind::MethodNeedsForce)));
+        return Err(Error::usage(Finding::of(Kind::METHOD_NEEDS_FORCE)));
     }
     let means = recordings.each().map(|(r, cut)| static_means(r, cut));
     let means: Vec<_> = means.collect();

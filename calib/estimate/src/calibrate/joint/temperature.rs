@@ -36,7 +36,7 @@ pub fn changed(fit: &JointFit, recordings: &[&Recording], doubt: bool) -> Option
         LARGE.get()
     };
     (high - low > large).then(|| {
-        Finding::of(Kind::TemperatureChanged)
+        Finding::of(Kind::TEMPERATURE_CHANGED)
             .number("low", low, "°C")
             .number("high", high, "°C")
     })

@@ -62,16 +62,16 @@ pub fn biases_that_moved(
             )
         };
         let change = moved.change.norm();
-        let even = found(Kind::BiasMoved, "change", change, 0.5 * change);
+        let even = found(Kind::BIAS_MOVED, "change", change, 0.5 * change);
         if moved.p_value < MOVED.get() && even.severity() > SHOWS.get() {
             return Some(even);
         }
         // A Brownian path of density q lies q √(T/6) from its mean over T, root mean square.
         let size = walk * (moved.span.length() / 6.0).sqrt();
-        let wandering = found(Kind::BiasWandered, "size", size, size);
+        let wandering = found(Kind::BIAS_WANDERED, "size", size, size);
         let kind = match wandering.severity() > SHOWS.get() {
-            true => Kind::BiasWandered,
-            false => Kind::BiasUnsteady,
+            true => Kind::BIAS_WANDERED,
+            false => Kind::BIAS_UNSTEADY,
         };
         // A walk is allowed for where none is seen, and is then as large as the noise can hide.
         if size == 0.0 || fit.chance_without_walks(sensor) >= MOVED.get() {
@@ -80,7 +80,7 @@ pub fn biases_that_moved(
         // Of that path the line from its start to its end has half the mean square, (q² T)/12; here the line is known.
         let line = moved.change.amax() / 12f64.sqrt();
         Some(match kind {
-            Kind::BiasWandered => wandering,
+            Kind::BIAS_WANDERED => wandering,
             _ => {
                 let size = line.hypot(size / 2f64.sqrt());
                 found(kind, "size", size, size)

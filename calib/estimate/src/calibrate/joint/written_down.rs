@@ -164,7 +164,7 @@ pub fn written_down(
         ..Calibration::by("joint", account.gravity, account.gravity_source)
     };
     // What settles where the device turned at rest is its support.
-    let settles = (!warnings.has(Kind::RestsTurn))
+    let settles = (!warnings.has(Kind::RESTS_TURN))
         .then(|| AfterTurns::of(fit, recordings, &motions[0], &calibration));
     if let Some(settles) = settles.flatten() {
         settles.count(&mut calibration, warnings);

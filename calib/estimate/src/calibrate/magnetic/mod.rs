@@ -49,7 +49,7 @@ pub(super) fn with_magnetometer(
     if recordings.iter().all(|r| r.magnetometer.is_none()) {
         return match asked {
             Some(effect) => Err(Error::not_enough(
-                Finding::of(Kind::EffectNeedsSensor)
+                Finding::of(Kind::EFFECT_NEEDS_SENSOR)
                     .of_sensor(Sensor::Magnetometer)
                     .detail("effect", effect.name())
                     .detail("quantity", Quantity::MagneticField.to_string()),
@@ -61,7 +61,7 @@ pub(super) fn with_magnetometer(
         Ok(()) => Ok(outcome),
         Err(Error::NotEnough(reason) | Error::NotConverged(reason)) if asked.is_none() => {
             outcome.calibration.warnings.push(
-                Finding::of(Kind::MagnetometerNotCalibrated).detail("why", reason.to_string()),
+                Finding::of(Kind::MAGNETOMETER_NOT_CALIBRATED).detail("why", reason.to_string()),
             );
             Ok(outcome)
         }
@@ -102,7 +102,7 @@ pub fn beside_the_others(
 pub(super) fn refuse_alone(recordings: &[&Recording]) -> Result<(), Error> {
     match recordings.iter().find(|r| r.is_magnetometer_only()) {
         Some(alone) => Err(Error::not_enough(
-            Finding::of(Kind::MagnetometerAlone).in_recording(&alone.name),
+            Finding::of(Kind::MAGNETOMETER_ALONE).in_recording(&alone.name),
         )),
         None => Ok(()),
     }
@@ -119,7 +119,7 @@ fn fitted(
     let unit = common_unit(recordings, request)?;
     let units = Units::of(unit, request.field.is_some());
     if outcome.calibration.accelerometer.is_none() {
-        return Err(Error::not_enough(Finding::of(Kind::AttitudeNotSeen)));
+        return Err(Error::not_enough(Finding::of(Kind::ATTITUDE_NOT_SEEN)));
     }
     let model = request.model(Sensor::Magnetometer);
     let inertial = Inertial::of(&outcome.calibration);
@@ -187,7 +187,7 @@ fn fitted(
     outcome.calibration.warnings.extend(step);
     let calibration = &mut outcome.calibration;
     if let Some(moves) = wandering::told_from_the_field(calibration, &fit, &units) {
-        let is_field = |kind| matches!(kind, Kind::FieldUneven | Kind::FieldLittleUneven);
+        let is_field = |kind| matches!(kind, Kind::FIELD_UNEVEN | Kind::FIELD_LITTLE_UNEVEN);
         calibration.warnings.retain(|found| !is_field(found.kind));
         count_motion_of(calibration, std::slice::from_ref(&moves));
         calibration.warnings.push(moves);
@@ -214,7 +214,7 @@ fn no_axis_is_constant(recording: &Recording) -> Result<(), Error> {
     };
     match (0..3).find(|&axis| values.clone().all(|value| value[axis] == first[axis])) {
         Some(axis) => Err(Error::not_enough(
-            Finding::of(Kind::FieldAxisConstant)
+            Finding::of(Kind::FIELD_AXIS_CONSTANT)
                 .in_recording(&recording.name)
                 .detail("axis", ["x", "y", "z"][axis])
                 .detail("value", figure(first[axis])),
@@ -233,7 +233,7 @@ fn common_unit(recordings: &[&Recording], request: &Request) -> Result<Option<Fi
     if let Some((other, differs)) = all.iter().find(|(_, other)| *other != unit) {
         let word = |unit: Option<FieldUnit>| unit.map_or("no stated unit", FieldUnit::name);
         return Err(Error::usage(
-            Finding::of(Kind::FieldUnitsDiffer)
+            Finding::of(Kind::FIELD_UNITS_DIFFER)
                 .in_recording(&other.name)
                 .of_sensor(Sensor::Magnetometer)
                 .detail("unit", word(*differs))
@@ -247,7 +247,7 @@ fn common_unit(recordings: &[&Recording], request: &Request) -> Result<Option<Fi
     if let Some(field) = request.field.filter(|field| !FIELDS.contains(field)) {
         let expected = format!("{} to {} µT", FIELDS.start(), FIELDS.end());
         return Err(Error::usage(
-            Finding::of(Kind::OutOfRange)
+            Finding::of(Kind::OUT_OF_RANGE)
                 .detail("key", "field")
                 .detail("value", figure(field))
                 .detail("expected", expected),
@@ -282,7 +282,7 @@ fn of_one_size(recordings: &[&Recording]) -> Result<(), Error> {
     };
     let words = |size: f64| format!("readings of about {size:.3}");
     Err(Error::usage(
-        Finding::of(Kind::FieldUnitsDiffer)
+        Finding::of(Kind::FIELD_UNITS_DIFFER)
             .in_recording(name)
             .of_sensor(Sensor::Magnetometer)
             .detail("unit", words(*own))

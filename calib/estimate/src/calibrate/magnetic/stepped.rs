@@ -91,9 +91,11 @@ pub fn stepped<'a>(
     let found = match &*best.fields {
         [.., last, field] if !is_bias => {
             let size = difference(last, field);
-            of(Kind::FieldStepped).number("size", size, units.field.in_words())
+            of(Kind::FIELD_STEPPED).number("size", size, units.field.in_words())
         }
-        _ => of(Kind::MagneticBiasStepped).number("size", change.norm(), units.reading.in_words()),
+        _ => {
+            of(Kind::MAGNETIC_BIAS_STEPPED).number("size", change.norm(), units.reading.in_words())
+        }
     };
     Some((best, found))
 }

@@ -24,14 +24,14 @@ pub fn told_from_the_field(
     units: &Units,
 ) -> Option<Finding> {
     let uneven =
-        |found: &&Finding| matches!(found.kind, Kind::FieldUneven | Kind::FieldLittleUneven);
+        |found: &&Finding| matches!(found.kind, Kind::FIELD_UNEVEN | Kind::FIELD_LITTLE_UNEVEN);
     let uneven = calibration.warnings.iter().find(uneven)?;
     if !neighbours_are_alike(fit, UNLIKELY.get()) {
         return None;
     }
     let kind = match uneven.kind {
-        Kind::FieldUneven => Kind::BiasWandered,
-        _ => Kind::BiasUnsteady,
+        Kind::FIELD_UNEVEN => Kind::BIAS_WANDERED,
+        _ => Kind::BIAS_UNSTEADY,
     };
     let size = fit.unevenness * Base::from_parameters(&fit.model.values).scale();
     let found = Finding::of(kind).of_sensor(Sensor::Magnetometer);

@@ -160,7 +160,7 @@ fn warnings(written: &Written<'_>) -> Vec<Finding> {
     for (place, size) in &fit.disturbed {
         let placement = &fit.placements[*place];
         all.push(
-            of(Kind::FieldDisturbed)
+            of(Kind::FIELD_DISTURBED)
                 .in_recording(written.recordings[placement.recording].to_string())
                 .at_interval(placement.interval)
                 .between(placement.span.from, placement.span.to)
@@ -175,8 +175,8 @@ fn warnings(written: &Written<'_>) -> Vec<Finding> {
     let share = unevenness(fit) / strength;
     let noise = fit.residual_rms / fit.reduced_chi2.sqrt();
     let kind = match share > UNEVEN.get() {
-        true => Some(Kind::FieldUneven),
-        false if fit.unevenness > EVIDENT.get() * noise => Some(Kind::FieldLittleUneven),
+        true => Some(Kind::FIELD_UNEVEN),
+        false if fit.unevenness > EVIDENT.get() * noise => Some(Kind::FIELD_LITTLE_UNEVEN),
         false => None,
     };
     all.extend(kind.map(|kind| {
@@ -187,13 +187,13 @@ fn warnings(written: &Written<'_>) -> Vec<Finding> {
     }));
     all.extend(written.missing.as_ref().map(|missing| {
         let names: Vec<&str> = missing.effects.iter().map(|own| own.name()).collect();
-        of(Kind::MagneticEffect)
+        of(Kind::MAGNETIC_EFFECT)
             .detail("effect", names.join(" and "))
             .detail("p", format!("{:.0e}", missing.p_value))
             .only_remedies([Remedy::set_to(OptionName::Effects, names.join(","))])
     }));
     if written.updates_others && fit.turns_p_value <= CONTRADICTION.get() {
-        all.push(of(Kind::HeadingDisagrees).detail("p", format!("{:.0e}", fit.turns_p_value)));
+        all.push(of(Kind::HEADING_DISAGREES).detail("p", format!("{:.0e}", fit.turns_p_value)));
     }
     all
 }

@@ -78,10 +78,10 @@ impl Change {
         };
         match self.kind {
             Kind::Bias(sensor, axis, size) => {
-                bias(of(Found::BiasStep, sensor), sensor, axis_name(axis), size)
+                bias(of(Found::BIAS_STEP, sensor), sensor, axis_name(axis), size)
             }
             Kind::Biases(sensor, size) => {
-                bias(of(Found::BiasStep, sensor), sensor, "all axes", size)
+                bias(of(Found::BIAS_STEP, sensor), sensor, "all axes", size)
             }
             Kind::Scale(sensor, axis, share) => {
                 let cause = match (sensor, axis) {
@@ -89,7 +89,7 @@ impl Change {
                     (Sensor::Accelerometer, None) => Some("force"),
                     (_, None) => Some("rate"),
                 };
-                let found = of(Found::ScaleChange, sensor)
+                let found = of(Found::SCALE_CHANGE, sensor)
                     .detail("axis", axis.map_or("all axes", axis_name))
                     .number("size", share, "share");
                 match cause {
@@ -97,22 +97,22 @@ impl Change {
                     None => found,
                 }
             }
-            Kind::Turned(sensor, angle) => of(Found::AxesTurnPartWay, sensor)
+            Kind::Turned(sensor, angle) => of(Found::AXES_TURN_PART_WAY, sensor)
                 .number("size", angle, "rad")
                 .affects("turn", angle, "rad"),
             Kind::Flipped(sensor, axis) => {
-                of(Found::SignChange, sensor).detail("axis", axis_name(axis))
+                of(Found::SIGN_CHANGE, sensor).detail("axis", axis_name(axis))
             }
             Kind::Swapped(sensor, [one, other]) => {
                 let axes = format!("{} and {}", axis_name(one), axis_name(other));
-                of(Found::ColumnsSwapPartWay, sensor).detail("axis", axes)
+                of(Found::COLUMNS_SWAP_PART_WAY, sensor).detail("axis", axes)
             }
-            Kind::Rest(angle) => Finding::of(Found::IntervalOff)
+            Kind::Rest(angle) => Finding::of(Found::INTERVAL_OFF)
                 .at_interval(after.0)
                 .between(after.1, before.1)
                 .number("size", angle, "rad")
                 .affects("turn", angle, "rad"),
-            Kind::Turn(angle) => Finding::of(Found::TurnOff)
+            Kind::Turn(angle) => Finding::of(Found::TURN_OFF)
                 .at_turn(after.0)
                 .between(after.1, before.1)
                 .number("size", angle, "rad")

@@ -171,7 +171,7 @@ mod tests {
         let fitted = Some((Matrix3::identity(), 1.0));
         let found = super::super::changes_part_way(&recording, &cut, spec.gravity, fitted);
         let kinds: Vec<Found> = found.iter().map(|found| found.kind).collect();
-        assert_eq!(kinds, [Found::ScaleChange], "{found:?}");
+        assert_eq!(kinds, [Found::SCALE_CHANGE], "{found:?}");
         let size = found[0].numbers.iter().find(|n| n.name == "size").unwrap();
         assert_eq!(size.value, Some(1.0));
     }

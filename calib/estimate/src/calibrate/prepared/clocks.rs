@@ -33,7 +33,7 @@ pub(in crate::calibrate) fn doubts(fit: &JointFit) -> Vec<Finding> {
             // Right where no sample is lost.
             let rate = significant(1.0 / clock.step, 6);
             doubts.push(
-                Finding::of(Kind::ClockUncountable)
+                Finding::of(Kind::CLOCK_UNCOUNTABLE)
                     .in_recording(&source.name)
                     .of_sensor(Sensor::Gyroscope)
                     .number("scatter", clock.scatter, "s")
@@ -47,7 +47,7 @@ pub(in crate::calibrate) fn doubts(fit: &JointFit) -> Vec<Finding> {
             .filter(|m| scatters && m.min(left) > WITH_ANY.get())
         {
             doubts.push(
-                Finding::of(Kind::ClockUnknown)
+                Finding::of(Kind::CLOCK_UNKNOWN)
                     .in_recording(&source.name)
                     .of_sensor(Sensor::Gyroscope)
                     .number("ratio", misfit.sqrt(), "1"),
@@ -84,7 +84,7 @@ pub(in crate::calibrate) fn without_bursts(recording: &Recording) -> Option<(Rec
         else {
             continue;
         };
-        let finding = Finding::of(Kind::StampsInBursts)
+        let finding = Finding::of(Kind::STAMPS_IN_BURSTS)
             .in_recording(&recording.name)
             .of_sensor(sensor)
             .number("size", bursts.size, "1")
@@ -140,7 +140,7 @@ fn late(recording: &str, (offset, other): (f64, Option<f64>)) -> Finding {
     } else {
         (Sensor::Accelerometer, Sensor::Gyroscope)
     };
-    let found = Finding::of(Kind::ClockOffset)
+    let found = Finding::of(Kind::CLOCK_OFFSET)
         .in_recording(recording)
         .of_sensor(late)
         .detail("other", early.name())
@@ -157,7 +157,7 @@ fn late(recording: &str, (offset, other): (f64, Option<f64>)) -> Finding {
 fn running(recording: &str, drift: ClockDrift) -> Finding {
     let is_faster = drift.value > 0.0;
     let runs_away = drift.value.abs() > RUNS_AWAY.get();
-    let found = Finding::of(Kind::ClockDrift)
+    let found = Finding::of(Kind::CLOCK_DRIFT)
         .in_recording(recording)
         .of_sensor(Sensor::Gyroscope)
         .number("drift", 1e6 * drift.value.abs(), "1")

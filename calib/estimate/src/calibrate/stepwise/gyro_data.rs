@@ -153,7 +153,7 @@ fn collect(source: &Source<'_>, rate: Option<&Sensing>, warnings: &mut Findings)
     for turn in &segmentation.turns {
         if let Some(fault) = &turn.fault {
             warnings.push(
-                Finding::of(Kind::TurnLost)
+                Finding::of(Kind::TURN_LOST)
                     .in_recording(&recording.name)
                     .at_turn(turn.from)
                     .between(turn.span.from, turn.span.to)

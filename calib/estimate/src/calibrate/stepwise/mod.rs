@@ -83,7 +83,7 @@ fn accelerometer(
 ) -> Result<Option<AccelerometerFit>, Error> {
     let recordings = &cut.recordings;
     if request.static_means.is_empty() && recordings.iter().all(|r| r.accelerometer.is_none()) {
-        warnings.push(Finding::of(Kind::NoAccelerometer));
+        warnings.push(Finding::of(Kind::NO_ACCELEROMETER));
         return Ok(None);
     }
     let mut names = Vec::new();
@@ -170,7 +170,7 @@ fn gyroscope(
     };
     if turning.iter().all(|(r, _)| r.gyroscope.is_none()) {
         if !turning.is_empty() {
-            warnings.push(Finding::of(Kind::NoGyroscope));
+            warnings.push(Finding::of(Kind::NO_GYROSCOPE));
         }
         return Ok(None);
     }
@@ -178,7 +178,7 @@ fn gyroscope(
     let mut sources = Vec::new();
     for (k, (recording, segmentation)) in turning.iter().enumerate() {
         if recording.gyroscope.is_none() || recording.accelerometer.is_none() {
-            warnings.push(Finding::of(Kind::SensorMissing).in_recording(&recording.name));
+            warnings.push(Finding::of(Kind::SENSOR_MISSING).in_recording(&recording.name));
             continue;
         }
         let place = same_recordings.then_some(k);

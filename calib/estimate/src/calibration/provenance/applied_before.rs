@@ -91,7 +91,7 @@ impl Calibration {
             (own, _) => of(own),
         };
         Some(
-            Finding::of(Kind::CorrectedOtherwise)
+            Finding::of(Kind::CORRECTED_OTHERWISE)
                 .in_recording(&recording.name)
                 .of_sensor(sensor)
                 .detail("by", of(by))
@@ -110,7 +110,7 @@ impl Calibration {
         let (sensor, by) = mixed?;
         let [corrected, others] = self.corrected_by(sensor, by);
         Some(
-            Finding::of(Kind::CorrectedInPart)
+            Finding::of(Kind::CORRECTED_IN_PART)
                 .in_recording(corrected)
                 .of_sensor(sensor)
                 .detail("by", system_name(by))

@@ -20,8 +20,8 @@ impl Edited {
     /// The same as a finding.
     pub fn finding(self) -> Finding {
         Finding::of(match self {
-            Self::Numbers => Kind::NumbersEdited,
-            Self::Basis => Kind::BasisEdited,
+            Self::Numbers => Kind::NUMBERS_EDITED,
+            Self::Basis => Kind::BASIS_EDITED,
         })
     }
 

@@ -23,7 +23,7 @@ impl Calibration {
         let axes = [Sensor::Accelerometer, Sensor::Gyroscope].map(|sensor| self.flipped(sensor));
         let axes = axes.map(Option::unwrap_or_default).concat();
         (!axes.is_empty())
-            .then(|| Finding::of(Kind::ForFlippedAxes).detail("axes", axes.join(", ")))
+            .then(|| Finding::of(Kind::FOR_FLIPPED_AXES).detail("axes", axes.join(", ")))
     }
 }
 
@@ -40,7 +40,7 @@ pub(super) fn check(calibration: &Calibration, recording: &Recording) -> Result<
             axes => axes.join(", "),
         };
         let other: Vec<String> = described.flipped.iter().map(|&axis| axis.into()).collect();
-        let found = Finding::of(Kind::FlippedOtherwise)
+        let found = Finding::of(Kind::FLIPPED_OTHERWISE)
             .in_recording(&recording.name)
             .of_sensor(described.sensor)
             .detail("own", said(own))

@@ -45,7 +45,7 @@ pub fn check_units(calibration: &Calibration, recording: &Recording) -> Result<(
         return Ok(());
     }
     Err(Error::input(
-        Finding::of(Kind::OfOtherUnits)
+        Finding::of(Kind::OF_OTHER_UNITS)
             .in_recording(&recording.name)
             .of_sensor(Sensor::Accelerometer)
             .number("median", median, "m/s^2")

@@ -37,7 +37,7 @@ pub fn read_in_unit_of(
     };
     // A device that only rests is refused where its rates are none in rad/s.
     let (true, Some((unit, by))) = (
-        error.finding().kind == Kind::RestlessRest,
+        error.finding().kind == Kind::RESTLESS_REST,
         unit_of_files(calibration),
     ) else {
         return Err(error);
@@ -46,7 +46,7 @@ pub fn read_in_unit_of(
     if by == UnitBy::File.name() || !is_of_same_logger(calibration, &recording) {
         return Err(error);
     }
-    let said = found(Kind::UnitOfCalibration, &recording, unit);
+    let said = found(Kind::UNIT_OF_CALIBRATION, &recording, unit);
     recording.warnings.push(said);
     Ok(recording)
 }
@@ -68,7 +68,7 @@ pub fn in_unit_of<'a>(
     };
     if by != UnitBy::File.name() && is_of_same_logger(calibration, &recording) {
         let taken = taken_as(unit, recording.into_owned());
-        let untold = || found(Kind::UnitUntold, &taken, unit);
+        let untold = || found(Kind::UNIT_UNTOLD, &taken, unit);
         if fastest(calibration, &taken) > FASTEST.get() {
             return Err(Error::input(untold().detail("faster", unit.name())));
         }
@@ -82,7 +82,7 @@ pub fn in_unit_of<'a>(
         return Ok(recording);
     }
     let remedy = Remedy::set_to(OptionName::GyroUnit, unit.name());
-    let found = found(Kind::UnitUntold, &recording, unit).detail("other", unit.name());
+    let found = found(Kind::UNIT_UNTOLD, &recording, unit).detail("other", unit.name());
     Err(Error::input(found.only_remedies([remedy])))
 }
 
@@ -135,11 +135,11 @@ fn is_of_same_logger(calibration: &Calibration, recording: &Recording) -> bool {
 
 /// The recording with a gyroscope in `unit` instead of the assumed one.
 fn taken_as(unit: GyroUnit, mut recording: Recording) -> Recording {
-    let guesses = [Kind::UnitBySize, Kind::ReadAsCounts];
+    let guesses = [Kind::UNIT_BY_SIZE, Kind::READ_AS_COUNTS];
     recording.warnings.retain(|own| {
         !(guesses.contains(&own.kind) && own.place.sensor == Some(Sensor::Gyroscope))
     });
-    let said = found(Kind::UnitOfCalibration, &recording, unit);
+    let said = found(Kind::UNIT_OF_CALIBRATION, &recording, unit);
     let mut sensors = recording.description.sensors.iter_mut();
     let Some(own) = sensors.find(|own| own.sensor == Sensor::Gyroscope) else {
         return recording;

@@ -56,7 +56,7 @@ pub fn start(request: &JointRequest<'_>) -> Result<Start, Error> {
     let raw: Vec<Vector3<f64>> = means.iter().flatten().map(|m| m.raw).collect();
     let force_unit = accelerometer_unit(&raw, request.gravity).ok_or_else(|| {
         Error::not_enough(
-            Finding::of(Kind::NoSphere)
+            Finding::of(Kind::NO_SPHERE)
                 .count("count", raw.len())
                 .because(plan::REQUIREMENT.finding()),
         )
@@ -79,7 +79,7 @@ pub fn start(request: &JointRequest<'_>) -> Result<Start, Error> {
             return Err(Error::not_enough(reason));
         }
         return Err(Error::not_converged(
-            Finding::of(Kind::FitStopped)
+            Finding::of(Kind::FIT_STOPPED)
                 .of_sensor(sensor::Sensor::Accelerometer)
                 .count("steps", first.iterations.len())
                 .detail("ending", format!("{:?}", first.termination))
@@ -195,7 +195,7 @@ pub fn charts(data: &Data, model: &Model, start: &Start) -> Result<Vec<Chart>, E
                 .filter(|c| c.reference.iter().all(|v| v.is_finite()))
                 .ok_or_else(|| {
                     Error::not_enough(
-                        Finding::of(Kind::NoGravityAtRest)
+                        Finding::of(Kind::NO_GRAVITY_AT_REST)
                             .in_recording(&data.sources[rest.recording].name)
                             .of_sensor(sensor::Sensor::Accelerometer)
                             .at_interval(rest.interval)

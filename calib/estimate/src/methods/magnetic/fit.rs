@@ -113,7 +113,7 @@ fn fit_all(request: &MagneticRequest<'_>) -> Result<(MagneticFit, Option<(usize,
     let used = request.placements.iter().filter(|p| p.is_used).count();
     if used < LEAST_PLACEMENTS.get() {
         return Err(Error::not_enough(
-            Finding::of(Kind::AttitudesTooFew)
+            Finding::of(Kind::ATTITUDES_TOO_FEW)
                 .of_sensor(Sensor::Magnetometer)
                 .count("count", used)
                 .count("least", LEAST_PLACEMENTS.get()),

@@ -253,7 +253,7 @@ impl<'a> Problem<'a> {
         let report = solve_graph(&graph, options).map_err(refused)?;
         if !report.termination.converged() {
             return Err(Error::not_enough(
-                Finding::of(Kind::AttitudesLeaveOpen)
+                Finding::of(Kind::ATTITUDES_LEAVE_OPEN)
                     .of_sensor(Sensor::Magnetometer)
                     .detail("ending", report.termination.to_string()),
             ));
@@ -272,7 +272,7 @@ impl<'a> Problem<'a> {
 
 /// The solver's refusal of a graph.
 pub(super) fn refused(refusal: solver::Error) -> Error {
-    let found = Finding::of(Kind::SolverRefused).of_sensor(Sensor::Magnetometer);
+    let found = Finding::of(Kind::SOLVER_REFUSED).of_sensor(Sensor::Magnetometer);
     Error::not_converged(found.detail("reason", refusal.to_string()))
 }
 

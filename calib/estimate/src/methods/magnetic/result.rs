@@ -49,7 +49,7 @@ impl<'a> Judged<'a> {
         let products = Products::new(&graph, &minimum.report.values).map_err(refused)?;
         if let Some(open) = products.null_space().first() {
             return Err(Error::not_enough(
-                Finding::of(Kind::AttitudesLeaveOpen)
+                Finding::of(Kind::ATTITUDES_LEAVE_OPEN)
                     .of_sensor(Sensor::Magnetometer)
                     .detail("open", open.words.clone()),
             ));
@@ -80,7 +80,7 @@ impl<'a> Judged<'a> {
         let dof = self.freedom();
         if dof == 0 {
             return Err(Error::not_enough(
-                Finding::of(Kind::AttitudesTooFew)
+                Finding::of(Kind::ATTITUDES_TOO_FEW)
                     .of_sensor(Sensor::Magnetometer)
                     .count("count", self.used().count()),
             ));

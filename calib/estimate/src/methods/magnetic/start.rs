@@ -78,7 +78,7 @@ pub fn linear_start(
     }
     if rows < unknowns {
         return Err(Error::not_enough(
-            Finding::of(Kind::AttitudesTooFew)
+            Finding::of(Kind::ATTITUDES_TOO_FEW)
                 .of_sensor(Sensor::Magnetometer)
                 .count("count", placements.len()),
         ));
@@ -90,7 +90,7 @@ pub fn linear_start(
     let (t, offset) = (t * sign, offset * sign);
     let bias = t.try_inverse().map(|inverse| inverse * offset);
     let bias = bias.ok_or_else(|| {
-        let found = Finding::of(Kind::AttitudesLeaveOpen).of_sensor(Sensor::Magnetometer);
+        let found = Finding::of(Kind::ATTITUDES_LEAVE_OPEN).of_sensor(Sensor::Magnetometer);
         Error::not_enough(found)
     })?;
     Ok(scaled(placements, &chains, recordings, (t, bias), strength))

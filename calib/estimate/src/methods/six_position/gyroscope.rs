@@ -106,7 +106,7 @@ impl GyroscopePart {
             bias_std: [0, 1, 2].map(|k| Some(self.bias_std[k])),
             static_intervals: Some(Face::ALL.len()),
             rank: 3,
-            unobservable: vec![Finding::of(Kind::NotSeenByEarthRate).what()],
+            unobservable: vec![Finding::of(Kind::NOT_SEEN_BY_EARTH_RATE).what()],
             ..Triad::of(Sensor::Gyroscope, &base)
         }
     }

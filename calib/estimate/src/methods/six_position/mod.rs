@@ -175,7 +175,7 @@ impl SixPosition {
         (tilt > TILT_LIMIT.get()).then(|| {
             // Six tilted means in a bias, of which two have the axis vertical.
             let of_bias = self.gravity * tilt / 18f64.sqrt();
-            Finding::of(Kind::PlacementsTilted)
+            Finding::of(Kind::PLACEMENTS_TILTED)
                 .number("tilt", tilt, "rad")
                 .affects("corrected_reading", of_bias, "m/s^2")
         })
@@ -184,7 +184,7 @@ impl SixPosition {
     /// Why the result must not be used, if so.
     fn failed_gates(&self) -> Findings {
         let tilt = self.tilt();
-        let gate = Finding::of(Kind::PlacementsTilted)
+        let gate = Finding::of(Kind::PLACEMENTS_TILTED)
             .number("tilt", tilt, "rad")
             .number("most", TILT_GATE.get(), "rad")
             .affects("corrected_reading", self.gravity * tilt, "m/s^2")
@@ -221,7 +221,7 @@ impl SixPosition {
     pub fn calibration(&self, first_order: bool) -> Result<Calibration, Error> {
         let exact = self
             .base()
-            .ok_or_else(|| Error::not_enough(Finding::of(Kind::AxesSame)))?;
+            .ok_or_else(|| Error::not_enough(Finding::of(Kind::AXES_SAME)))?;
         let base = if first_order {
             self.first_order_base()
         } else {

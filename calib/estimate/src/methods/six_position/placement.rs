@@ -95,7 +95,7 @@ impl Six {
         for placement in placements {
             match Face::of(&placement.accelerometer) {
                 Some(face) => by_face[face as usize].push(placement),
-                None => warnings.push(Finding::of(Kind::OffFace).detail("label", placement.label)),
+                None => warnings.push(Finding::of(Kind::OFF_FACE).detail("label", placement.label)),
             }
         }
         let missing: Vec<&str> = faces(&by_face, |n| n == 0).collect();
@@ -107,7 +107,7 @@ impl Six {
             })
             .collect();
         if !missing.is_empty() {
-            let found = Finding::of(Kind::FaceMissing).detail("missing", missing.join(", "));
+            let found = Finding::of(Kind::FACE_MISSING).detail("missing", missing.join(", "));
             return Err(Error::not_enough(match doubled.is_empty() {
                 true => found,
                 false => found.detail("also", doubled.join(", ")),
@@ -116,7 +116,7 @@ impl Six {
         warnings.extend(
             doubled
                 .into_iter()
-                .map(|face| Finding::of(Kind::FaceTwice).detail("face", face)),
+                .map(|face| Finding::of(Kind::FACE_TWICE).detail("face", face)),
         );
         let far = |p: &Placement| (p.accelerometer.norm() - gravity).abs();
         let mut chosen = by_face
@@ -126,7 +126,7 @@ impl Six {
         let six: Vec<Placement> = (0..6).filter_map(next).collect();
         let placements = six
             .try_into()
-            .map_err(|_| Error::not_enough(Finding::of(Kind::FaceMissing)))?;
+            .map_err(|_| Error::not_enough(Finding::of(Kind::FACE_MISSING)))?;
         Ok(Self {
             placements,
             warnings,
@@ -184,7 +184,7 @@ pub fn placements<R: Borrow<Recording>>(
             let found = longest.and_then(|rest| placement(rest, recording.name.clone()));
             all.push(found.ok_or_else(|| {
                 Error::not_enough(
-                    Finding::of(Kind::NoRest)
+                    Finding::of(Kind::NO_REST)
                         .in_recording(&recording.name)
                         .of_sensor(sensor::Sensor::Accelerometer),
                 )
@@ -259,6 +259,9 @@ mod tests {
         assert_eq!(six.placements()[5].label, "z up");
         assert_eq!(six.warnings.len(), 2);
         let off = &six.warnings[0];
-        assert_eq!((off.kind, off.word("label")), (Kind::OffFace, Some("edge")));
+        assert_eq!(
+            (off.kind, off.word("label")),
+            (Kind::OFF_FACE, Some("edge"))
+        );
     }
 }

@@ -21,7 +21,7 @@ pub struct OfAnother {
 impl OfAnother {
     /// The same as a finding.
     pub fn finding(&self) -> Finding {
-        Finding::of(Kind::OfAnotherAccelerometer)
+        Finding::of(Kind::OF_ANOTHER_ACCELEROMETER)
             .between(self.span.from, self.span.to)
             .count("intervals", self.intervals)
             .count("used", self.used)

@@ -81,7 +81,7 @@ impl Choice {
     pub fn remarks(&self) -> Vec<Finding> {
         let shortened = self
             .shortened
-            .map(|length| Finding::of(Kind::ShortIntervals).number("least", length, "s"));
+            .map(|length| Finding::of(Kind::SHORT_INTERVALS).number("least", length, "s"));
         let of_another = self.of_another.as_ref().map(OfAnother::finding);
         let rejected = Rejected::findings(&self.segmentation.rejected);
         let all = shortened.into_iter().chain(of_another);

@@ -161,7 +161,7 @@ fn integers(base: &Base<f64>, name: &str, unit: &str, scale: f64) -> Result<Stri
     let t = (base.t * factor).map(f64::round);
     let offset = (base.t * base.bias * factor).map(f64::round);
     if t.amax() > LARGEST {
-        let found = Finding::of(Kind::ScaleBeyondIntegers)
+        let found = Finding::of(Kind::SCALE_BEYOND_INTEGERS)
             .detail("of", name)
             .detail("target", "C header")
             .detail("value", (base.t.amax() * scale).to_string());

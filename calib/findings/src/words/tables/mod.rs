@@ -1,4 +1,25 @@
-//! Entries of all kinds, a file for each subject.
+//! Kinds of findings with their words, a file for each subject.
+
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
+use super::entry::Entry;
+use crate::kind::Kind;
+
+/// A kind with its words.
+type Row = (Kind, fn() -> Entry);
+
+/// Declares kinds of findings, each with its name and its words.
+macro_rules! kinds {
+    ($($(#[$doc:meta])* $kind:ident = $name:literal => $words:expr,)*) => {
+        impl crate::kind::Kind {
+            $($(#[$doc])* pub const $kind: Self = Self::of($name);)*
+        }
+
+        pub(in crate::words::tables) const KINDS: &[crate::words::tables::Row] =
+            &[$((crate::kind::Kind::$kind, || $words),)*];
+    };
+}
 
 mod discovery;
 mod errors;
@@ -12,71 +33,85 @@ mod stamps;
 mod stretches;
 mod units;
 
-use super::entry::Entry;
-use crate::kind::Kind;
-
-/// The words of each subject; none of a kind of another.
-const SUBJECTS: &[fn(Kind) -> Option<Entry>] = &[
-    fits::fit::words,
-    reading::words,
-    stamps::words,
-    units::words,
-    format::words,
-    import::words,
-    noise::words,
-    fits::axes::words,
-    fits::clocks::words,
-    fits::device::words,
-    fits::intervals::words,
-    stretches::words,
-    fits::magnetic::words,
-    fits::part_way::words,
-    discovery::words,
-    errors::files::words,
-    errors::search::words,
-    errors::files::limits::words,
-    errors::files::damage::words,
-    errors::files::archives::words,
-    errors::files::logs::words,
-    errors::files::tables::words,
-    errors::files::outputs::words,
-    errors::files::exports::words,
-    errors::files::imports::words,
-    errors::files::live::words,
-    errors::files::batches::words,
-    errors::files::notes::words,
-    errors::recordings::columns::words,
-    errors::recordings::folders::words,
-    errors::recordings::foreign::words,
-    errors::recordings::intervals::words,
-    errors::recordings::opening::words,
-    errors::recordings::readings::words,
-    errors::recordings::rows::words,
-    errors::recordings::stamps::words,
-    errors::recordings::units::words,
-    errors::requests::effects::words,
-    errors::requests::scalars::words,
-    errors::requests::names::words,
-    errors::requests::expressions::words,
-    errors::requests::values::words,
-    errors::requests::placements::words,
-    errors::requests::fits::words,
-    errors::requests::calibrations::words,
-    errors::requests::doubts::words,
-    errors::requests::tracks::words,
-    other::words,
+/// The kinds of each subject, in the order of the manual.
+const SUBJECTS: &[&[Row]] = &[
+    fits::fit::KINDS,
+    reading::KINDS,
+    stamps::KINDS,
+    units::KINDS,
+    format::KINDS,
+    import::KINDS,
+    noise::KINDS,
+    fits::axes::KINDS,
+    fits::clocks::KINDS,
+    fits::device::KINDS,
+    fits::intervals::KINDS,
+    stretches::KINDS,
+    fits::magnetic::KINDS,
+    fits::part_way::KINDS,
+    discovery::KINDS,
+    errors::files::KINDS,
+    errors::search::KINDS,
+    errors::files::limits::KINDS,
+    errors::files::damage::KINDS,
+    errors::files::archives::KINDS,
+    errors::files::logs::KINDS,
+    errors::files::tables::KINDS,
+    errors::files::outputs::KINDS,
+    errors::files::exports::KINDS,
+    errors::files::imports::KINDS,
+    errors::files::live::KINDS,
+    errors::files::batches::KINDS,
+    errors::files::notes::KINDS,
+    errors::recordings::columns::KINDS,
+    errors::recordings::folders::KINDS,
+    errors::recordings::foreign::KINDS,
+    errors::recordings::intervals::KINDS,
+    errors::recordings::opening::KINDS,
+    errors::recordings::readings::KINDS,
+    errors::recordings::rows::KINDS,
+    errors::recordings::stamps::KINDS,
+    errors::recordings::units::KINDS,
+    errors::requests::effects::KINDS,
+    errors::requests::scalars::KINDS,
+    errors::requests::names::KINDS,
+    errors::requests::expressions::KINDS,
+    errors::requests::values::KINDS,
+    errors::requests::placements::KINDS,
+    errors::requests::fits::KINDS,
+    errors::requests::calibrations::KINDS,
+    errors::requests::doubts::KINDS,
+    errors::requests::tracks::KINDS,
+    other::KINDS,
 ];
+
+/// The words of each kind by its name.
+static WORDS: LazyLock<HashMap<&'static str, Row>> = LazyLock::new(|| {
+    let all = SUBJECTS.iter().copied().flatten();
+    all.map(|row| (row.0.name(), *row)).collect()
+});
 
 /// The entry of a kind.
 pub(crate) fn entry(kind: Kind) -> Entry {
-    let own = SUBJECTS.iter().find_map(|words| words(kind));
-    own.unwrap_or_else(other::remark_of_its_own)
+    let own = WORDS.get(kind.name());
+    own.map_or_else(other::remark_of_its_own, |(_, words)| words())
 }
 
 impl Kind {
+    /// Every kind, in the order of the manual.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let all = SUBJECTS.iter().copied().flatten();
+        all.map(|(kind, _)| *kind)
+    }
+
+    /// Kind of a name; [`Kind::REMARK`] of a name that this version does not know.
+    pub fn named(name: &str) -> Self {
+        WORDS.get(name).map_or(Self::REMARK, |(kind, _)| *kind)
+    }
+
     /// Returns true if only an effect search produces this kind, and no calibration does.
     pub fn is_of_a_search(self) -> bool {
-        discovery::words(self).is_some()
+        discovery::KINDS.iter().any(|(kind, _)| *kind == self)
     }
 }
 
@@ -85,11 +120,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_kind_is_of_exactly_one_subject_and_has_its_own_name() {
-        for kind in Kind::ALL {
-            let count = SUBJECTS.iter().filter(|words| words(*kind).is_some());
-            assert_eq!(count.count(), 1, "{}", kind.name());
-            assert_eq!(Kind::named(kind.name()), *kind);
-        }
+    fn every_kind_has_a_name_of_its_own() {
+        assert_eq!(WORDS.len(), Kind::all().count());
+        assert!(Kind::all().all(|kind| Kind::named(kind.name()) == kind));
     }
 }

@@ -94,7 +94,7 @@ impl Found {
         let (groups, datasets) = group.members().map_err(damaged)?;
         self.seen += groups.len() + datasets.len();
         if self.seen > limits.entries {
-            let found = Finding::of(Kind::EntriesTooMany).count("limit", limits.entries);
+            let found = Finding::of(Kind::ENTRIES_TOO_MANY).count("limit", limits.entries);
             return Err(Error::refused(
                 found.detail("things", "groups and datasets"),
             ));
@@ -200,12 +200,12 @@ fn is_object(dataset: &Dataset, name: &str, warnings: &mut Findings) -> Result<b
     }
     match crate::mat::quantity(name) {
         Some(_) => {
-            let found = Finding::of(Kind::ObjectNotRead).detail("variable", shown(name));
+            let found = Finding::of(Kind::OBJECT_NOT_READ).detail("variable", shown(name));
             Err(Error::refused(found.detail("class", shown(&class))))
         }
         None => {
             warnings.push(
-                Finding::of(Kind::VariableNotRead)
+                Finding::of(Kind::VARIABLE_NOT_READ)
                     .detail("variable", shown(name))
                     .detail("class", shown(&class)),
             );

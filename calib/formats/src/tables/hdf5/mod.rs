@@ -36,7 +36,7 @@ fn tables(store: &Store, limits: Limits) -> Result<Listed, Error> {
     let mut found = Found::default();
     found.look(&open(store, limits)?, store.length()?, limits)?;
     if found.tables.is_empty() {
-        let none = counted(Finding::of(Kind::NoDataset), "least", FEWEST);
+        let none = counted(Finding::of(Kind::NO_DATASET), "least", FEWEST);
         return Err(Error::refused(none.detail("listed", found.listed())));
     }
     Ok(Listed {
@@ -51,7 +51,7 @@ fn write(store: &Store, name: &str, limits: Limits, out: &mut dyn Write) -> Resu
     found.look(&file, store.length()?, limits)?;
     let table = found.tables.iter().find(|table| table.name == name);
     let table = table.ok_or_else(|| {
-        let gone = Finding::of(Kind::TableGone).detail("table", shown(name));
+        let gone = Finding::of(Kind::TABLE_GONE).detail("table", shown(name));
         Error::refused(gone)
     })?;
     table.write(out)

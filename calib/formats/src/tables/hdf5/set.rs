@@ -49,7 +49,7 @@ impl Set {
             ([], _) => 1,
             ([width], false) if *width <= WIDEST => *width as usize,
             _ if crate::mat::quantity(&name).is_some() => {
-                let found = Finding::of(Kind::DatasetShape).detail("dataset", shown(&name));
+                let found = Finding::of(Kind::DATASET_SHAPE).detail("dataset", shown(&name));
                 return Err(Error::refused(found.detail("shape", format!("{shape:?}"))));
             }
             _ => return Ok(None),
@@ -116,7 +116,7 @@ impl Set {
         let cells: Vec<Cell> = read.into_iter().flat_map(|element| element.0).collect();
         let count = (end - start) as usize;
         if cells.len() != count * self.width {
-            let found = Finding::of(Kind::DatasetLength).detail("dataset", shown(name));
+            let found = Finding::of(Kind::DATASET_LENGTH).detail("dataset", shown(name));
             let found = found.count("count", cells.len());
             return Err(Error::refused(found.count("expected", count * self.width)));
         }

@@ -43,7 +43,7 @@ pub(super) fn flatten(name: &str, value: &Value, row: &mut Row) -> Result<(), Er
         Value::Array(values) => {
             let is_nested = |value: &Value| value.is_array() || value.is_object();
             if values.len() > MOST || values.iter().any(is_nested) {
-                let found = Finding::of(Kind::ListsInRecords);
+                let found = Finding::of(Kind::LISTS_IN_RECORDS);
                 return Err(Error::refused(found.detail("name", shown(name))));
             }
             for (at, value) in values.iter().enumerate() {
@@ -110,16 +110,16 @@ impl Columns {
                 self.names.push(name.clone());
             }
             if name.len() > LONGEST {
-                let found = Finding::of(Kind::NameTooLong);
+                let found = Finding::of(Kind::NAME_TOO_LONG);
                 return Err(Error::refused(found.count("bytes", name.len())));
             }
         }
         if self.names.len() + self.unnamed > WIDEST {
-            let found = Finding::of(Kind::NamesTooMany);
+            let found = Finding::of(Kind::NAMES_TOO_MANY);
             return Err(Error::refused(found.count("limit", WIDEST)));
         }
         if self.unnamed > 0 && !self.names.is_empty() {
-            return Err(Error::refused(Finding::of(Kind::NamesMixed)));
+            return Err(Error::refused(Finding::of(Kind::NAMES_MIXED)));
         }
         Ok(())
     }

@@ -40,7 +40,7 @@ fn tables(store: &Store, limits: Limits) -> Result<Listed, Error> {
         let names: Vec<String> = document.tables().map(|table| table.name.clone()).collect();
         return match names.len() {
             0 => {
-                let found = Finding::of(Kind::JsonWithoutTable);
+                let found = Finding::of(Kind::JSON_WITHOUT_TABLE);
                 Err(Error::refused(found.detail("listed", document.listed())))
             }
             _ => Ok(Listed {
@@ -63,7 +63,7 @@ fn write(store: &Store, name: &str, limits: Limits, out: &mut dyn Write) -> Resu
     if let Some(document) = Document::open(store)? {
         let table = document.tables().find(|table| table.name == name);
         let table = table.ok_or_else(|| {
-            let found = Finding::of(Kind::TableGone);
+            let found = Finding::of(Kind::TABLE_GONE);
             Error::refused(found.detail("table", shown(name)))
         })?;
         let mut count = 0;

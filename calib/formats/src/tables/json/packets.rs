@@ -46,7 +46,7 @@ fn measure(name: &str, value: &Value, size: &mut Option<usize>) -> Result<(), Er
             continue;
         };
         if size.is_some_and(|size| size != samples.len()) {
-            let found = Finding::of(Kind::ListsInRecords);
+            let found = Finding::of(Kind::LISTS_IN_RECORDS);
             return Err(Error::refused(found.detail("name", shown(&name))));
         }
         *size = Some(samples.len());

@@ -57,7 +57,7 @@ pub(super) fn first_byte(store: &Store) -> Result<u8, Error> {
 impl Read for Budgeted {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         if self.left.get() == 0 {
-            let found = counted(Finding::of(Kind::ValueTooLong), "limit", LONGEST);
+            let found = counted(Finding::of(Kind::VALUE_TOO_LONG), "limit", LONGEST);
             return Err(Error::refused(found).into());
         }
         let read = self.reader.read(buffer)?;
@@ -117,7 +117,7 @@ impl Records {
         }
         match read {
             Err(error) if error.is_eof() && elements.count > 0 => Ok(Some(
-                Finding::of(Kind::FileCut)
+                Finding::of(Kind::FILE_CUT)
                     .detail("within", "a record")
                     .count("line", error.line()),
             )),

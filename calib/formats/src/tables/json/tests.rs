@@ -88,7 +88,7 @@ fn a_file_that_ends_within_a_record_keeps_those_before() {
     let found = &tables.warnings[0];
     assert_eq!(
         (found.kind, found.value("line")),
-        (findings::Kind::FileCut, Some(3.0))
+        (findings::Kind::FILE_CUT, Some(3.0))
     );
 }
 

@@ -40,7 +40,7 @@ struct Table {
 fn tables(store: &Store, limits: Limits) -> Result<Listed, Error> {
     let (tables, others) = found(store, limits)?;
     if tables.is_empty() {
-        let none = counted(Finding::of(Kind::NoDataset), "least", FEWEST);
+        let none = counted(Finding::of(Kind::NO_DATASET), "least", FEWEST);
         let called = |name: &String| match name.is_empty() {
             true => "one array".to_owned(),
             false => shown(name),
@@ -58,7 +58,7 @@ fn write(store: &Store, name: &str, limits: Limits, out: &mut dyn Write) -> Resu
     let (tables, _) = found(store, limits)?;
     let mut tables = tables.into_iter();
     let table = tables.find(|table| table.name == name).ok_or_else(|| {
-        let gone = Finding::of(Kind::TableGone).detail("table", shown(name));
+        let gone = Finding::of(Kind::TABLE_GONE).detail("table", shown(name));
         Error::refused(gone)
     })?;
     let names: Option<Vec<Vec<String>>> = table.arrays.iter().map(Array::names).collect();

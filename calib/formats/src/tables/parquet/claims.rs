@@ -126,7 +126,7 @@ pub(super) fn check_pages(
             .encoding
             .is_some_and(|encoding| DELTA_TEXTS.contains(&encoding))
         {
-            let found = Finding::of(Kind::TextsAsDifferences);
+            let found = Finding::of(Kind::TEXTS_AS_DIFFERENCES);
             return Err(Error::refused(found.detail("what", what)));
         }
         limits.check_unpacked(&what, packed, unpacked)?;

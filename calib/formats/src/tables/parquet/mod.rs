@@ -73,11 +73,11 @@ fn write_text(store: &Store, _: &str, limits: Limits, out: &mut dyn Write) -> Re
                 break;
             }
             if cells.iter().any(|cells| cells.len() != count) {
-                return Err(Error::refused(Finding::of(Kind::ColumnsUnequal)));
+                return Err(Error::refused(Finding::of(Kind::COLUMNS_UNEQUAL)));
             }
             left = left
                 .checked_sub(count as u64)
-                .ok_or_else(|| Error::refused(of_file(Kind::RowsBeyondClaim)))?;
+                .ok_or_else(|| Error::refused(of_file(Kind::ROWS_BEYOND_CLAIM)))?;
             for row in 0..count {
                 rows::write(out, &mut line, cells.iter().map(|cells| &cells[row]))?;
             }
@@ -123,7 +123,7 @@ fn check(metadata: &ParquetMetaData, length: u64, limits: Limits) -> Result<u64,
             _ => None,
         };
         if let Some(what) = what {
-            let found = Finding::of(Kind::ColumnCompressed).detail("method", what);
+            let found = Finding::of(Kind::COLUMN_COMPRESSED).detail("method", what);
             return Err(Error::refused(match what {
                 "zstd" => found.remedy(Remedy::Build {
                     feature: "parquet-zstd".into(),
@@ -142,7 +142,7 @@ fn check(metadata: &ParquetMetaData, length: u64, limits: Limits) -> Result<u64,
         packed = packed.saturating_add(small);
     }
     if packed > length {
-        return Err(Error::refused(of_file(Kind::ColumnsBeyondFile)));
+        return Err(Error::refused(of_file(Kind::COLUMNS_BEYOND_FILE)));
     }
     if all > limits.bytes {
         return Err(limits.too_large("the Parquet file"));
@@ -194,9 +194,9 @@ impl Column {
             Type::BYTE_ARRAY | Type::FIXED_LEN_BYTE_ARRAY
         );
         let refused = if column.max_rep_level() > 0 {
-            Some(Kind::CellsAreLists)
+            Some(Kind::CELLS_ARE_LISTS)
         } else if is_bytes && (is_decimal || matches!(logical, Some(LogicalType::Float16))) {
-            Some(Kind::NumberTypeUnread)
+            Some(Kind::NUMBER_TYPE_UNREAD)
         } else {
             None
         };
@@ -315,7 +315,7 @@ const GROUP: usize = 1 << 20;
 /// The file that [`super::write_parquet`] gives.
 pub(super) fn write(columns: &[(String, Vec<f64>)]) -> Result<Vec<u8>, Error> {
     let cannot = |error: ParquetError| {
-        let found = of_file(Kind::FormatUnwritable);
+        let found = of_file(Kind::FORMAT_UNWRITABLE);
         Error::refused(found.detail("reason", error.to_string()))
     };
     let field = |(name, _): &(String, Vec<f64>)| {

@@ -73,7 +73,7 @@ impl Client {
 }
 
 fn failed(error: ureq::Error) -> Box<Finding> {
-    let found = Finding::of(Kind::RequestFailed);
+    let found = Finding::of(Kind::REQUEST_FAILED);
     found.detail("reason", shown(&error.to_string())).into()
 }
 

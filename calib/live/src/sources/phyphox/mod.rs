@@ -296,13 +296,13 @@ impl Phyphox {
         let streams = [recording.accelerometer, recording.gyroscope].map(Option::unwrap_or_default);
         if streams.iter().any(Stream::is_empty) {
             let [accelerometer, gyroscope] = streams.each_ref().map(Stream::len);
-            let found = Finding::of(Kind::ExportLacksSamples);
+            let found = Finding::of(Kind::EXPORT_LACKS_SAMPLES);
             let found = found.count("accelerometer", accelerometer);
             return Err(found.count("gyroscope", gyroscope).into());
         }
         let mut seen = self.sightings.iter().zip(&streams);
         if !seen.all(|(sightings, stream)| sightings.share_in(stream) >= SAME) {
-            return Err(Finding::of(Kind::ExportOfOther).into());
+            return Err(Finding::of(Kind::EXPORT_OF_OTHER).into());
         }
         Ok(path.clone())
     }

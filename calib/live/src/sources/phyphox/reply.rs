@@ -85,7 +85,7 @@ fn values<'de, D: serde::Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Erro
 impl Reply {
     pub(super) fn parse(text: &[u8]) -> Result<Self, Box<Finding>> {
         serde_json::from_slice(text).map_err(|error| {
-            let found = Finding::of(Kind::AnswerWithoutSamples);
+            let found = Finding::of(Kind::ANSWER_WITHOUT_SAMPLES);
             found.detail("reason", shown(&error.to_string())).into()
         })
     }
@@ -111,11 +111,11 @@ impl Reply {
                 continue;
             }
             if !is_time(t) {
-                let found = Finding::of(Kind::TimeImpossible);
+                let found = Finding::of(Kind::TIME_IMPOSSIBLE);
                 return Err(found.detail("seconds", format!("{t:e}")).into());
             }
             if let Some(value) = reading.iter().find(|value| value.abs() > LARGEST) {
-                let found = Finding::of(Kind::ReadingImpossible);
+                let found = Finding::of(Kind::READING_IMPOSSIBLE);
                 return Err(found.detail("value", format!("{value:e}")).into());
             }
             if stream.t.last().is_none_or(|last| t > *last) {

@@ -62,7 +62,7 @@ impl Format for Phyphox {
         let accel: Vec<_> = of(Holds::Sensor(Sensor::Accelerometer)).collect();
         let gyro: Vec<_> = of(Holds::Sensor(Sensor::Gyroscope)).collect();
         if let (true, Some(Found { name, .. })) = (accel.is_empty(), of(Holds::Linear).next()) {
-            let linear = Finding::of(Kind::PhyphoxLinear).detail("file", shown(name));
+            let linear = Finding::of(Kind::PHYPHOX_LINEAR).detail("file", shown(name));
             return Err(in_file(&files.name, linear));
         }
         if let Some([one, two]) = [&accel, &gyro].iter().find_map(|found| found.get(..2)) {
@@ -91,7 +91,7 @@ impl Format for Phyphox {
             read.push(part.read(files.text(entry, options)?, origin, options)?);
         }
         if read.is_empty() {
-            let empty = Finding::of(Kind::PhyphoxEmpty).detail("listed", files.listed());
+            let empty = Finding::of(Kind::PHYPHOX_EMPTY).detail("listed", files.listed());
             return Err(in_file(&files.name, empty));
         }
         crate::formats::beside::add_magnetometer(&files, &mut read, None, options);
@@ -197,7 +197,7 @@ fn count_pauses(files: &Files, tables: &mut [Table]) -> Vec<Finding> {
         }
     }
     let found = |[at, length]: [f64; 2]| {
-        Finding::of(Kind::Paused)
+        Finding::of(Kind::PAUSED)
             .in_recording(&files.name)
             .from_time(at)
             .number("length", length, "s")

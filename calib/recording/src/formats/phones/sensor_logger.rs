@@ -99,10 +99,10 @@ impl Format for SensorLogger {
                 .detail("system", "Sensor Logger")
         };
         let streams = taken.join(" and ");
-        let chosen = of(Kind::StreamsChosen).detail("streams", streams);
+        let chosen = of(Kind::STREAMS_CHOSEN).detail("streams", streams);
         recording.warnings.push(chosen);
         if reader.negated {
-            recording.warnings.push(of(Kind::SignTurned));
+            recording.warnings.push(of(Kind::SIGN_TURNED));
         }
         Ok(recording)
     }
@@ -118,7 +118,7 @@ fn find<'a>(files: &'a Files, name: &str) -> Option<&'a file_formats::Entry> {
 }
 
 fn without_gravity(files: &Files) -> Error {
-    in_file(&files.name, Finding::of(Kind::SensorLoggerLinear))
+    in_file(&files.name, Finding::of(Kind::SENSOR_LOGGER_LINEAR))
 }
 
 /// Settings of the app.

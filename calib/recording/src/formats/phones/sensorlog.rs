@@ -59,12 +59,12 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
     let accel = ACCEL.part(&names).map(|part| Part {
         accel_unit: Some(AccelUnit::G),
         negated: true,
-        remark: Some(Finding::of(Kind::SignTurned).detail("system", "SensorLog")),
+        remark: Some(Finding::of(Kind::SIGN_TURNED).detail("system", "SensorLog")),
         ..part
     });
     let gyro = GYRO.part(&names).or_else(|| {
         let part = PROCESSED.part(&names)?;
-        let corrected = Finding::of(Kind::CorrectedBySystem)
+        let corrected = Finding::of(Kind::CORRECTED_BY_SYSTEM)
             .detail("system", "iOS")
             .detail("columns", "motionRotationRate")
             .detail("raw", "gyroRotation");

@@ -7,7 +7,7 @@ const OWN: [&str; 6] = ["EG", "EA", "GH", "AH", "GHz", "AHz"];
 
 /// Builds the finding about readings that ArduPilot had corrected.
 pub(crate) fn corrected() -> Finding {
-    Finding::of(Kind::CorrectedBySystem)
+    Finding::of(Kind::CORRECTED_BY_SYSTEM)
         .detail("system", "ArduPilot")
         .detail("columns", "IMU")
         .detail("raw", "The .BIN log")

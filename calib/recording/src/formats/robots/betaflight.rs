@@ -80,7 +80,7 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
         accel_unit,
         gyro_unit,
         remark: Some(
-            Finding::of(Kind::FilteredBefore)
+            Finding::of(Kind::FILTERED_BEFORE)
                 .detail("system", "Betaflight")
                 .detail("gyro", *stem)
                 .detail("accel", "accSmooth"),

@@ -33,7 +33,7 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
         accel_unit: Some(AccelUnit::MetresPerSecondSquared),
         gyro_unit: Some(GyroUnit::RadiansPerSecond),
         remark: Some(
-            Finding::of(Kind::CorrectedBySystem)
+            Finding::of(Kind::CORRECTED_BY_SYSTEM)
                 .detail("system", "PX4")
                 .detail("columns", "sensor_combined")
                 .detail("raw", "sensor_accel and sensor_gyro"),

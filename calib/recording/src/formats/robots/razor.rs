@@ -126,7 +126,7 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
         usual_rate: (stamped == 0).then_some(RATE.get()),
         change: Some(change),
         remark: Some(
-            findings::Finding::of(findings::Kind::SignTurned).detail("system", "Razor AHRS"),
+            findings::Finding::of(findings::Kind::SIGN_TURNED).detail("system", "Razor AHRS"),
         ),
         ..Part::default()
     }])

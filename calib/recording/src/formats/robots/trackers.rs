@@ -67,7 +67,7 @@ fn xsens(look: &Look) -> Option<Vec<Part>> {
             GyroUnit::DegreesPerSecond
         }),
         remark: Some(
-            Finding::of(Kind::UnitsOfFormat)
+            Finding::of(Kind::UNITS_OF_FORMAT)
                 .detail("system", if mti { "Xsens MTi" } else { "Xsens DOT" })
                 .detail("time", if mti { "0.1 ms" } else { "µs" })
                 .detail("rate", if mti { "rad/s" } else { "deg/s" }),

@@ -42,7 +42,7 @@ fn refuse<U: FromStr + PartialEq>(
                 .iter()
                 .map(|name| format!("`{}`", shown(name)))
                 .collect();
-            let several = Finding::of(Kind::AxesInUnits).of_sensor(sensor);
+            let several = Finding::of(Kind::AXES_IN_UNITS).of_sensor(sensor);
             Err(several.detail("names", shown.join(", ")).into())
         }
     }

@@ -26,7 +26,7 @@ pub(crate) fn is_by_number(found: &Finding) -> bool {
         Remedy::Example { any_of } => any_of.iter().any(|s| s.option == OptionName::Columns),
         _ => false,
     };
-    matches!(found.kind, Kind::NoSensorColumns | Kind::ColumnMissing)
+    matches!(found.kind, Kind::NO_SENSOR_COLUMNS | Kind::COLUMN_MISSING)
         && found.remedies.iter().any(is_example)
 }
 

@@ -104,7 +104,7 @@ pub(crate) fn refuse(tables: &[Table]) -> Result<(), Error> {
             if !accel && !gyro {
                 return Err(in_file(
                     file,
-                    Finding::of(Kind::ColumnsUnclear)
+                    Finding::of(Kind::COLUMNS_UNCLEAR)
                         .detail("columns", shown_list(unclear.iter()))
                         .only_remedies([suggestion(&tables[0].names)]),
                 ));
@@ -115,7 +115,7 @@ pub(crate) fn refuse(tables: &[Table]) -> Result<(), Error> {
             let proposed = completed.filter(|_| alone);
             return Err(in_file(
                 file,
-                Finding::of(Kind::SensorUnclear)
+                Finding::of(Kind::SENSOR_UNCLEAR)
                     .of_sensor(missing)
                     .detail("columns", shown_list(unclear.iter()))
                     .remedy(proposed.unwrap_or_else(|| suggestion(&tables[0].names))),
@@ -153,7 +153,7 @@ pub(crate) fn unread_field(tables: &[Table]) -> Option<Finding> {
         })?;
         let names = field.columns.map(|at| &table.unclear[at]);
         let places = names.map(|name| table.names.iter().position(|other| other == name));
-        let mut found = Finding::of(Kind::FieldNotRead)
+        let mut found = Finding::of(Kind::FIELD_NOT_READ)
             .in_recording(&table.name)
             .detail("columns", shown_list(names.into_iter()));
         if let ([Some(x), Some(y), Some(z)], true) = (places, table.by_names) {
@@ -203,7 +203,7 @@ fn refuse_others(tables: &[Table]) -> Result<(), Error> {
                 .collect();
             return Err(in_file(
                 &table.name,
-                Finding::of(Kind::SensorTwice)
+                Finding::of(Kind::SENSOR_TWICE)
                     .of_sensor(sensor)
                     .detail("columns", shown_list(others))
                     .only_remedies([Remedy::such_as(OptionName::Columns, taken.join(","))]),
@@ -225,7 +225,7 @@ fn refuse_without_gravity(tables: &[Table]) -> Result<(), Error> {
         let columns = columns.into_iter();
         return Err(in_file(
             &table.name,
-            Finding::of(Kind::ColumnsWithoutGravity).detail("columns", shown_list(columns)),
+            Finding::of(Kind::COLUMNS_WITHOUT_GRAVITY).detail("columns", shown_list(columns)),
         ));
     }
     Ok(())

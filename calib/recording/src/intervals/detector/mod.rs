@@ -90,18 +90,18 @@ impl<'a> Level<'a> {
     /// A stream without samples or shorter than the window.
     pub fn measure(stream: &'a Stream, detector: &Detector) -> Result<Self, Error> {
         let (Some(&first), Some(&last)) = (stream.t.first(), stream.t.last()) else {
-            return Err(Error::not_enough(Finding::of(Kind::NoSamples)));
+            return Err(Error::not_enough(Finding::of(Kind::NO_SAMPLES)));
         };
         if last - first < detector.window {
             return Err(Error::not_enough(
-                Finding::of(Kind::TooShort)
+                Finding::of(Kind::TOO_SHORT)
                     .number("length", last - first, "s")
                     .number("window", detector.window, "s"),
             ));
         }
         let step = stream.median_step().unwrap_or(0.0);
         if step * MIN_SAMPLES.get() > detector.window {
-            let mut slow = Finding::of(Kind::SampledSlowly)
+            let mut slow = Finding::of(Kind::SAMPLED_SLOWLY)
                 .number("step", step, "s")
                 .number("rate", step.recip(), "Hz")
                 .number("window", detector.window, "s")

@@ -49,7 +49,7 @@ pub(crate) fn cut_erased_tail(recording: &mut Recording) -> Option<Finding> {
     };
     cut(&mut recording.accelerometer);
     cut(&mut recording.gyroscope);
-    let found = Finding::of(Kind::ErasedTail)
+    let found = Finding::of(Kind::ERASED_TAIL)
         .from_time(from)
         .count("rows", tail)
         .count("first_row", start + FIRST_ROW);
@@ -100,7 +100,7 @@ mod tests {
         for value in [Vector3::repeat(-0.0012), Vector3::zeros()] {
             let mut cut = recording(value);
             let found = cut_erased_tail(&mut cut);
-            let expected = Finding::of(Kind::ErasedTail)
+            let expected = Finding::of(Kind::ERASED_TAIL)
                 .from_time(5.0)
                 .count("rows", 20)
                 .count("first_row", 502);

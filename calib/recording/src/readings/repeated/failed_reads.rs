@@ -50,7 +50,7 @@ pub(crate) fn without_failed_reads(
 }
 
 fn found(name: &str, sensor: Sensor, count: usize, all: usize) -> Finding {
-    let failed = Finding::of(Kind::FailedReads).in_recording(name);
+    let failed = Finding::of(Kind::FAILED_READS).in_recording(name);
     let failed = failed.of_sensor(sensor).count("count", count);
     failed.number("share", count as f64 / all as f64, "share")
 }

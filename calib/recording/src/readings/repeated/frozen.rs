@@ -99,7 +99,7 @@ pub(crate) fn frozen_finding(recording: &Recording) -> Option<Finding> {
         same
     });
     let rows = places.iter().map(|((first, last), _)| last + 1 - first);
-    let found = Finding::of(Kind::Frozen)
+    let found = Finding::of(Kind::FROZEN)
         .count("rows", rows.sum())
         .count("places", places.len())
         .detail("sensors", sensors.join(" and the "))

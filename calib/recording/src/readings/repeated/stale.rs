@@ -47,7 +47,7 @@ pub(crate) fn without_stale(
     }
     fill(&mut stream, &runs);
     warnings.push(
-        Finding::of(Kind::ReadingsStale)
+        Finding::of(Kind::READINGS_STALE)
             .in_recording(name)
             .of_sensor(sensor)
             .count("count", count)

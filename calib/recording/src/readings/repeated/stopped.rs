@@ -36,7 +36,7 @@ pub(crate) fn refuse_stopped(recording: &Recording) -> Result<(), Error> {
         if !changes_after(other, from) {
             continue;
         }
-        let found = Finding::of(Kind::SensorStopped)
+        let found = Finding::of(Kind::SENSOR_STOPPED)
             .of_sensor(sensor)
             .from_time(from)
             .count("count", count)

@@ -58,7 +58,7 @@ pub(super) fn contradicted(
     if !differs {
         return None;
     }
-    let found = Finding::of(Kind::RateContradicted)
+    let found = Finding::of(Kind::RATE_CONTRADICTED)
         .in_recording(&by_rate.name)
         .number("rate", rate, "Hz")
         .number("given", given, "Hz")

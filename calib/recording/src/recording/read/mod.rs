@@ -109,7 +109,7 @@ impl Recording {
             None => formats::recognise(&source),
         };
         let format =
-            format.ok_or_else(|| in_file(source.name(), Finding::of(Kind::UnknownFormat)))?;
+            format.ok_or_else(|| in_file(source.name(), Finding::of(Kind::UNKNOWN_FORMAT)))?;
         let mut recording = format.read(source, options)?;
         let described = &mut recording.description.format;
         if described.is_empty() {
@@ -138,8 +138,8 @@ impl Recording {
 fn refuse_choice(source: &Source, options: &ReadOptions) -> Result<(), Error> {
     let (has_entry, has_topic) = (options.entry.is_some(), !options.topics.is_empty());
     let kind = match source {
-        Source::Text(_) | Source::Binary(_) if has_entry => Kind::EntryOfOneFile,
-        Source::Text(_) if has_topic => Kind::TopicOfText,
+        Source::Text(_) | Source::Binary(_) if has_entry => Kind::ENTRY_OF_ONE_FILE,
+        Source::Text(_) if has_topic => Kind::TOPIC_OF_TEXT,
         _ => return Ok(()),
     };
     Err(Error::usage(Finding::of(kind).in_file(source.name())))
@@ -166,7 +166,7 @@ fn each_part(
     };
     if let Some(first) = all.first_mut() {
         first.warnings.push_first(
-            Finding::of(Kind::SeveralRecordings)
+            Finding::of(Kind::SEVERAL_RECORDINGS)
                 .in_recording(name)
                 .count("count", count)
                 .detail("names", said),

@@ -37,7 +37,7 @@ fn room(name: &str, rows: u64, bytes: u64) -> Result<(), Error> {
         return Ok(());
     }
     let size = format!("{:.0} MB", (bytes as f64 / 1e6).ceil());
-    let found = Finding::of(Kind::TooLargeForMemory)
+    let found = Finding::of(Kind::TOO_LARGE_FOR_MEMORY)
         .count("rows", rows as usize)
         .detail("size", size);
     Err(in_file(name, found))

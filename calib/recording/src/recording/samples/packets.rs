@@ -43,7 +43,7 @@ pub(crate) fn apart(name: &str, sensor: Sensor, samples: &mut Samples) -> Option
     })?;
     let line = samples.line(0);
     *samples = Samples::of(even, values).beginning_at(line);
-    let found = Finding::of(Kind::StampsCoarse)
+    let found = Finding::of(Kind::STAMPS_COARSE)
         .in_recording(name)
         .of_sensor(sensor)
         .count("rows", rows - distinct(&t))

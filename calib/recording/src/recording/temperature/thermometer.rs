@@ -34,7 +34,7 @@ pub(crate) fn join(tables: &mut Vec<Table>) -> Result<(), Error> {
         return Ok(());
     };
     let Some(first) = tables.iter_mut().find(|table| table.has_sensor()) else {
-        return Err(in_file(&table.name, Finding::of(Kind::OnlyTemperature)));
+        return Err(in_file(&table.name, Finding::of(Kind::ONLY_TEMPERATURE)));
     };
     first.warnings.append(&mut table.warnings);
     first.temperature_t = table.temperature_t;
@@ -48,7 +48,7 @@ pub(crate) fn check_clock(recording: &mut Recording) {
     let Some(found) = misfit(recording) else {
         return;
     };
-    if found.kind == Kind::TemperatureOfAnotherClock {
+    if found.kind == Kind::TEMPERATURE_OF_ANOTHER_CLOCK {
         recording.temperature = None;
     }
     recording.warnings.push(found);
@@ -68,8 +68,8 @@ fn misfit(recording: &Recording) -> Option<Finding> {
     }
     let common = (last.min(to) - first.max(from)) / (to - from);
     let kind = match common >= KNOWN.get() {
-        true => Kind::TemperaturePartlyKnown,
-        false => Kind::TemperatureOfAnotherClock,
+        true => Kind::TEMPERATURE_PARTLY_KNOWN,
+        false => Kind::TEMPERATURE_OF_ANOTHER_CLOCK,
     };
     let found = Finding::of(kind)
         .in_recording(&recording.name)

@@ -36,7 +36,7 @@ pub(in crate::calibrate) fn turned_field(
     let read = || columns.turned(&axes.opposite());
     if let Some(latitude) = known {
         return (inclination * latitude < 0.0).then(|| {
-            of(Kind::FieldSignsWrong)
+            of(Kind::FIELD_SIGNS_WRONG)
                 .detail("latitude", format!("{latitude}°"))
                 .only_remedies([read()])
         });
@@ -44,7 +44,7 @@ pub(in crate::calibrate) fn turned_field(
     if axes.is_unchanged() {
         return None;
     }
-    let turned = of(Kind::FieldTurned).detail("axes", axes.in_words());
+    let turned = of(Kind::FIELD_TURNED).detail("axes", axes.in_words());
     Some(match axes.is_half_turn() {
         false => turned.at_level(Level::Remark).only_remedies([]),
         true => turned

@@ -51,7 +51,7 @@ pub(super) fn said(fit: &ForceFit<'_>, columns: &Columns) -> Said {
         if !has_odd && scales.spread() > COUNTS_APART.get() {
             let [x, y, z] = scales.each();
             said.warn(
-                Finding::of(Kind::CountsDiffer)
+                Finding::of(Kind::COUNTS_DIFFER)
                     .of_sensor(Sensor::Accelerometer)
                     .number("x", x, "1")
                     .number("y", y, "1")
@@ -77,7 +77,7 @@ pub(super) fn said(fit: &ForceFit<'_>, columns: &Columns) -> Said {
             false => ("moved", rounded(-bias)),
         };
         said.gate(
-            Finding::of(Kind::ZeroOff)
+            Finding::of(Kind::ZERO_OFF)
                 .of_sensor(Sensor::Accelerometer)
                 .detail("axis", columns.roles[axis])
                 .number("bias", bias, "m/s^2")
@@ -98,7 +98,7 @@ fn of_all(fit: &ForceFit<'_>, columns: &Columns, scales: &Scales, said: &mut Sai
         return;
     }
     let read = columns.scaled(&[0, 1, 2].map(|axis| (axis, undone(common))));
-    let found = Finding::of(Kind::ScaleOff)
+    let found = Finding::of(Kind::SCALE_OFF)
         .of_sensor(Sensor::Accelerometer)
         .number("reads", common * fit.gravity, "m/s^2")
         .number("share", off, "share")
@@ -121,10 +121,10 @@ fn counts(fit: &ForceFit<'_>) -> Option<Finding> {
     (!unit.is_si()).then(|| {
         let of = |kind| Finding::of(kind).of_sensor(Sensor::Accelerometer);
         if (9.0..10.5).contains(&unit.scale) {
-            return of(Kind::ReadingsInG);
+            return of(Kind::READINGS_IN_G);
         }
         let zero = unit.zero;
-        of(Kind::RawCounts)
+        of(Kind::RAW_COUNTS)
             .number("scale", unit.scale, "m/s^2")
             .detail(
                 "zero",

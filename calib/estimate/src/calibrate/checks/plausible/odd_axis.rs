@@ -24,9 +24,9 @@ pub(super) fn say_odd_axis(
     let is_own = cause(factor).is_none() && OWN.contains(&factor);
     let others = [1, 2].map(|step| columns.roles[(axis + step) % 3]);
     let kind = if is_own {
-        Kind::AxisApart
+        Kind::AXIS_APART
     } else {
-        Kind::AxisUnit
+        Kind::AXIS_UNIT
     };
     let found = Finding::of(kind)
         .of_sensor(sensor)

@@ -45,7 +45,7 @@ impl RateFit<'_> {
 pub(super) fn said(fit: &RateFit<'_>, columns: &Columns, force: &Columns) -> Said {
     let mut said = Said::default();
     if fit.missed > LOST.get() {
-        said.gate(of(Kind::GravityMissed).number("missed", fit.missed, "rad"));
+        said.gate(of(Kind::GRAVITY_MISSED).number("missed", fit.missed, "rad"));
     }
     of_axes(fit, columns, force, &mut said);
     if fit.missed <= LOST.get()
@@ -63,10 +63,10 @@ fn of_axes(fit: &RateFit<'_>, columns: &Columns, force: &Columns, said: &mut Sai
     let nearest = SignedAxes::nearest(&near_si);
     if near_si.determinant() < 0.0 {
         let Some(axes) = nearest.filter(SignedAxes::is_mirror) else {
-            said.gate(of(Kind::AxesNotShown));
+            said.gate(of(Kind::AXES_NOT_SHOWN));
             return;
         };
-        let found = of(Kind::LeftHanded).detail("axes", axes.in_words());
+        let found = of(Kind::LEFT_HANDED).detail("axes", axes.in_words());
         // With every sign changed it may as well be that both sensors are mirrored.
         let both = format!("{},{}", force.roles[0], columns.roles[0]);
         let both = Remedy::set_to(OptionName::Flip, both);
@@ -81,11 +81,11 @@ fn of_axes(fit: &RateFit<'_>, columns: &Columns, force: &Columns, said: &mut Sai
     let Some(axes) = nearest.filter(|axes| !axes.is_unchanged() && fit.missed <= LOST.get()) else {
         let off = near_si - nalgebra::Matrix3::from_diagonal(&near_si.diagonal());
         if fit.missed <= LOST.get() && off.amax() > TURNED.get() {
-            said.warn(of(Kind::AxesTurned).detail("angle", "right angle"));
+            said.warn(of(Kind::AXES_TURNED).detail("angle", "right angle"));
         }
         return;
     };
-    let turned = of(Kind::AxesTurned).detail("axes", axes.in_words());
+    let turned = of(Kind::AXES_TURNED).detail("axes", axes.in_words());
     said.warn(match axes.is_half_turn() {
         false => turned,
         true => turned
@@ -113,7 +113,7 @@ fn of_scales(fit: &RateFit<'_>, columns: &Columns, scales: &Scales, said: &mut S
     if let Some(ratio) = all.filter(|ratio| si && COMMON_SCALES.contains(ratio)) {
         let read = columns.scaled(&[0, 1, 2].map(|axis| (axis, rounded(ratio))));
         said.gate(
-            of(Kind::GyroscopeScaleOff)
+            of(Kind::GYROSCOPE_SCALE_OFF)
                 .detail("ratio", format!("{ratio:.3}"))
                 .only_remedies([Remedy::set(OptionName::Rate), read]),
         );
@@ -124,7 +124,7 @@ fn of_scales(fit: &RateFit<'_>, columns: &Columns, scales: &Scales, said: &mut S
 /// 1024 in a second.
 fn ticks(fit: &RateFit<'_>, scales: &Scales) -> Option<Finding> {
     let is_guess = |found: &Finding| {
-        found.kind == Kind::TimeUnitTold
+        found.kind == Kind::TIME_UNIT_TOLD
             && found.word("unit") == Some("ms")
             && found.value("year").is_none()
     };
@@ -150,15 +150,15 @@ fn unit(fit: &RateFit<'_>) -> Option<Finding> {
     }
     let unit = |unit: &'static str| Remedy::set_to(OptionName::GyroUnit, unit);
     Some(if (scale.to_degrees() - 1.0).abs() < 0.15 {
-        of(Kind::ReadingsInDegrees)
+        of(Kind::READINGS_IN_DEGREES)
             .detail("unit", "degrees per second")
             .only_remedies([unit("deg/s")])
     } else if (scale.to_radians() - 1.0).abs() < 0.15 {
-        of(Kind::ReadingsInDegrees)
+        of(Kind::READINGS_IN_DEGREES)
             .detail("unit", "rad/s")
             .detail("read", "degrees per second")
             .only_remedies([unit("rad/s")])
     } else {
-        of(Kind::RawCounts).number("scale", scale, "rad/s")
+        of(Kind::RAW_COUNTS).number("scale", scale, "rad/s")
     })
 }

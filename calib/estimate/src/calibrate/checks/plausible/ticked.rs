@@ -17,7 +17,7 @@ pub(super) fn ticked(recordings: &[&Recording]) -> Option<Finding> {
         let told = recording
             .warnings
             .iter()
-            .find(|own| own.kind == Kind::TimeUnitTold)?;
+            .find(|own| own.kind == Kind::TIME_UNIT_TOLD)?;
         told.value("rate_in_ticks")
     };
     let (recording, rate) = recordings
@@ -34,6 +34,6 @@ pub(super) fn ticked(recordings: &[&Recording]) -> Option<Finding> {
 /// The finding about the clock of a sensor that may count so, with the columns that read it as that.
 pub(super) fn clock_of_ticks(recording: &Recording, sensor: Sensor) -> Option<Finding> {
     let by_ticks = recording.description.of(sensor)?.by_clock(TICKS.get());
-    let found = Finding::of(Kind::ClockOfTicks).in_recording(&recording.name);
+    let found = Finding::of(Kind::CLOCK_OF_TICKS).in_recording(&recording.name);
     Some(found.only_remedies([Remedy::set_to(OptionName::Columns, by_ticks)]))
 }

@@ -61,7 +61,7 @@ fn refusal(first: &Recording, second: &Recording, axes: &SignedAxes) -> Finding 
     let back = axes.inverse();
     let columns = [Sensor::Accelerometer, Sensor::Gyroscope]
         .map(|sensor| Columns::of(&[second], sensor).rearranged(&back));
-    Finding::of(Kind::AxesOfOtherTurned)
+    Finding::of(Kind::AXES_OF_OTHER_TURNED)
         .in_recording(&second.name)
         .detail("other", first.name.clone())
         .detail("axes", axes.in_words())

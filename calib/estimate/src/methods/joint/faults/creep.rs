@@ -17,7 +17,7 @@ findings::tuning! {
 /// gyroscope reads `ω`, its chunks see gravity move, and the turns beside it start and end half the angle away from its mean direction,
 /// so that they miss in opposite ways.
 pub static CREEP: Fault = Fault {
-    kind: Kind::Creep,
+    kind: Kind::CREEP,
     name: "mount_slip",
     scope: Scope::StaticInterval,
     sensor: Sensor::Gyroscope,

@@ -10,7 +10,7 @@ use crate::methods::small_sample::LEAST_SPARE;
 
 /// A part of a static interval whose specific force is not gravity's, as while a hand pushes: its mean is open, m/s².
 pub static DISTURBED_INTERVAL: Fault = Fault {
-    kind: Kind::DisturbedInterval,
+    kind: Kind::DISTURBED_INTERVAL,
     name: "disturbed_interval",
     scope: Scope::Chunk,
     sensor: Sensor::Accelerometer,

@@ -7,7 +7,7 @@ use super::fault::{Fault, Scope, Site, Suspect, unit_columns};
 
 /// A turn that misses the direction after it, as lost or clipped samples make it: its two direction rows are open, rad.
 pub static OUTLYING_TURN: Fault = Fault {
-    kind: Kind::TurnMissed,
+    kind: Kind::TURN_MISSED,
     name: "outlying_turn",
     scope: Scope::Turn,
     sensor: Sensor::Gyroscope,

@@ -8,7 +8,7 @@ use crate::methods::joint::blocks::column::Column;
 
 /// A static interval whose mean rate is off and that of its neighbours is not: the rate is open, rad/s.
 pub static RATE_EXCURSION: Fault = Fault {
-    kind: Kind::RateExcursion,
+    kind: Kind::RATE_EXCURSION,
     name: "disturbed_interval",
     scope: Scope::StaticInterval,
     sensor: Sensor::Gyroscope,

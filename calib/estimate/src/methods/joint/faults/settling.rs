@@ -19,7 +19,7 @@ findings::tuning! {
 /// A device that settles after it was laid down, as on a cushion: at the begin of a long static interval its attitude is off by `δ`
 /// (rad, body frame), and that fades, `u(t) = u + u × Σ δ_τ e^(−t/τ)`. Both sensors see it, and the turn before ends there.
 pub static SETTLING: Fault = Fault {
-    kind: Kind::Settling,
+    kind: Kind::SETTLING,
     name: "mount_slip",
     scope: Scope::StaticInterval,
     sensor: Sensor::Accelerometer,
@@ -112,6 +112,6 @@ mod tests {
             .iter()
             .map(|a| (a.fault.kind, a.interval))
             .collect();
-        assert_eq!(flagged, [(Kind::Settling, 0)]);
+        assert_eq!(flagged, [(Kind::SETTLING, 0)]);
     }
 }

@@ -10,7 +10,7 @@ use crate::methods::joint::blocks::column::Column;
 /// A device that moves at once between two parts of a long static interval: a rotation by `δ` (rad, body frame) before one of its chunks,
 /// `u` becomes `u + u × δ`. What comes after, the turn that begins there among it, sees the new direction.
 pub static SUDDEN_SLIP: Fault = Fault {
-    kind: Kind::MountSlip,
+    kind: Kind::MOUNT_SLIP,
     name: "mount_slip",
     scope: Scope::Chunk,
     sensor: Sensor::Accelerometer,

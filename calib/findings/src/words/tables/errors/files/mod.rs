@@ -12,19 +12,17 @@ pub(in crate::words::tables) mod notes;
 pub(in crate::words::tables) mod outputs;
 pub(in crate::words::tables) mod tables;
 
-use crate::kind::Kind;
-use crate::words::entry::{Entry, error};
+use crate::words::entry::error;
 
-pub(in crate::words::tables) fn words(kind: Kind) -> Option<Entry> {
-    Some(match kind {
-        Kind::Unreadable => error(
-            "cannot be read: {reason}",
-            "check the name of the file, and that it is complete and may be read",
-        ),
-        Kind::Unwritable => error(
-            "cannot be written: {reason}",
-            "check the folder and the free space of the disk",
-        ),
-        _ => return None,
-    })
+kinds! {
+    /// A file cannot be read.
+    UNREADABLE = "unreadable" => error(
+        "cannot be read: {reason}",
+        "check the name of the file, and that it is complete and may be read",
+    ),
+    /// A file cannot be written.
+    UNWRITABLE = "unwritable" => error(
+        "cannot be written: {reason}",
+        "check the folder and the free space of the disk",
+    ),
 }
