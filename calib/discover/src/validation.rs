@@ -11,7 +11,7 @@ use estimate::methods::joint::{
 };
 use faer::Mat;
 use recording::{Error, Recording};
-use sensor::{EffectRef, Model};
+use sensor::{EffectRef, Model, is_bias};
 
 use crate::discovery::Discovery;
 use crate::findings::{Confirmation, Says, Validation};
@@ -333,11 +333,6 @@ fn of_heading(model: &Model) -> Vec<String> {
     let all = model.parameters();
     let places = model.references().into_iter();
     places.map(|k| all.names()[k].clone()).collect()
-}
-
-/// Returns true if the parameter is a bias, of one recording or common to all.
-fn is_bias(name: &str) -> bool {
-    name.starts_with("accel.b_") || name.starts_with("gyro.b_")
 }
 
 #[cfg(test)]

@@ -93,6 +93,44 @@ pub fn base_names(sensor: Sensor) -> [String; BASE_PARAMETERS] {
     })
 }
 
+/// Part of a base model that a parameter belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BasePart {
+    /// An element of the diagonal of `T`.
+    ScaleFactor,
+    /// Another element of `T`.
+    Misalignment,
+    /// A component of the bias.
+    Bias,
+}
+
+/// The sensor and the part of its base model that a name says, of one recording (`gyro.b_x[desk]`) too; `None` of the parameters of effects.
+///
+/// # Examples
+/// ```
+/// use stillpoint_sensor::{BasePart, Sensor, base_part};
+///
+/// assert_eq!(base_part("gyro.b_x[desk]"), Some((Sensor::Gyroscope, BasePart::Bias)));
+/// assert_eq!(base_part("my_effect.b_x"), None);
+/// ```
+pub fn base_part(name: &str) -> Option<(Sensor, BasePart)> {
+    let (owner, parameter) = name.split_once('.')?;
+    let mut sensors = Sensor::ALL.into_iter();
+    let sensor = sensors.find(|sensor| sensor.prefix() == owner)?;
+    let part = match parameter.split_once('_')?.0 {
+        "s" => BasePart::ScaleFactor,
+        "b" => BasePart::Bias,
+        angle if angle == sensor.misalignment() => BasePart::Misalignment,
+        _ => return None,
+    };
+    Some((sensor, part))
+}
+
+/// Returns true if a name is that of a bias of a base model.
+pub fn is_bias(name: &str) -> bool {
+    base_part(name).is_some_and(|(_, part)| part == BasePart::Bias)
+}
+
 /// The inverse of a 3 × 3 matrix by its adjugate, over any scalar; `None` where it is singular.
 pub fn inverse<D: Scalar>(m: &Matrix3<D>) -> Option<Matrix3<D>> {
     let cofactor = |i: usize, j: usize| {

@@ -25,7 +25,7 @@ mod quantity;
 mod scalar_sensor;
 
 pub use axis::Axis;
-pub use base::{BASE_PARAMETERS, Base, PLACES, base_names, inverse};
+pub use base::{BASE_PARAMETERS, Base, BasePart, PLACES, base_names, base_part, inverse, is_bias};
 pub use common_effect::{CommonEffect, On};
 pub use covariate::{Covariate, NoSuchCovariate};
 pub use definition::{

@@ -3,7 +3,7 @@
 use findings::{Finding, Findings, Kind};
 use nalgebra::{DMatrix, DVector};
 use recording::{Error, Recording};
-use sensor::Sensor;
+use sensor::{BasePart, Sensor, base_part};
 
 use crate::calibration::Calibration;
 use crate::methods::chance;
@@ -366,7 +366,7 @@ fn difference(a: &AccelerometerFit, b: &AccelerometerFit) -> Option<BetweenFits>
         let mut names = fit.fitted.free.iter();
         names.position(|own| own == name)
     };
-    let is_own = |name: &&String| name.starts_with("accel.") && !name.contains(".b_");
+    let is_own = |name: &&String| base_part(name).is_some_and(|(_, part)| part != BasePart::Bias);
     let both = a.fitted.free.iter().filter(is_own);
     let both = both.filter_map(|name| Some((name, place(a, name)?, place(b, name)?)));
     let both: Vec<(&String, usize, usize)> = both.collect();

@@ -1,7 +1,7 @@
 //! The quantities of a calibration that limits are about, in SI units whatever the unit of the readings.
 
 use nalgebra::Vector3;
-use sensor::{PLACES, Sensor, base_names};
+use sensor::{BasePart, PLACES, Sensor, base_names, base_part};
 
 use crate::calibration::{Calibration, Triad};
 
@@ -69,12 +69,11 @@ pub(super) fn unit(calibration: &Calibration, name: &str) -> String {
     if let Some(unit) = calibration.effects.iter().find_map(effect) {
         return unit;
     }
-    let own = |sensor: &Sensor| name.split('.').next() == Some(sensor.prefix());
-    let Some(sensor) = Sensor::ALL.into_iter().find(own) else {
+    let Some((sensor, part)) = base_part(name) else {
         return "1".into();
     };
     let units = calibration.triad(sensor).and_then(|t| t.units.as_ref());
-    match (name.contains(".b_"), units) {
+    match (part == BasePart::Bias, units) {
         (true, Some(units)) => units.reading.clone(),
         (true, None) => sensor.unit().into(),
         (false, Some(units)) => units.t.clone(),

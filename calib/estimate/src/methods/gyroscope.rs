@@ -5,7 +5,7 @@ use findings::{Finding, Kind};
 use nalgebra::Vector3;
 use recording::Error;
 use recording::averages::root_mean_square;
-use sensor::{Base, Model};
+use sensor::{Base, Model, is_bias};
 use solver::{Mask, Options, Parameters, Problem, Report, solve};
 
 use super::fitted::Fitted;
@@ -138,7 +138,7 @@ fn published(
     });
     let unit = guess.unit;
     let start = mounted(request.model.parameters(), guess);
-    let mask = start.free_where(|name| !name.contains(".b_"));
+    let mask = start.free_where(|name| !is_bias(name));
     let mut report = solve(&problem, &start, &mask, &Options::default())?;
     let spare = NUMBERS_PER_TURN * turns.len();
     let spare = spare.saturating_sub(report.uncertainty.rank);

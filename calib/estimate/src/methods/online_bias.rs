@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use recording::intervals::{Segmentation, Span};
 use recording::readings::error_of_steps;
 use recording::{Error, Recording};
-use sensor::{Sensor, inverse};
+use sensor::{Sensor, inverse, is_bias};
 use solver::{Options, Uncertainty, solve};
 
 use super::{bias_errors, earth, static_means_by};
@@ -209,7 +209,7 @@ pub fn update_accelerometer(
     }
     let mut start = model.parameters();
     start.values_mut().copy_from_slice(&p);
-    let mask = start.free_where(|name| name.starts_with("accel.b_"));
+    let mask = start.free_where(is_bias);
     let problem = GravityNorm {
         model: &model,
         means: &means,

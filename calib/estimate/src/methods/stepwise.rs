@@ -2,7 +2,7 @@
 
 use findings::{Finding, Kind};
 use recording::Error;
-use sensor::{Base, Model};
+use sensor::{Base, Model, is_bias};
 use solver::{Options, Report, Variant, solve};
 
 use super::first_guess::accelerometer_unit;
@@ -170,7 +170,7 @@ fn is_cheap(common: &Report, own: &Report) -> bool {
     let (one, each) = (&common.uncertainty, &own.uncertainty);
     let growth = one.names.iter().enumerate().filter_map(|(k, name)| {
         let own = each.names.iter().position(|other| other == name)?;
-        (!name.contains(".b_")).then(|| each.standard_error(own, 1.0) / one.standard_error(k, 1.0))
+        (!is_bias(name)).then(|| each.standard_error(own, 1.0) / one.standard_error(k, 1.0))
     });
     each.rank == each.names.len() && growth.fold(0.0, f64::max) < CHEAP.get()
 }

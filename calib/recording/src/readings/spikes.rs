@@ -302,11 +302,12 @@ mod tests {
     }
 
     #[test]
-    fn a_single_full_scale_reading_is_replaced_and_listed() {
+    fn a_single_full_scale_reading_is_replaced_on_its_axis_and_listed() {
         let mut spiked = recording();
         let values = &mut spiked.accelerometer.as_mut().unwrap().values;
+        let mut clean = values[2000];
+        clean.y = 0.5 * (values[1999].y + values[2001].y);
         values[2000].y = 156.9;
-        let clean = 0.5 * (values[1999] + values[2001]);
         let (cleaned, findings) = without_spikes(&spiked).unwrap();
         assert_eq!(cleaned.accelerometer.unwrap().values[2000], clean);
         let Symptom::Spikes { rows, axes, .. } = &findings[0] else {

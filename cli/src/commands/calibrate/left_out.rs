@@ -4,6 +4,7 @@ use calib::Calibration;
 
 use super::field::field_reading_unit;
 use crate::show;
+use sensor::{BasePart, Sensor, base_part};
 
 /// An effect that makes no standard error so many times as large is not shown.
 pub const WORTH_SHOWING: f64 = 2.0;
@@ -28,11 +29,11 @@ pub fn rows(calibration: &Calibration, units: [&str; 2]) -> Vec<[String; 5]> {
     let field = field_reading_unit(calibration);
     let enlarged = calibration.enlarged_by_more_than(WORTH_SHOWING).into_iter();
     let row = |own: calib::calibration::Enlarged<'_>| {
-        let unit = match own.by.parameter.split_once(".b_") {
-            Some(("accel", _)) => units[0],
-            Some(("gyro", _)) => units[1],
-            Some(_) => field,
-            None => "",
+        let unit = match base_part(&own.by.parameter) {
+            Some((Sensor::Accelerometer, BasePart::Bias)) => units[0],
+            Some((Sensor::Gyroscope, BasePart::Bias)) => units[1],
+            Some((Sensor::Magnetometer, BasePart::Bias)) => field,
+            _ => "",
         };
         let error = |value: f64| show::error(Some(value));
         [

@@ -1,49 +1,36 @@
 //! Advice on the next recordings.
 
 use ::findings::{Front, Remedy};
+use calib::calibration::effect_named;
 use calib::discover::{Findings, Integrity};
+use sensor::{Quantity, Sensor};
 
-/// Recordings in which effects can show, each with parts of the effects' names.
-const TO_SHOW: [(&[&str], &str); 7] = [
-    (
-        &["_step"],
-        "two rests or more before the change and two after it, in one recording",
-    ),
-    (
-        &["temperature_rate", "thermal_hysteresis"],
-        "a recording with a temperature column during which the device warms and cools",
-    ),
-    (
-        &["temperature"],
-        "a recording with a temperature column during which the device warms by ten degrees or more",
-    ),
-    (
-        &["vibration"],
-        "some rests on a table that vibrates, others on one that does not",
-    ),
-    (
-        &["hysteresis"],
-        "the same placements reached from different sides",
-    ),
-    (
-        &["gyro_"],
-        "turns of very different speed, both ways about every axis, between rests in twenty orientations",
-    ),
-    (
-        &["accel_"],
-        "more orientations, edges and corners among them (an error that motion alone shows stays hidden: the accelerometer is judged at rest)",
-    ),
-];
+/// The recording in which an effect can show, by what it depends on; `None` of one that the catalogue does not have.
+fn shown_by(name: &str) -> Option<&'static str> {
+    let effect = effect_named(name)?;
+    let needs = effect.needs();
+    let has = |quantity: Quantity| needs.contains(&quantity);
+    Some(if effect.instant().is_some() {
+        "two rests or more before the change and two after it, in one recording"
+    } else if has(Quantity::TemperatureRate) || has(Quantity::Warming) {
+        "a recording with a temperature column during which the device warms and cools"
+    } else if has(Quantity::Temperature) {
+        "a recording with a temperature column during which the device warms by ten degrees or more"
+    } else if has(Quantity::Vibration) {
+        "some rests on a table that vibrates, others on one that does not"
+    } else if has(Quantity::LastChange) {
+        "the same placements reached from different sides"
+    } else if has(Quantity::Time) {
+        "a longer recording, with rests from its first minute to its last"
+    } else if effect.sensor() == Sensor::Gyroscope {
+        "turns of very different speed, both ways about every axis, between rests in twenty orientations"
+    } else {
+        "more orientations, edges and corners among them (an error that motion alone shows stays hidden: the accelerometer is judged at rest)"
+    })
+}
 
 /// The effects that did not show here, by what a recording must have for them to show; `whole` with all names.
 pub fn to_show(not_observable: &[String], whole: bool) -> Vec<String> {
-    let shown_by = |name: &str| {
-        let is_part = |(parts, _): &&(&[&str], &str)| parts.iter().any(|part| name.contains(part));
-        TO_SHOW
-            .iter()
-            .find(is_part)
-            .map(|(_, recording)| *recording)
-    };
     let mut all: Vec<(Option<&str>, Vec<&str>)> = Vec::new();
     for name in not_observable {
         let by = shown_by(name);

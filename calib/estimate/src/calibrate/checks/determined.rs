@@ -3,7 +3,7 @@
 use findings::{Finding, Findings, Kind, Remedy};
 use nalgebra::Vector3;
 use recording::Error;
-use sensor::Sensor;
+use sensor::{BasePart, Sensor, base_part, is_bias};
 
 use super::coverage::{open_by_directions, refusal};
 use crate::methods::{AccelerometerFit, AccelerometerRequest, Ending, Fitted, GyroscopeFit};
@@ -175,7 +175,7 @@ fn stopped(sensor: Sensor, ending: &Ending) -> Finding {
 fn with_weakest(found: Finding, fit: &ForceEvidence<'_>) -> Finding {
     let is_open = |(_, error): &(&str, f64)| error.is_nan() || *error > KNOWN_WELL.get();
     match weakest(fit).filter(is_open) {
-        Some((name, error)) if name.contains(".b_") => {
+        Some((name, error)) if is_bias(name) => {
             known_to(found, name, error, (error * fit.gravity, "m/s^2"))
         }
         Some((name, error)) => known_to(found, name, error, (error, "share")),
@@ -198,7 +198,7 @@ fn weakest<'a>(fit: &'a ForceEvidence<'_>) -> Option<(&'a str, f64)> {
     let fitted = fit.fitted;
     let relative = |name: &String| {
         let error = fitted.standard_error(name)?;
-        Some(if name.contains(".b_") {
+        Some(if is_bias(name) {
             error * fit.scale / fit.gravity
         } else {
             error / fit.scale
@@ -207,7 +207,7 @@ fn weakest<'a>(fit: &'a ForceEvidence<'_>) -> Option<(&'a str, f64)> {
     let worst = fitted
         .free
         .iter()
-        .filter(|name| name.starts_with("accel."))
+        .filter(|name| base_part(name).is_some())
         .filter_map(|name| Some((name, relative(name)?)))
         .max_by(|a, b| a.1.total_cmp(&b.1));
     worst.map(|(name, error)| (name.as_str(), error))
@@ -328,12 +328,11 @@ impl Weak {
 fn weak_parameters(fitted: &Fitted, scale: f64, size: f64) -> Vec<Weak> {
     let weak = |name: &String| {
         let std = fitted.standard_error(name)?;
-        let is_bias = name.contains(".b_");
-        let (share, limits, error) = if is_bias {
-            let unit = if name.starts_with("accel.") {
-                "m/s^2"
-            } else {
-                "rad/s"
+        let (sensor, part) = base_part(name)?;
+        let (share, limits, error) = if part == BasePart::Bias {
+            let unit = match sensor {
+                Sensor::Accelerometer => "m/s^2",
+                _ => "rad/s",
             };
             let share = std * scale / size;
             (
@@ -355,13 +354,7 @@ fn weak_parameters(fitted: &Fitted, scale: f64, size: f64) -> Vec<Weak> {
             refused: share > limits[1],
         })
     };
-    let of_base = |name: &&String| name.starts_with("accel.") || name.starts_with("gyro.");
-    fitted
-        .free
-        .iter()
-        .filter(of_base)
-        .filter_map(weak)
-        .collect()
+    fitted.free.iter().filter_map(weak).collect()
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Placements that cannot show whether an accelerometer is linear.
 
 use findings::{Finding, Kind};
-use sensor::Sensor;
+use sensor::{Sensor, is_bias};
 
 use crate::calibration::Calibration;
 
@@ -35,7 +35,7 @@ pub fn untested_linearity(calibration: &Calibration) -> Option<Finding> {
         .filter(|enlarged| enlarged.by.parameter.starts_with(prefix))
         .find_map(|enlarged| {
             let (own, times) = (enlarged.by, enlarged.ratio());
-            let off = match own.parameter.contains(".b_") {
+            let off = match is_bias(&own.parameter) {
                 true => own.std_added * scale,
                 false => own.std_added / scale * calibration.gravity,
             };

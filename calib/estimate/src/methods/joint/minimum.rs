@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use nalgebra::Vector3;
 use recording::Error;
 use recording::watch::Stage;
-use sensor::{Base, Sensor};
+use sensor::{Base, BasePart, Sensor, base_part};
 use solver::{Mask, Parameters};
 
 use super::approach::{Weighted, approach};
@@ -187,9 +187,15 @@ impl Run<'_> {
         parameters.free_where(|name| {
             accelerometer::is_free_in_triangular_frame(name)
                 && self.request.held.iter().all(|(held, _)| held != name)
-                && (turns || !(name.starts_with("gyro.s_") || name.starts_with("gyro.beta_")))
+                && (turns || !is_of_axes(name))
         })
     }
+}
+
+/// Returns true for an element of the gyroscope's `T`.
+fn is_of_axes(name: &str) -> bool {
+    let part = base_part(name);
+    part.is_some_and(|(sensor, part)| sensor == Sensor::Gyroscope && part != BasePart::Bias)
 }
 
 fn set(parameters: &mut Parameters, values: &[(String, f64)]) {

@@ -4,7 +4,7 @@ use findings::{Finding, Kind, Remedy};
 use nalgebra::{Matrix3, Vector3};
 use recording::intervals::Segmentation;
 use recording::{Error, Recording};
-use sensor::{Base, Sensor, inverse};
+use sensor::{Base, Sensor, inverse, is_bias};
 
 use super::axes::SignedAxes;
 use super::columns::Columns;
@@ -90,7 +90,7 @@ fn own(recording: &Recording, segmentation: &Segmentation, gravity: f64) -> Opti
     let t = base.t / fit.unit.scale;
     let bias = (base.bias - fit.unit.zero) * fit.unit.scale;
     inverse(&t)?;
-    let worst = fitted.free.iter().filter(|name| !name.contains(".b_"));
+    let worst = fitted.free.iter().filter(|name| !is_bias(name));
     let worst = worst.filter_map(|name| fitted.standard_error(name));
     let worst = worst.fold(0.0, f64::max) / fit.unit.scale;
     let rates = segmentation
