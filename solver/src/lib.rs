@@ -57,6 +57,7 @@ mod parameters;
 pub mod pose_graph;
 mod report;
 mod residual;
+mod rules;
 pub mod scalar;
 mod search;
 mod solve;

@@ -1,6 +1,7 @@
 //! Robust losses.
 
 pub(crate) mod check;
+pub(crate) mod graduation;
 mod places;
 pub(crate) mod robust;
 pub(crate) mod sandwich;

@@ -14,6 +14,7 @@ pub(crate) mod vanishing;
 use crate::clock::after;
 use crate::error::Error;
 use crate::feasible::Polytope;
+use crate::loss::graduation::{FIRST, widths};
 use crate::loss::robust::{Losses, Robust, robust_sigma};
 use crate::loss::{Loss, LossScale};
 use crate::minimise::ending::{escape, is_flat_all_around, is_zero, termination};
@@ -36,16 +37,6 @@ const SCALE_FOUND: f64 = 1e-9;
 
 /// Most saddles left on one way down.
 const ESCAPES: usize = 4;
-
-/// By how much the scale of a stage of a graduated loss is at least narrower than that of the one before, and most
-/// stages. Large: small stages follow the minimum to where outliers on one side have drawn it, large ones leave it
-/// behind. Of the 500 starts with 30 % of outliers on one side that it was chosen on, 493 and 490 (Tukey, Geman–McClure) so
-/// lead to the right minimum, by halves 477 and 453 with twice the Jacobians.
-const NARROWER: f64 = 10.0;
-const STAGES: usize = 20;
-
-/// Scale of the first stage after a fit of least absolute values, in robust standard deviations.
-const WIDE: f64 = 3.0;
 
 /// End of a run and what is known there.
 pub(crate) struct Solution {
@@ -218,7 +209,7 @@ fn with_losses(
     robust.once(&other.absolute(), &mut there);
     let residuals = system.residuals(&there.z);
     estimate(&mut other, &residuals);
-    let wide = WIDE * other.spread(&residuals);
+    let wide = FIRST * other.spread(&residuals);
     let second = robust.narrowed(&mut other, &mut there, wide);
     let common = losses.narrower(&other);
     let cost = |point: &Point| common.cost(&system.residuals(&point.z));
@@ -277,15 +268,14 @@ impl RobustFit<'_> {
         }
     }
 
-    /// From `factor` times the scales down to the scales.
+    /// From `widest` times the scales down to the scales.
     fn narrowed(
         &mut self,
         losses: &mut Losses,
         point: &mut Point,
-        mut factor: f64,
+        widest: f64,
     ) -> (Termination, Verdict) {
-        let ratio = factor.powf(1.0 / STAGES as f64).max(NARROWER);
-        while factor > 1.0 && factor.is_finite() {
+        for factor in widths(widest) {
             let mut wide = losses.clone();
             estimate(&mut wide, &self.system.residuals(&point.z));
             wide.widen(factor);
@@ -294,7 +284,6 @@ impl RobustFit<'_> {
                 *losses = wide;
                 return (ended, verdict);
             }
-            factor /= ratio;
         }
         estimate(losses, &self.system.residuals(&point.z));
         self.rounds(losses, point)

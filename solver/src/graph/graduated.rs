@@ -6,10 +6,8 @@ use super::solve::{Run, Stop, TRIES};
 use super::stage::Stage;
 use crate::graph::elimination::equations::Equations;
 use crate::loss::LossScale;
+use crate::loss::graduation::{FIRST, widths};
 use crate::loss::robust::robust_sigma;
-
-/// Scale of the first stage after a fit of least absolute values, in robust standard deviations.
-const SPREAD: f64 = 3.0;
 
 /// Relative offset at which a stage ends: the next one begins near enough.
 const LOOSE: f64 = 1e-3;
@@ -22,7 +20,7 @@ impl Equations<'_> {
 
     /// From which multiple of the scales on most factors do, after a fit of least absolute values.
     pub(crate) fn spread(&self, values: &[f64]) -> f64 {
-        SPREAD * robust_sigma(&self.relative(values))
+        FIRST * robust_sigma(&self.relative(values))
     }
 
     /// `‖r‖ / σ` of every factor with a loss.
@@ -93,8 +91,8 @@ impl Run<'_> {
 
     /// Damped steps under ever narrower losses, and those that are meant.
     fn narrowed(&mut self, widening: f64) -> Stop {
-        for stage in Stage::narrowing(widening) {
-            if self.under(stage)
+        for width in widths(widening) {
+            if self.under(Stage::Wide(width))
                 && let Stop::Limit(limit) = self.descend_to(LOOSE)
             {
                 self.under(Stage::Meant);

@@ -2,6 +2,7 @@
 
 use super::solve::{Run, TELLING};
 use crate::linear::vector::dot;
+use crate::rules::{RESOLVED, RISE_BY_ROUNDING};
 
 /// Damping of the last steps: what is not determined stays where it is.
 const LAST: f64 = 1e-11;
@@ -9,12 +10,6 @@ const LAST: f64 = 1e-11;
 /// Most last steps, and the largest damping of one.
 const MOST_LAST: usize = 100;
 const MOST_DAMPING: f64 = 1e4;
-
-/// Relative rise of the cost that rounding may explain.
-const ROUNDING: f64 = 1e-9;
-
-/// Relative offset per `√m` below which it is rounding.
-const RESOLVED: f64 = 4.0 * f64::EPSILON;
 
 /// A last step that shortens the tangential residual by less than this was too long or too short.
 const SLOW: f64 = 0.5;
@@ -76,7 +71,7 @@ impl Run<'_> {
         let length = relative_step * self.size();
         let is_finite = self.linearize().is_ok();
         let better = is_finite
-            && self.normal.cost <= cost * (1.0 + ROUNDING)
+            && self.normal.cost <= cost * (1.0 + RISE_BY_ROUNDING)
             && self.solve(damping)
             && self.offset * self.normal.square.sqrt() < offset * square.sqrt();
         let tried = self.normal.cost;

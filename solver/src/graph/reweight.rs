@@ -1,9 +1,7 @@
 //! Rewriting of a factor's residuals and rows for its loss.
 
 use crate::loss::Loss;
-
-/// Least curvature of a loss relative to its slope: keeps outliers' rows positive.
-const LEAST_CURVATURE: f64 = 1e-2;
+use crate::loss::robust::LEAST_CURVATURE;
 
 /// Cost of a factor.
 pub(crate) fn cost_of(loss: Option<&Loss>, residuals: &[f64]) -> f64 {

@@ -18,10 +18,7 @@ use crate::linear::vector::scaled_norm;
 use crate::minimise::scaling::Scaling;
 use crate::minimise::system::Evaluations;
 use crate::report::{Iteration, Termination};
-
-/// Relative offset below which the cost no longer tells two points apart and the last steps are
-/// judged by the gradient.
-const NEAR: f64 = 1e-5;
+use crate::rules::{FLAT_STEPS, NEAR};
 
 /// Damping up to which the damped step tells the offset.
 pub(super) const TELLING: f64 = 1e-3;
@@ -31,9 +28,6 @@ const PREDICTED: f64 = 0.25;
 
 /// Steps by a factor at hand that may be tried in vain.
 pub(super) const TRIES: usize = 2;
-
-/// Falls of the cost in a row, each below rounding, after which it counts as flat.
-const FLAT_STEPS: usize = 3;
 
 /// Minimises `½ Σ ‖r_f‖²` (or half the sum of the losses) over the free blocks of a graph, from the
 /// start that its blocks were given.

@@ -1,9 +1,7 @@
 //! The shortest Gauss–Newton step.
 
+use crate::rules::RANK_TOLERANCE;
 use faer::{Mat, MatRef};
-
-/// Singular values below this fraction of the largest are taken for zero.
-const RANK_TOLERANCE: f64 = 1e-10;
 
 /// `argmin ‖p‖` among all `p` that minimise `‖J p + b‖`, by the singular value decomposition of `J`
 /// as it stands, in the parameters' own units.

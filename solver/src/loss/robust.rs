@@ -7,8 +7,8 @@ use crate::linear::vector::half_square;
 use crate::loss::{Loss, LossScale, RowLoss};
 use crate::minimise::system::System;
 
-/// Least curvature of the loss relative to its slope: keeps outliers' rows positive.
-const LEAST_CURVATURE: f64 = 1e-2;
+/// Least curvature of a loss relative to its slope: keeps outliers' rows positive.
+pub(crate) const LEAST_CURVATURE: f64 = 1e-2;
 
 /// Median absolute deviation to standard deviation of a Gaussian, `1 / Φ⁻¹(3/4)`.
 const MAD_TO_SIGMA: f64 = 1.482_602_218_505_602;

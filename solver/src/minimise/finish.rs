@@ -9,6 +9,7 @@ use crate::minimise::newton;
 use crate::minimise::point::Point;
 use crate::minimise::scaling::unit_if_zero;
 use crate::minimise::system::System;
+use crate::rules::{RESOLVED, RISE_BY_ROUNDING};
 
 /// Most last steps.
 const MOST: usize = 60;
@@ -16,14 +17,8 @@ const MOST: usize = 60;
 /// A step this short, relative to each parameter, changes nothing.
 const NO_CHANGE: f64 = 2.0 * f64::EPSILON;
 
-/// Relative offset per `√m` below which it is rounding.
-const RESOLVED: f64 = 4.0 * f64::EPSILON;
-
 /// Relative offset that is good enough: the step that is left is a fraction of a standard error as small, `√(m − n)` times this.
 const ENOUGH: f64 = 1e-11;
-
-/// Relative rise of the cost that rounding may explain.
-const ROUNDING: f64 = 1e-9;
 
 /// A step that shortens the tangential residual by less than this calls for second derivatives.
 const SLOW: f64 = 0.3;
@@ -191,6 +186,6 @@ fn improved(
     }
     let next = Point::new(system, z).ok()?;
     let after = Verdict::of(&next, polytope);
-    let higher = next.at.cost > point.at.cost * (1.0 + ROUNDING);
+    let higher = next.at.cost > point.at.cost * (1.0 + RISE_BY_ROUNDING);
     (!higher && after.tangential < before.tangential).then_some((next, after))
 }

@@ -18,15 +18,12 @@ use crate::minimise::stop::Stop;
 use crate::minimise::system::System;
 use crate::options::{Options, Variant};
 use crate::report::Iteration;
+use crate::rules::{FLAT_STEPS, NEAR};
 use crate::search::{Damping, Lambda, Search, Trial};
 
 /// Cost relative to that of the start below which a slow run counts as one to zero: the residuals are below the rounding of
 /// those at the start.
 const NOTHING: f64 = 1e-32;
-
-/// Relative offset below which the cost no longer tells two points apart (it changes by the square
-/// of the offset) and the last steps are judged by the gradient instead.
-const NEAR: f64 = 1e-5;
 
 /// Steps taken after which a run counts as slow.
 const SLOW: usize = 30;
@@ -34,9 +31,6 @@ const SLOW: usize = 30;
 /// Second derivatives per step taken that whole Hessians may take: a tenth of a Jacobian each, they are less than half of what a slow
 /// run costs without.
 const LOOKS: usize = 4;
-
-/// Falls of the cost in a row, each below rounding, after which it counts as flat.
-const FLAT_STEPS: usize = 3;
 
 /// Called after every step tried.
 pub(crate) type Watch<'a> = &'a mut dyn FnMut(&Iteration, &[f64]) -> ControlFlow<()>;

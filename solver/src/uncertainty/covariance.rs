@@ -9,10 +9,8 @@ use serde::{Deserialize, Serialize};
 use crate::linear::singular;
 use crate::linear::vector::dot;
 use crate::minimise::scaling::unit_if_zero;
+use crate::rules::RANK_TOLERANCE;
 use crate::uncertainty::observability::{in_words, separate};
-
-/// Singular values below this fraction of the largest one count as zero.
-const RANK_TOLERANCE: f64 = 1e-10;
 
 /// Most columns for which rotating pairs of them is faster than a bidiagonalisation.
 const SMALL: usize = 16;

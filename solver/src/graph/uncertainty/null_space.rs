@@ -10,10 +10,8 @@ use crate::graph::elimination::equations::Equations;
 use crate::graph::elimination::structure::{NONE, Structure};
 use crate::graph::problem::{Block, Graph};
 use crate::linear::vector::{add_to, dot, norm};
+use crate::rules::RANK_TOLERANCE;
 use crate::uncertainty::observability::{in_words, separate};
-
-/// Singular values below this fraction of the largest one count as zero, as in the dense solver.
-const RANK_TOLERANCE: f64 = 1e-10;
 
 /// Damping of the factorisation by which directions are found, relative to columns of unit length.
 const DAMPING: f64 = 1e-13;
