@@ -46,6 +46,10 @@ pub struct Explained {
 type Step = fn(&mut Session<'_>, &mut Explained) -> Result<bool, Error>;
 
 /// The steps after the search, each with what those before it have left.
+///
+/// First what may stand in the place of all names: a shape, noise that flickers, a formula. Then the names that do not stand beside each other
+/// and beside what is left, the weakest evidence first. Then what the recordings say of the named: a latitude, late stamps, time constants. Last a
+/// formula for what nothing explains.
 const STEPS: [Step; 17] = [
     shape_for_the_whole,
     again_where_biases_flicker,

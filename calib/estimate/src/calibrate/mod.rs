@@ -6,6 +6,10 @@
 //!            ─ fit ──────► joint or stepwise, then the magnetometer; accelerometer alone where the turns do not suffice
 //!            ─ inputs ───► provenance and seal
 //! ```
+//!
+//! What is found on the way is a [`Finding`]: of the readings in `prepared`, of their cut in `cut` and `checks`, of the fit in `joint`, of what
+//! changes within a recording in `part_way` and `after_turns`. `explained` takes back what another finding explains, and
+//! [`findings::Verdict`] is the worst of those that stay.
 
 mod after_turns;
 mod assemble;

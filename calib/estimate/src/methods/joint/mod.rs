@@ -5,6 +5,10 @@
 //!                   chunks     chart, turn     restricted likelihood, score tests        covariance
 //! ```
 //!
+//! A fit begins at a sphere through the means (`start`), decides the clock (`clock`), and goes to the minimum under the noise of the rows (`approach`).
+//! Then noise and disturbances are judged there and the minimum is looked for again, until that bends no row (`run`); the last steps and the
+//! covariance are those of the graph solver (`finish`).
+//!
 //! Parameters: both models, a bias per recording, and as nuisance the direction (2) of every static
 //! interval. Rows: mean readings of chunks of rests against what the model predicts there, and the
 //! direction before each turn carried through it against the one after. Weights come from the
