@@ -229,7 +229,11 @@ impl Spec {
     /// that vibrates, a latitude.
     #[must_use]
     pub fn with_effect(mut self, name: &str, size: f64) -> Self {
-        let known = effect_named(name);
+        let of_text = || {
+            let mut own = self.definitions.iter();
+            own.find(|own| own.name == name)?.effect().ok()
+        };
+        let known = effect_named(name).or_else(of_text);
         let needs = known
             .as_ref()
             .map_or_else(Vec::new, |effect| effect.needs());
