@@ -3,7 +3,7 @@
 use findings::{Finding, Front, Kind};
 use std::sync::Arc;
 
-use calib::discover::{Discovery, EffectFinding, Verdict, discover as look, validate};
+use calib::discover::{EffectFinding, Verdict, discover as look, validate};
 use calib::document::to_json;
 use calib::limits::built_in;
 
@@ -24,9 +24,9 @@ const IGNORED: [&str; 9] = [
 
 /// Result of an effect search, with the content of `findings.json`.
 #[derive(Clone, Debug)]
-pub struct Findings(Arc<Discovery>);
+pub struct Discovery(Arc<calib::discover::Discovery>);
 
-impl Findings {
+impl Discovery {
     /// Returns the verdict: nothing missing, named effects, an unexplained disagreement, or both.
     ///
     /// # Examples
@@ -34,7 +34,7 @@ impl Findings {
     /// # let (t, accel, gyro, _) = stillpoint::example::session();
     /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, None)?;
     /// # let findings = stillpoint::discover(&[recording], &stillpoint::Request::default())?;
-    /// assert_eq!(findings.verdict(), stillpoint::Verdict::Nothing); // its device lacks nothing
+    /// assert_eq!(findings.verdict(), stillpoint::SearchVerdict::Nothing); // its device lacks nothing
     /// # Ok::<(), stillpoint::Error>(())
     /// ```
     pub fn verdict(&self) -> Verdict {
@@ -106,8 +106,8 @@ impl Findings {
     }
 }
 
-impl AsRef<Discovery> for Findings {
-    fn as_ref(&self) -> &Discovery {
+impl AsRef<calib::discover::Discovery> for Discovery {
+    fn as_ref(&self) -> &calib::discover::Discovery {
         &self.0
     }
 }
@@ -120,16 +120,16 @@ impl AsRef<Discovery> for Findings {
 ///
 /// # Examples
 /// ```
-/// use stillpoint::{Request, Verdict, discover, simulate};
+/// use stillpoint::{Request, SearchVerdict, discover, simulate};
 ///
 /// let spec = "seed = 3\nrate = 50.0\n[motion.hand_held]\nplacements = 16\n[effects.gyro_g_sensitivity]\nsize = 1.0\n";
 /// let recording = simulate(spec, None)?.recording;
 /// let findings = discover(&[recording], &Request { gravity: Some(9.80665), ..Request::default() })?;
-/// assert_eq!(findings.verdict(), Verdict::Named);
+/// assert_eq!(findings.verdict(), SearchVerdict::Named);
 /// assert_eq!(findings.effects()[0].name, "gyro_g_sensitivity");
 /// # Ok::<(), stillpoint::Error>(())
 /// ```
-pub fn discover(recordings: &[Recording], request: &Request) -> Result<Findings, Error> {
+pub fn discover(recordings: &[Recording], request: &Request) -> Result<Discovery, Error> {
     if recordings.is_empty() {
         return Err(Error::usage(Finding::of(Kind::RECORDINGS_MISSING)));
     }
@@ -154,7 +154,7 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Findings,
         calibration.state_limits(built_in(calibration));
         Ok(discovery)
     })?;
-    Ok(Findings(Arc::new(discovery)))
+    Ok(Discovery(Arc::new(discovery)))
 }
 
 /// Refuses a validation recording with the samples of one of `recordings`, whatever its stamps.

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! arrays · files ──► Recording ──► calibrate ──► Calibration ──► apply ──► Recording
-//! simulate ────────►           ├─► discover ──► Findings
+//! simulate ────────►           ├─► discover ──► Discovery
 //!                              └─► allan ──► Noise     evaluate ──► Evaluation
 //! samples as they come ──► guided::Session ──► Instruction
 //! ```
@@ -49,7 +49,7 @@ mod simulate;
 pub use allan::{Noise, allan};
 pub use calib::Evaluation;
 pub use calib::calibrate::{Frame, GyroBias, Outcome};
-pub use calib::discover::{EffectFinding, Verdict};
+pub use calib::discover::{EffectFinding, Verdict as SearchVerdict};
 pub use calib::intervals::DetectorOptions;
 pub use calib::methods::joint::ClockMode;
 pub use calib::recording::{
@@ -61,7 +61,7 @@ pub use calibrate::calibrate;
 pub use calibration::{Calibration, Parameter, apply, apply_watched};
 pub use catalogue::Catalogue;
 pub use corrector::Corrector;
-pub use discover::{Findings, discover};
+pub use discover::{Discovery, discover};
 pub use error::{Error, ErrorKind};
 pub use evaluate::evaluate;
 pub use recording::Recording;

@@ -21,7 +21,7 @@ pub fn calibration(py: Python<'_>, own: &stillpoint::Calibration) -> PyResult<Fi
 }
 
 /// Returns the figures of a discovery.
-pub fn findings(py: Python<'_>, own: &stillpoint::Findings) -> Figures {
+pub fn findings(py: Python<'_>, own: &stillpoint::Discovery) -> Figures {
     pairs(py.detach(|| of_discovery(own.as_ref())))
 }
 

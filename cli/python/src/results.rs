@@ -120,7 +120,7 @@ impl Corrector {
 /// Result of an effect search.
 #[pyclass(frozen, module = "stillpoint._native")]
 #[derive(Clone, Debug)]
-pub struct Findings(pub stillpoint::Findings);
+pub struct Findings(pub stillpoint::Discovery);
 
 #[pymethods]
 impl Findings {
