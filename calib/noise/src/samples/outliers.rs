@@ -3,33 +3,14 @@
 use std::collections::VecDeque;
 
 use nalgebra::Vector3;
-use recording::averages::median;
+use recording::readings::lone_sample::{self, AROUND, Resolution};
 
 findings::tuning! {
-    /// Samples on each side that show what is usual around one.
-    AROUND: usize = 50;
-    /// Fewest of them at the ends of a recording.
-    FEWEST_AROUND: usize = 20;
-
-    /// An outlier leaves its neighbours by so many standard deviations of the samples around it ...
-    BEYOND: f64 = 15.0;
-    /// ... which stay within so many themselves ...
-    QUIET: f64 = 8.0;
-    /// ... but for this share: where the device moves, nothing is an outlier ...
-    RESTLESS: f64 = 0.06;
-    /// ... and its neighbours differ by less than this share of it.
-    NEIGHBOURS: f64 = 0.25;
-
     /// Only a sample that leaves its neighbours by so many times the usual change is looked at closely.
     LOOK: f64 = 4.0;
     /// The usual change is that of so many samples.
     MEMORY: f64 = 64.0;
-}
 
-/// Standard deviation of a normal variable over its median absolute deviation.
-const MAD: f64 = 1.4826;
-
-findings::tuning! {
     /// Times that are kept.
     KEPT: usize = 4;
 }
@@ -77,18 +58,18 @@ pub(crate) struct WithoutOutliers {
 struct Usual {
     /// Mean change from sample to sample; none before the first is judged.
     change: Option<f64>,
-    /// Smallest change.
-    step: f64,
-    /// Smallest reading that is not zero: half the width of a dead zone, where there is one.
-    beside_zero: f64,
+    /// Smallest change and smallest reading.
+    resolution: Resolution,
 }
 
 impl Default for Usual {
     fn default() -> Self {
         Self {
             change: None,
-            step: f64::INFINITY,
-            beside_zero: f64::INFINITY,
+            resolution: Resolution {
+                step: f64::INFINITY,
+                beside_zero: f64::INFINITY,
+            },
         }
     }
 }
@@ -99,9 +80,10 @@ impl WithoutOutliers {
         let last = self.window.back().map(|(_, last)| *last);
         for (axis, usual) in self.usual.iter_mut().enumerate() {
             let least = |known: f64, size: f64| if size > 0.0 { known.min(size) } else { known };
-            usual.beside_zero = least(usual.beside_zero, value[axis].abs());
+            let known = &mut usual.resolution;
+            known.beside_zero = least(known.beside_zero, value[axis].abs());
             if let Some(last) = last {
-                usual.step = least(usual.step, (value[axis] - last[axis]).abs());
+                known.step = least(known.step, (value[axis] - last[axis]).abs());
             }
         }
         self.window.push_back((t, value));
@@ -165,39 +147,20 @@ impl WithoutOutliers {
         else {
             return 0.0;
         };
-        let (left, right) = (at - before, at - after);
-        let size = left.abs().min(right.abs());
-        let is_alone = left * right > 0.0 && (after - before).abs() < NEIGHBOURS.get() * size;
-        match is_alone && size > LOOK.get() * usual && self.stands_out(axis, k, size) {
+        let size = lone_sample::size([before, at, after]);
+        match size > LOOK.get() * usual && self.stands_out(axis, k, at, size) {
             true => size,
             false => 0.0,
         }
     }
 
-    /// Returns true if the samples around are quiet and a distance is far beyond theirs.
-    fn stands_out(&self, axis: usize, k: usize, size: f64) -> bool {
+    /// Returns true if a sample stands out from those around it.
+    fn stands_out(&self, axis: usize, k: usize, at: f64, size: f64) -> bool {
         let near = k.saturating_sub(1)..k + 2;
         let others = self.window.iter().enumerate();
         let others = others.filter(|(place, _)| !near.contains(place));
         let around: Vec<f64> = others.map(|(_, (_, value))| value[axis]).collect();
-        if around.len() < FEWEST_AROUND.get() {
-            return false;
-        }
-        let middle = median(around.iter().copied()).unwrap_or(0.0);
-        let away = around.iter().map(|v| (v - middle).abs());
-        let Usual {
-            step, beside_zero, ..
-        } = self.usual[axis];
-        // Readings of zero may be noise within a dead zone: from there to its edge and back is no outlier.
-        let in_dead_zone = around.contains(&0.0);
-        let least = if in_dead_zone {
-            step.max(beside_zero)
-        } else {
-            step
-        };
-        let spread = (MAD * median(away.clone()).unwrap_or(0.0)).max(least);
-        let restless = away.filter(|v| *v > QUIET.get() * spread).count();
-        size > BEYOND.get() * spread && restless as f64 <= RESTLESS.get() * around.len() as f64
+        lone_sample::stands_out(at, size, &around, &self.usual[axis].resolution)
     }
 }
 

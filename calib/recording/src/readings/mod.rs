@@ -8,6 +8,7 @@ mod clipping;
 mod dead_zone;
 mod excursion;
 mod level;
+pub mod lone_sample;
 mod motion;
 mod of_sensor;
 mod only_noise;

@@ -6,23 +6,14 @@ mod resolution;
 use nalgebra::Vector3;
 use sensor::Sensor;
 
-use self::resolution::{AROUND, MOST_MISSES, Resolution, Spike, resolution, usual_reach};
+use self::resolution::{MOST_MISSES, Spike, resolution, usual_reach};
+use super::lone_sample::{self, AROUND, FEWEST_AROUND, Resolution, is_far};
 use super::of_sensor::FIRST_ROW;
 use super::symptom::Symptom;
 use crate::averages::median;
 use crate::recording::{Recording, Stream};
 
 findings::tuning! {
-    /// Fewest of them at the ends of a recording.
-    FEWEST_AROUND: usize = 20;
-
-    /// A spike leaves its neighbours by so many standard deviations of the samples around it ...
-    BEYOND: f64 = 15.0;
-    /// ... which stay within so many themselves: where the device moves or is knocked, nothing is a spike ...
-    QUIET: f64 = 8.0;
-    /// ... and its neighbours differ by less than this share of it.
-    NEIGHBOURS: f64 = 0.25;
-
     /// Fewer spikes than this may be knocks, and are left, unless one is far the largest or nothing else in the recording shares it.
     FEWEST: usize = 5;
     /// One is far the largest by so many times everything else.
@@ -173,13 +164,7 @@ fn of_axis(
     (most, reach): (usize, f64),
     in_motion: bool,
 ) -> Vec<Spike> {
-    let size = |k: usize| {
-        let (before, at, after) = (values[k - 1][axis], values[k][axis], values[k + 1][axis]);
-        let (left, right) = (at - before, at - after);
-        let size = left.abs().min(right.abs());
-        let alone = left * right > 0.0 && (after - before).abs() < NEIGHBOURS.get() * size;
-        if alone { size } else { 0.0 }
-    };
+    let size = |k: usize| lone_sample::size([k - 1, k, k + 1].map(|k| values[k][axis]));
     if values.len() < 2 * FEWEST_AROUND.get() {
         return Vec::new();
     }
@@ -225,18 +210,7 @@ fn stands_out(
     let before = &values[k.saturating_sub(AROUND.get())..k.saturating_sub(1)];
     let after = &values[(k + 2).min(values.len())..(k + AROUND.get() + 1).min(values.len())];
     let around: Vec<f64> = before.iter().chain(after).map(|v| v[axis]).collect();
-    let Some(middle) = median(around.iter().copied()) else {
-        return false;
-    };
-    let off: Vec<f64> = around.iter().map(|v| (v - middle).abs()).collect();
-    // Readings of zero may be noise within a dead zone: from there to its edge and back is no spike.
-    let zeros = values[k][axis] == 0.0 || around.contains(&0.0);
-    let least = if zeros {
-        resolution.step.max(resolution.beside_zero)
-    } else {
-        resolution.step
-    };
-    is_far(size, &off, least)
+    lone_sample::stands_out(values[k][axis], size, &around, resolution)
 }
 
 /// Returns true if a reading is far from the mean of its neighbours, and those around it are not from that of theirs: a rate that
@@ -255,20 +229,6 @@ fn leaves_a_motion(
     let after = k + 2..(k + AROUND.get() + 1).min(values.len() - 1);
     let around: Vec<f64> = before.chain(after).map(off).collect();
     is_far(off(k), &around, resolution.step)
-}
-
-/// Returns true if a distance is far beyond those around it, which are quiet; none of them is told from less than `least`.
-fn is_far(distance: f64, around: &[f64], least: f64) -> bool {
-    if around.len() < FEWEST_AROUND.get() {
-        return false;
-    }
-    let Some(usual) = median(around.iter().copied()) else {
-        return false;
-    };
-    let spread = (usual / 0.6745).max(least);
-    // Other spikes nearby do not make a place restless.
-    let restless = around.iter().filter(|v| **v > QUIET.get() * spread).count();
-    distance > BEYOND.get() * spread && 50 * restless <= around.len() * 3
 }
 
 /// The largest size of a reading on any axis, but for those of the rows.

@@ -250,10 +250,9 @@ fn faults(integrity: &[Integrity]) -> Vec<String> {
     let of = |fault: &Integrity| {
         let k = whole.iter().position(|name| *name == fault.recording);
         let recording = k.map_or("", |k| called[k].as_str());
-        let kind = if fault.name == "outlying_turn" {
-            "turn"
-        } else {
-            "interval"
+        let kind = match fault.finding.place.turn {
+            Some(_) => "turn",
+            None => "interval",
         };
         match fault.interval {
             Some(k) => format!(

@@ -212,9 +212,9 @@ pub fn faults(findings: &Findings) -> Rows<4> {
             .iter()
             .any(|f| Some(&f.recording) != first);
     let rows = findings.integrity.iter().map(|fault| {
-        let kind = match &*fault.name {
-            "outlying_turn" => "turn ",
-            _ => "",
+        let kind = match fault.finding.place.turn {
+            Some(_) => "turn ",
+            None => "",
         };
         let interval = fault
             .interval

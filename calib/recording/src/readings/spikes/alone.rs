@@ -6,8 +6,9 @@
 use nalgebra::Vector3;
 use sensor::Sensor;
 
-use super::resolution::{AROUND, Resolution, Spike, resolution, usual_reach};
+use super::resolution::{Spike, resolution, usual_reach};
 use crate::averages::median;
+use crate::readings::lone_sample::{AROUND, Resolution};
 use crate::recording::Stream;
 
 /// Samples on each side in which a knock would ring on, or a motion go on: the size of a window.

@@ -4,12 +4,10 @@ use nalgebra::Vector3;
 use sensor::Sensor;
 
 use crate::order_statistic::nth_smallest;
+use crate::readings::lone_sample::Resolution;
 use crate::readings::of_sensor::{least_beside_zero, least_step};
 
 findings::tuning! {
-    /// Samples on each side that show what is usual around a reading.
-    pub(super) AROUND: usize = 50;
-
     /// Places looked at in vain before the smaller ones are left.
     pub(super) MOST_MISSES: usize = 60;
 }
@@ -34,14 +32,7 @@ pub(super) fn usual_reach(values: &[Vector3<f64>]) -> f64 {
     nth_smallest(values.iter().map(Vector3::amax), rank).unwrap_or(0.0)
 }
 
-/// The smallest changes that an axis can show.
-pub(super) struct Resolution {
-    /// The smallest step between neighbours.
-    pub(super) step: f64,
-    /// The smallest reading that is not zero: half the width of a dead zone, where there is one.
-    pub(super) beside_zero: f64,
-}
-
+/// The smallest changes that an axis of a sensor can show.
 pub(super) fn resolution(sensor: Sensor, values: &[Vector3<f64>], axis: usize) -> Resolution {
     Resolution {
         step: least_step(values, axis).unwrap_or(0.0),
