@@ -11,7 +11,7 @@
 
 use std::borrow::Borrow;
 
-use estimate::calibrate::own_effects;
+use estimate::calibrate::{count_scale_changes, own_effects};
 use estimate::methods::joint::SourceClock;
 use recording::{Error, Recording};
 
@@ -103,6 +103,7 @@ pub(super) fn discover_in(session: &mut Session<'_>) -> Result<Discovery, Error>
     let lasting = disturbed(&search.last, &faults, &search.either);
     faults.extend(lasting);
     faults.extend(late.apart);
+    count_scale_changes(&mut calibration, faults.iter().map(|own| &own.finding));
     faults.extend(undersampled(&search.last));
     let (proposed, with_formula) = explained.proposed.unzip();
     let found = Found {

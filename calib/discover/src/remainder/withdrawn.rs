@@ -82,10 +82,15 @@ pub(crate) fn without_undetermined(
     session: &Session<'_>,
     search: &mut Search,
 ) -> Result<bool, Error> {
-    // Of a device that turns while it should rest that motion is in the fit that its calibration is written of.
-    let fit = match session.remarks.has(Kind::RESTS_TURN) {
-        true => Arc::new(search.last.fitted_in_full(session)?),
-        false => Arc::clone(&search.last.fit),
+    // Of a device that turns while it should rest that motion is in the fit that its calibration is written of, and in no fit of the search: a
+    // name has to be evident there, among all that might have been named.
+    let tried = session.candidates.len().max(1) as f64;
+    let (fit, level) = match session.remarks.has(Kind::RESTS_TURN) {
+        true => {
+            let fit = Arc::new(search.last.fitted_in_full(session)?);
+            (fit, -session.request.threshold() - tried.ln())
+        }
+        false => (Arc::clone(&search.last.fit), BY_CHANCE.get().ln()),
     };
     let known = fit.shared_uncertainty();
     let values = &fit.parameters;
@@ -105,9 +110,9 @@ pub(crate) fn without_undetermined(
         let n = places.len();
         let covariance = DMatrix::from_fn(n, n, |i, k| known.covariance[places[i].0][places[k].0]);
         let beta = DVector::from_fn(n, |i, _| places[i].1);
-        covariance.cholesky().is_some_and(|factor| {
-            log_tail(beta.dot(&factor.solve(&beta)), n as f64) > BY_CHANCE.get().ln()
-        })
+        covariance
+            .cholesky()
+            .is_some_and(|factor| log_tail(beta.dot(&factor.solve(&beta)), n as f64) > level)
     };
     search.withdraw_where(session, |name| {
         name.claim.effect().is_some_and(by_chance_alone)

@@ -14,7 +14,7 @@ use super::request::{Method, Request};
 use super::scalar::with_scalars;
 use super::stepwise::stepwise;
 use super::unusable_turns::TurnCount;
-use super::{changes_part_way, checks, joint};
+use super::{changes_part_way, checks, count_scale_changes, joint};
 use crate::methods::Choice;
 
 /// Inputs of a fit.
@@ -76,6 +76,10 @@ impl Fit<'_> {
         outcome.calibration.warnings.extend(warnings);
         withdraw_explained(&mut outcome.calibration.warnings);
         count_motion(&mut outcome.calibration);
+        if outcome.joint.is_some() {
+            let said: Vec<Finding> = outcome.calibration.warnings.iter().cloned().collect();
+            count_scale_changes(&mut outcome.calibration, &said);
+        }
         outcome
     }
 

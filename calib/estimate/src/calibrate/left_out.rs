@@ -1,26 +1,39 @@
 //! Effects that a model leaves out; the standard errors assume that the sensors have none of them.
 
 use faer::Mat;
+use findings::Kind;
 use nalgebra::{DMatrix, Vector3};
 use sensor::{EffectRef, Kinematics, Model, Quantity, Role, Sensor};
 use solver::Problem;
 
 use super::static_norm::StaticNorms;
 use crate::calibration::{LeftOut, catalogue};
-use crate::methods::joint::{JointFit, effect_slopes};
+use crate::methods::joint::{ErrorLeftOut, JointFit, effect_slopes};
 use crate::methods::left_out::{squares_added, squares_added_beside};
 use crate::methods::{AccelerometerFit, Fitted};
 use crate::residuals::{GravityNorm, StaticMean};
 use crate::truth::supposed;
 
 /// The effects that a joint fit leaves out: all of the catalogue that are functions of what their sensor measures, whatever
-/// else happens.
-pub(super) fn left_out(fit: &JointFit, fitted: &Fitted) -> Vec<LeftOut> {
+/// else happens, and errors `after_turns` of the accelerometer, together.
+pub(super) fn left_out(
+    fit: &JointFit,
+    fitted: &Fitted,
+    after_turns: &[ErrorLeftOut],
+) -> Vec<LeftOut> {
+    let rows = fit.left_out_rows();
     let effects: Vec<EffectRef> = candidates(&fit.models).collect();
-    let added = fit.squares_added_by(&effects);
-    let each = effects.into_iter().zip(added);
-    each.filter_map(|(effect, added)| of_joint(fit, fitted, &effect, added?))
-        .collect()
+    let added = rows.squares_added_by(&effects);
+    let each = effects.iter().zip(added);
+    let each = each.filter_map(|(effect, added)| {
+        of_joint(fit, fitted, (effect.name(), effect.sensor()), added?)
+    });
+    let name = Kind::SETTLES_AFTER_TURNS.name();
+    let slow = (!after_turns.is_empty())
+        .then(|| rows.squares_added_by_errors(after_turns))
+        .flatten()
+        .and_then(|added| of_joint(fit, fitted, (name, Sensor::Accelerometer), added));
+    each.chain(slow).collect()
 }
 
 /// The same of the accelerometer's fit to the norm of specific force, where one bias holds for all recordings.
@@ -34,7 +47,8 @@ pub(super) fn left_out_by_norms(fit: &AccelerometerFit, norms: &StaticNorms) -> 
     let of = |effect: EffectRef| {
         let columns = columns_of_norms(norms, &effect);
         let added = squares_added(&parameters, &columns, &residuals, |k| effect.typical_of(k))?;
-        worst(&effect, &fit.fitted, fit.fitted.free.iter().zip(added))
+        let own = (effect.name(), effect.sensor());
+        worst(own, &fit.fitted, fit.fitted.free.iter().zip(added))
     };
     candidates(std::slice::from_ref(&fit.model))
         .filter(|effect| effect.sensor() == Sensor::Accelerometer)
@@ -56,7 +70,8 @@ pub(super) fn left_out_of_magnetometer(
         let sizes: Vec<f64> = sizes.collect();
         let sizes = in_unit(&effect, sizes, microtesla);
         let added = squares_added_beside(&values, &covariance, &sizes)?;
-        worst(&effect, fitted, fitted.free.iter().zip(added))
+        let own = (effect.name(), effect.sensor());
+        worst(own, fitted, fitted.free.iter().zip(added))
     };
     candidates(std::slice::from_ref(model))
         .filter(|effect| effect.sensor() == Sensor::Magnetometer)
@@ -90,19 +105,19 @@ fn candidates(models: &[Model]) -> impl Iterator<Item = EffectRef> + use<'_> {
     })
 }
 
-/// The parameter of an effect's sensor that is most off; `added` are mean squares in the unit of the parameters.
+/// The parameter of the sensor that the effect of that name puts most off; `added` are mean squares in the unit of the parameters.
 fn worst<'a>(
-    effect: &EffectRef,
+    (effect, sensor): (&str, Sensor),
     fitted: &Fitted,
     added: impl Iterator<Item = (&'a String, f64)>,
 ) -> Option<LeftOut> {
-    let prefix = format!("{}.", effect.sensor().prefix());
+    let prefix = format!("{}.", sensor.prefix());
     let own = added.filter(|(name, _)| name.starts_with(&prefix) && !name.contains('['));
     let ratio = |(name, added): &(&String, f64)| Some(added.sqrt() / fitted.standard_error(name)?);
     let each = own.filter_map(|own| Some((own, ratio(&own)?)));
     let ((name, added), _) = each.max_by(|a, b| a.1.total_cmp(&b.1))?;
     Some(LeftOut {
-        effect: effect.name().into(),
+        effect: effect.into(),
         parameter: name.clone(),
         std_added: added.sqrt(),
     })
@@ -112,7 +127,7 @@ fn worst<'a>(
 fn of_joint(
     fit: &JointFit,
     fitted: &Fitted,
-    effect: &EffectRef,
+    effect: (&str, Sensor),
     added: Vec<f64>,
 ) -> Option<LeftOut> {
     let shared = fit.free.iter().copied().filter(|&k| k < fit.shared);

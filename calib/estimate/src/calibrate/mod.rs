@@ -45,7 +45,7 @@ pub use explained::{is_read_otherwise, withdraw_explained};
 pub use joint::{Account, LatitudeDoubt, is_determined, refuse_unobservable, written_down};
 pub use magnetic::{FIELDS, beside_the_others};
 pub use outcome::Outcome;
-pub use part_way::changes_part_way;
+pub use part_way::{changes_part_way, count_scale_changes};
 pub use prepared::Prepared;
 pub use prepared::clocks::late_clock;
 pub use recording::read_static_means;

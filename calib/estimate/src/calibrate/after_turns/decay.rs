@@ -4,8 +4,8 @@ use nalgebra::Vector3;
 use recording::intervals::Span;
 
 use super::hypothesis::{Hypothesis, Whose};
-use super::rested::{Rested, changes};
-use super::tested::Tested;
+use super::rested::{AtFirst, Rested, changes};
+use super::tested::{Factor, Tested};
 use super::way::Way;
 use crate::methods::joint::Evidence;
 
@@ -43,10 +43,14 @@ impl Decay {
     }
 }
 
-/// The factor of an error that one interval shows, and its weight; `None` where the error would be nothing there.
-fn factor((error, weight): &(Vector3<f64>, f64), along: Vector3<f64>) -> Option<(f64, f64)> {
+/// The factor of an error that one interval shows; `None` where the error would be nothing there.
+fn factor(rest: &Rested<'_>, own: &AtFirst, along: Vector3<f64>) -> Option<Factor> {
     let square = along.norm_squared();
-    (weight * square > 0.0).then(|| (along.dot(error) / square, weight * square))
+    (own.weight * square > 0.0).then(|| Factor {
+        value: along.dot(&own.error) / square,
+        weight: own.weight * square,
+        by_drift: along.component_mul(&rest.drift_std) * (own.by_drift / square),
+    })
 }
 
 /// All errors that fade with one time constant.
@@ -70,7 +74,8 @@ impl Tried {
             for axis in (0..3).map(Some).chain(alike) {
                 let factors = seen.iter().filter_map(|(own, change, at_first)| {
                     let along = way.of(&own.force, change);
-                    factor(at_first, axis.map_or(along, |k| Vector3::ith(k, along[k])))
+                    let along = axis.map_or(along, |k| Vector3::ith(k, along[k]));
+                    factor(own, at_first, along)
                 });
                 tested.extend(Tested::of(way, axis, &factors.collect::<Vec<_>>()));
             }
@@ -152,6 +157,17 @@ impl<'a> Trials<'a> {
         self.all.iter().flat_map(of).collect()
     }
 
+    /// The slowest errors of each axis that come again after every turn, a factor of one each.
+    pub fn slowest_alike(&self) -> Vec<(Decay, &Tested)> {
+        let slowest = self.all.last().into_iter();
+        let alike = slowest.flat_map(|tried| {
+            let own = tried.tested.iter();
+            let own = own.filter(|own| own.axis.is_some() && own.way.comes_again());
+            own.map(|own| (tried.of_one(self.rests, own), own))
+        });
+        alike.collect()
+    }
+
     /// The trials with what the means say of those, in their order.
     pub fn with_means(&self, evidence: &[Evidence]) -> Self {
         let mut evidence = evidence.iter().copied();
@@ -215,6 +231,7 @@ mod tests {
             turned: 0.0,
             force: 9.8 * Vector3::z(),
             drift: Vector3::zeros(),
+            drift_std: Vector3::zeros(),
             follows_turn,
             is_sound: true,
         }

@@ -96,11 +96,20 @@ impl Hypothesis {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::calibrate::after_turns::tested::Factor;
     use crate::methods::joint::Evidence;
+
+    fn one(value: f64) -> Factor {
+        Factor {
+            value,
+            weight: 1.0,
+            ..Factor::default()
+        }
+    }
 
     /// Twelve intervals that say `factor`, more or less, and means that say one half, much more sharply.
     fn of_all(way: Way, factor: f64) -> Hypothesis {
-        let factors = (0..12).map(|k| (factor + 0.5 * f64::from(k % 3 - 1), 1.0));
+        let factors = (0..12).map(|k| one(factor + 0.5 * f64::from(k % 3 - 1)));
         let own = Tested::of(way, None, &factors.collect::<Vec<_>>()).unwrap();
         let square = 1e4;
         let own = own.with(Evidence {
@@ -121,7 +130,7 @@ mod tests {
     #[test]
     fn three_axes_that_say_a_little_say_enough_together() {
         let factors: Vec<_> = (0..12)
-            .map(|k| (0.5 + 0.5 * f64::from(k % 3 - 1), 1.0))
+            .map(|k| one(0.5 + 0.5 * f64::from(k % 3 - 1)))
             .collect();
         let axes = [0, 1, 2].map(|axis| Tested::of(Way::Turn, Some(axis), &factors).unwrap());
         let all = Hypothesis::all(&axes);

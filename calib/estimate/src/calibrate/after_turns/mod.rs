@@ -2,6 +2,7 @@
 
 mod decay;
 mod hypothesis;
+mod not_excluded;
 mod rested;
 mod tested;
 mod way;
@@ -12,8 +13,10 @@ use nalgebra::{DVector, Vector3};
 use recording::Recording;
 use sensor::{Quantity, Sensor};
 
-use self::decay::{Decay, Trials};
-use self::rested::Rested;
+use self::decay::Decay;
+pub use self::decay::Trials;
+pub use self::not_excluded::not_excluded;
+pub use self::rested::Rested;
 use crate::calibration::Calibration;
 use crate::methods::joint::{BiasMotion, JointFit, MeanSensitivity};
 
@@ -33,22 +36,15 @@ pub struct AfterTurns {
 }
 
 impl AfterTurns {
-    /// Looks for readings that settle; `None` where they do not, where it does not matter, or where the model has that error.
+    /// Looks for readings that settle; `None` where they do not, or where it does not matter.
     pub fn of(
         fit: &JointFit,
         recordings: &[&Recording],
-        motions: &[Option<BiasMotion>],
+        within: &Trials<'_>,
         calibration: &Calibration,
     ) -> Option<Self> {
-        let mut effects = fit.models[0].effects().iter();
-        if effects.any(|effect| effect.needs().contains(&Quantity::SinceTurn)) {
-            return None;
-        }
-        let rests = 0..fit.data.rests.len();
-        let rests = rests.map(|k| rested(fit, recordings, motions, k));
-        let rests: Vec<Rested<'_>> = rests.collect::<Option<_>>()?;
         let means = fit.sensitivities().means;
-        let (decay, is_what_lacks) = decay_of(fit, &means, recordings, &Trials::within(&rests)?)?;
+        let (decay, is_what_lacks) = decay_of(fit, &means, recordings, within)?;
         let column = column_of(fit, &means, &decay);
         let off = fit.moved_by(&column);
         let matters = off.iter().any(|(name, off)| {
@@ -78,8 +74,25 @@ impl AfterTurns {
         if self.is_what_lacks {
             warnings.retain(|found| found.kind != Kind::EFFECT_MISSING || is_gyroscope(found));
         }
+        // What is counted is not left out.
+        let name = self.finding.kind.name();
+        calibration.left_out.retain(|own| own.effect != name);
         warnings.push(self.finding);
     }
+}
+
+/// The readings in all static intervals; `None` where the model has an error after turns, or without an accelerometer.
+pub fn rested_of<'a>(
+    fit: &JointFit,
+    recordings: &[&'a Recording],
+    motions: &[Option<BiasMotion>],
+) -> Option<Vec<Rested<'a>>> {
+    let mut effects = fit.models[0].effects().iter();
+    if effects.any(|effect| effect.needs().contains(&Quantity::SinceTurn)) {
+        return None;
+    }
+    let rests = 0..fit.data.rests.len();
+    rests.map(|k| rested(fit, recordings, motions, k)).collect()
 }
 
 /// The decay that the readings within the static intervals show, alone or with the means of the intervals, and whether it explains these best;
@@ -133,7 +146,8 @@ fn rested<'a>(
     let is_first = k == 0 || rests[k - 1].recording != rest.recording;
     let stream = recordings.get(rest.recording)?.accelerometer.as_ref()?;
     let moved = motions.get(rest.recording).copied().flatten();
-    let moved = moved.map(|own| own.change / own.span.length());
+    let per_second = |own: BiasMotion| [own.change, own.std].map(|v| v / own.span.length());
+    let [moved, moved_std] = moved.map(per_second).unwrap_or_default();
     let chunks = &fit.data.chunks[rest.chunks.clone()];
     let rows = fit.plain_rows();
     let x = &fit.parameters.values()[..rows.layout.disturbance(0)];
@@ -149,7 +163,8 @@ fn rested<'a>(
         unit: fit.force_unit.scale,
         turned: rest.turned,
         force: fit.data.mean_force(rest)?,
-        drift: modelled + moved.unwrap_or_default(),
+        drift: modelled + moved,
+        drift_std: moved_std,
         follows_turn: !is_first,
         is_sound: !disturbed,
     })

@@ -21,10 +21,22 @@ pub struct Rested<'a> {
     pub force: Vector3<f64>,
     /// Slope by what is known otherwise, m/s³.
     pub drift: Vector3<f64>,
+    /// Its standard error, m/s³.
+    pub drift_std: Vector3<f64>,
     /// False of the first of a recording: before it is no turn.
     pub follows_turn: bool,
     /// False of one that was disturbed.
     pub is_sound: bool,
+}
+
+/// The error right after a turn, by the readings of one interval.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct AtFirst {
+    pub error: Vector3<f64>,
+    /// The error has the variance of a reading over this.
+    pub weight: f64,
+    /// What a slope of the readings adds to the error, s.
+    pub by_drift: f64,
 }
 
 impl Rested<'_> {
@@ -33,24 +45,29 @@ impl Rested<'_> {
         self.is_sound && self.follows_turn
     }
 
-    /// The error right after the turn by the readings of this interval alone, where it fades with `tau`, and its weight: the error has the
-    /// variance of a reading over that. The mean of the interval has no part in it, and so has no parameter of a calibration.
-    pub fn at_first(&self, tau: f64) -> (Vector3<f64>, f64) {
+    /// The error right after the turn by the readings of this interval alone, where it fades with `tau`. The mean of the interval has no part in
+    /// it, and so has no parameter of a calibration.
+    pub fn at_first(&self, tau: f64) -> AtFirst {
         let settled = self.turned + FILTERED.get();
         let from = self.t.partition_point(|t| *t < settled);
         let own = self.t[from..].iter().zip(&self.values[from..]);
         let count = (self.t.len() - from).max(1) as f64;
         let left = |t: f64| (-(t - self.turned) / tau).exp();
         let mean = self.t[from..].iter().map(|t| left(*t)).sum::<f64>() / count;
-        let (mut moment, mut weight) = (Vector3::zeros(), 0.0);
+        let (mut moment, mut weight, mut lever) = (Vector3::zeros(), 0.0, 0.0);
         for (t, value) in own {
             let by = left(*t) - mean;
-            moment += (value * self.unit - self.drift * (t - settled)) * by;
+            moment += value * by;
             weight += by * by;
+            lever += (t - settled) * by;
         }
         match weight > 0.0 {
-            true => (moment / weight, weight),
-            false => (Vector3::zeros(), 0.0),
+            true => AtFirst {
+                error: (moment * self.unit - self.drift * lever) / weight,
+                weight,
+                by_drift: lever / weight,
+            },
+            false => AtFirst::default(),
         }
     }
 }
@@ -86,6 +103,7 @@ mod tests {
             turned,
             force: Vector3::new(x, 0.0, 0.0),
             drift: Vector3::zeros(),
+            drift_std: Vector3::zeros(),
             follows_turn: true,
             is_sound: true,
         };

@@ -1,5 +1,7 @@
 //! One error that fades, tested by readings within static intervals and by their means.
 
+use nalgebra::Vector3;
+
 use super::way::Way;
 use crate::methods::joint::Evidence;
 use crate::methods::small_sample::normal_score;
@@ -7,6 +9,15 @@ use crate::methods::small_sample::normal_score;
 findings::tuning! {
     /// Readings and means that differ by more standard errors than this speak of two errors.
     APART: f64 = 3.0;
+}
+
+/// A factor of an error by the readings within one interval.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Factor {
+    pub value: f64,
+    pub weight: f64,
+    /// How far a standard error of the slope of each axis would put it off, which is that of all intervals.
+    pub by_drift: Vector3<f64>,
 }
 
 /// A factor of an error, tested.
@@ -25,14 +36,22 @@ pub struct Tested {
 }
 
 impl Tested {
-    /// The weighted mean of the factors `(factor, weight)` by the intervals, against their own scatter (Student 1908): whatever the noise is
-    /// within an interval, that of others is independent.
-    pub fn of(way: Way, axis: Option<usize>, factors: &[(f64, f64)]) -> Option<Self> {
+    /// The weighted mean of the factors by the intervals, against their own scatter (Student 1908): whatever the noise is within an interval,
+    /// that of others is independent. A slope of all readings that is not known well puts all off alike.
+    pub fn of(way: Way, axis: Option<usize>, factors: &[Factor]) -> Option<Self> {
         let spare = factors.len().checked_sub(1)? as f64;
-        let weight: f64 = factors.iter().map(|(_, w)| w).sum();
-        let factor = factors.iter().map(|(f, w)| f * w).sum::<f64>() / weight;
-        let scatter = factors.iter().map(|(f, w)| w * (f - factor).powi(2));
-        let variance = scatter.sum::<f64>() / spare / weight;
+        let weight: f64 = factors.iter().map(|own| own.weight).sum();
+        let factor = factors
+            .iter()
+            .map(|own| own.value * own.weight)
+            .sum::<f64>()
+            / weight;
+        let scatter = factors
+            .iter()
+            .map(|own| own.weight * (own.value - factor).powi(2));
+        let drift: Vector3<f64> = factors.iter().map(|own| own.by_drift * own.weight).sum();
+        let drift = (drift / weight).norm_squared();
+        let variance = scatter.sum::<f64>() / spare / weight + drift;
         (factor * factor / variance).is_finite().then(|| Self {
             way,
             axis,
@@ -51,6 +70,11 @@ impl Tested {
             Way::Force => self.axis.is_none(),
             Way::Turn => false,
         }
+    }
+
+    /// The factor by the readings within intervals, and its variance.
+    pub fn within(&self) -> (f64, f64) {
+        (self.factor, self.variance)
     }
 
     /// The same error with what the means of the intervals say of it.
@@ -111,9 +135,28 @@ impl Tested {
 mod tests {
     use super::*;
 
+    /// A factor that an error of the slope of x puts off.
+    fn of(value: f64, by_drift: f64) -> Factor {
+        Factor {
+            value,
+            weight: 1.0,
+            by_drift: by_drift * Vector3::x(),
+        }
+    }
+
+    #[test]
+    fn intervals_that_agree_tell_nothing_that_a_slope_may_make() {
+        let score = |by_drift: f64| {
+            let factors = (0..12).map(|k| of(0.5 + 0.01 * f64::from(k % 3), by_drift));
+            let own = Tested::of(Way::Turn, Some(0), &factors.collect::<Vec<_>>());
+            own.unwrap().score_within()
+        };
+        assert!(score(0.0) > 5.0 && score(0.5).abs() < 1.1);
+    }
+
     /// Twelve intervals of which each says one half, more or less; the means say `factor`, as sharply as all of them.
     fn tested(factor: f64) -> Tested {
-        let factors: Vec<_> = (0..12).map(|k| (f64::from(k % 3) * 0.5, 1.0)).collect();
+        let factors: Vec<_> = (0..12).map(|k| of(f64::from(k % 3) * 0.5, 0.0)).collect();
         let own = Tested::of(Way::Change, None, &factors).unwrap();
         let square = 2.0 / own.variance;
         own.with(Evidence {

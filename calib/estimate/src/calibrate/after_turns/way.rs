@@ -25,6 +25,11 @@ impl Way {
         }
     }
 
+    /// Returns true if it comes again after every turn, whatever the force was before.
+    pub fn comes_again(self) -> bool {
+        self != Self::Change
+    }
+
     /// Returns true if all axes may have one factor: no two axes have one bias.
     pub fn may_be_alike(self) -> bool {
         self != Self::Turn

@@ -6,6 +6,7 @@ use recording::Error;
 use sensor::Sensor;
 
 use crate::calibrate::checks;
+use crate::calibrate::unusable_turns::TurnCount;
 use crate::methods::Fitted;
 use crate::methods::joint::{JointFit, Rest};
 
@@ -22,9 +23,22 @@ pub fn refuse_unobservable(fit: &JointFit) -> Result<(), Error> {
     }
     let rate = fit.has_gyroscope().then(|| fit.fitted(Sensor::Gyroscope));
     if let Some(rate) = rate.filter(is_open) {
-        check_rate(fit, &rate, unsaid)?;
+        check_rate(fit, &rate, unsaid).map_err(|error| for_lost_turns(fit, error))?;
     }
     Ok(())
+}
+
+/// The refusal of a gyroscope, for the turns that cannot be used where there are any.
+fn for_lost_turns(fit: &JointFit, refused: Error) -> Error {
+    let lost = &fit.data.lost;
+    let count = fit.data.turns.len() + lost.len();
+    match refused {
+        Error::NotEnough(refused) if !lost.is_empty() => {
+            let count = TurnCount::of(count, lost.iter().map(|turn| &turn.fault));
+            Error::not_enough(count.finding().because(*refused))
+        }
+        other => other,
+    }
 }
 
 /// Returns true if the data determine the parameters of a fit.

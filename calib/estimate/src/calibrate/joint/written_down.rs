@@ -11,7 +11,7 @@ use super::doubts::{disturbances, influences, placements_apart};
 use super::latitude::LatitudeDoubt;
 use super::misfits::say_misfits;
 use super::triads::{force_triad, rate_triad};
-use crate::calibrate::after_turns::AfterTurns;
+use crate::calibrate::after_turns::{AfterTurns, Trials, not_excluded, rested_of};
 use crate::calibrate::assemble::effect_values;
 use crate::calibrate::checks;
 use crate::calibrate::left_out::left_out;
@@ -140,6 +140,11 @@ pub fn written_down(
         .chain(of_turns.into_iter().flatten())
         .filter(|effect| !of_the_earth(&effect.name))
         .collect();
+    // What settles where the device turned at rest is its support.
+    let rests = (!warnings.has(Kind::RESTS_TURN)).then(|| rested_of(fit, recordings, &motions[0]));
+    let settling = rests.flatten();
+    let settling = settling.as_deref().and_then(Trials::within);
+    let slow = settling.as_ref().map(|own| not_excluded(fit, own));
     let chi2 = |channel: Channel| {
         let own = remainders.iter().find(|r| r.channel == channel);
         own.map(|r| r.reduced_chi2)
@@ -155,7 +160,7 @@ pub fn written_down(
         }),
         not_calibrated,
         effects,
-        left_out: left_out(fit, &all),
+        left_out: left_out(fit, &all, &slow.unwrap_or_default()),
         parameters: all.free,
         covariance: all.covariance,
         misfit: remainders,
@@ -163,10 +168,8 @@ pub fn written_down(
         failed_gates,
         ..Calibration::by("joint", account.gravity, account.gravity_source)
     };
-    // What settles where the device turned at rest is its support.
-    let settles = (!warnings.has(Kind::RESTS_TURN))
-        .then(|| AfterTurns::of(fit, recordings, &motions[0], &calibration));
-    if let Some(settles) = settles.flatten() {
+    let settles = settling.and_then(|own| AfterTurns::of(fit, recordings, &own, &calibration));
+    if let Some(settles) = settles {
         settles.count(&mut calibration, warnings);
     }
     count_from_the_earliest(&mut calibration);

@@ -9,6 +9,7 @@
 //! thousand, over all hypotheses. The base is fitted here and not taken over, so that it holds for every method.
 
 mod change;
+mod counted;
 mod force;
 mod hypothesis;
 mod mirrored;
@@ -21,6 +22,7 @@ mod turns;
 mod weigh;
 mod whole;
 
+pub use counted::count_scale_changes;
 pub(super) use whole::gyroscope_by_turns;
 
 use change::{Change, Kind, Place};

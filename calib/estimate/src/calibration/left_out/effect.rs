@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 /// usual in consumer-grade sensors and as far as the recording does not show otherwise, errors are larger.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LeftOut {
-    /// Name of the effect in the catalogue.
+    /// Name of the effect in the catalogue, or of the finding that says so where it shows.
     pub effect: String,
     /// Name of the parameter.
     pub parameter: String,

@@ -2,6 +2,7 @@
 
 pub(crate) mod belief;
 pub(crate) mod broken;
+pub(crate) mod gross;
 pub(crate) mod judgement;
 pub(crate) mod shake;
 pub(crate) mod trial;

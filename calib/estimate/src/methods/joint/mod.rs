@@ -69,6 +69,7 @@ pub use request::{JointRequest, Known};
 pub use result::apart::{Apart, PartChange, Portion};
 pub use result::channel::Channel;
 pub use result::influence::Influence;
+pub use result::left_out::ErrorLeftOut;
 pub use result::marginal::{columns, orthonormal, without};
 pub use result::misfit::ChannelMisfit;
 pub use result::missing::{Evidence, Missing};

@@ -3,6 +3,7 @@
 use sensor::Sensor;
 
 use super::belief::Weights;
+use super::gross::bends;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::data::MOST_DISTURBED;
 use crate::methods::joint::faults::{Site, Suspect, shaken, suspects, suspects_beside_biases};
@@ -180,8 +181,14 @@ impl Run<'_> {
             // One rest or two that are far off pull on all of the others where these are few.
             let trial = analysis.trial(&candidates, &columns, &[]);
             let few = trial.flag(&given, given.len() + FEW.get());
+            // At the first look the fit may be bent by more of them: it is judged again without these.
+            let bends = || match before.is_empty() {
+                true => bends(at, analysis, (&candidates, &trial), &given, most),
+                false => None,
+            };
             found = few
                 .filter(|few| !analysis.is_missed(rows, &all(few)))
+                .or_else(bends)
                 .unwrap_or(found);
         }
         let patterns = at.allow_patterns(&all(&found), analysis, shown);

@@ -89,22 +89,25 @@ impl<'a> Trial<'a> {
     /// those already `flagged`; `None` where there are more than `most` (places among the suspects).
     pub fn flag(&self, flagged: &[usize], most: usize) -> Option<Vec<usize>> {
         let mut found = flagged.to_vec();
-        let level = self.level();
         loop {
-            let worst = self
-                .verdicts(&found, 0..self.suspects.len())
-                .into_iter()
-                .filter(|v| !found.contains(&v.suspect) && v.p_value < level)
-                .min_by(|a, b| {
-                    let by_p = a.p_value.total_cmp(&b.p_value);
-                    by_p.then(b.statistic.total_cmp(&a.statistic))
-                });
-            match worst {
+            match self.worst(&found) {
                 None => return Some(found),
                 Some(_) if found.len() >= most => return None,
-                Some(verdict) => found.push(verdict.suspect),
+                Some(worst) => found.push(worst),
             }
         }
+    }
+
+    /// The one that chance explains least, given those already `flagged`; `None` where it explains all others.
+    pub fn worst(&self, flagged: &[usize]) -> Option<usize> {
+        let level = self.level();
+        let all = self.verdicts(flagged, 0..self.suspects.len()).into_iter();
+        let others = all.filter(|v| !flagged.contains(&v.suspect) && v.p_value < level);
+        let worst = others.min_by(|a, b| {
+            let by_p = a.p_value.total_cmp(&b.p_value);
+            by_p.then(b.statistic.total_cmp(&a.statistic))
+        });
+        worst.map(|verdict| verdict.suspect)
     }
 
     /// Those of the doubtful among the flagged whose own test, given the others, chance does not

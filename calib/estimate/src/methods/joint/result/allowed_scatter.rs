@@ -69,6 +69,13 @@ impl Analysis {
         own.fold(self.with(known), |taken, own| taken.beside(own))
     }
 
+    /// The sum of squares that the turns are missed by beside disturbances.
+    pub fn left_in_turns(&self, rows: &Rows<'_>, known: &[&Suspect]) -> f64 {
+        let left = RowResiduals::of(&self.taken(known), &self.residuals);
+        let turns = rows.first_turn_row()..rows.count();
+        turns.map(|row| left.square(row)).sum()
+    }
+
     /// Adds scatter of the turns to what the noise may have.
     pub fn allow_scatter_of_turns(&mut self, rows: &Rows<'_>) {
         let is_known = |c: &Component| c.kind == ComponentKind::TurnScatter;
