@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use calib::Evaluation;
 use serde_json::json;
 
-use self::compared::{Calibrations, Compared, Gravities, JudgedLimits, compared};
+use self::compared::{Asked, Calibrations, Compared, Gravities, JudgedLimits, compared};
 use crate::commands::calibrate::limits::{self, LimitArgs};
 use crate::commands::shared::first_screen::{Screen, Step};
 use crate::commands::shared::inputs::{DetectorArgs, DeviceArgs, check_gravity};
@@ -75,7 +75,13 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         .pictures
         .claim(&evaluation::PLOTS, args.replace, &inputs)?;
     args.replace.end_if_all_exist()?;
-    let found = compared(args, &calibrations, &gravities)?;
+    let asked = Asked {
+        recording: &args.recording,
+        detector: &args.detector,
+        device: args.device,
+        read: &args.read,
+    };
+    let found = compared(&asked, &calibrations, &gravities)?;
     let judged = found.judged_by(limits.as_ref(), &calibrations.all);
     let (level, sentence, next) = found.verdict(&calibrations.all, &judged);
     let next = steps(args, &calibrations.files, &next);

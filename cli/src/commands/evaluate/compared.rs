@@ -11,11 +11,13 @@ use calib::readings::{symptoms, without_spikes};
 use calib::recording::figure;
 use calib::{Calibration, Evaluation, Recording, evaluate};
 
-use super::Args;
 use crate::commands::calibrate::limits;
-use crate::commands::shared::inputs::{gates_of, load, named_file, read_for, spinner};
+use crate::commands::shared::inputs::{
+    DetectorArgs, DeviceArgs, gates_of, load, named_file, read_for, spinner,
+};
 use crate::exit::Failure;
 use crate::pages::evaluation::{self, Next};
+use crate::read_args::ReadArgs;
 use crate::report::Level;
 use crate::show;
 
@@ -62,19 +64,31 @@ pub struct Compared {
     doubts: Vec<Vec<Finding>>,
 }
 
+/// The recording that calibrations are compared on, and how it is read and cut.
+pub struct Asked<'a> {
+    /// File or folder.
+    pub recording: &'a Path,
+    /// How its static intervals are found.
+    pub detector: &'a DetectorArgs,
+    /// Whether it has to be of the calibrations' device.
+    pub device: DeviceArgs,
+    /// How it is read.
+    pub read: &'a ReadArgs,
+}
+
 /// Measures the calibrations on the recording, with all that speaks against a comparison.
 pub fn compared(
-    args: &Args,
+    asked: &Asked<'_>,
     calibrations: &Calibrations<'_>,
     gravities: &Gravities,
 ) -> Result<Compared, Failure> {
     let calibrations = &calibrations.all;
-    let (detector, choose) = args.detector.detector()?;
+    let (detector, choose) = asked.detector.detector()?;
     let first = calibrations.first().map(|(_, calibration)| calibration);
-    let recording = read_for(first, &args.recording, &args.read)?.decimated();
+    let recording = read_for(first, asked.recording, asked.read)?.decimated();
     let mut warnings = recording.warnings.clone();
     warnings.extend(gravities.differ(calibrations));
-    let doubts = doubted(args, calibrations, &recording, &mut warnings)?;
+    let doubts = doubted(asked.device, calibrations, &recording, &mut warnings)?;
     let progress = spinner("comparing");
     let segmentation = cut(&recording, &detector, choose, gravities.raw)?.segmentation;
     let measure = |c, gravity| evaluate(&recording, &segmentation, c, gravity);
@@ -110,7 +124,7 @@ pub fn compared(
 
 /// The doubts that each calibration is for a recording; they and its gates become warnings, which say of several calibrations whose they are.
 fn doubted(
-    args: &Args,
+    device: DeviceArgs,
     calibrations: &[(String, Calibration)],
     recording: &Recording,
     warnings: &mut Findings,
@@ -122,7 +136,7 @@ fn doubted(
     let mut all = Vec::new();
     for (name, calibration) in calibrations {
         warnings.extend(gates_of(calibration).map(|text| of(name, text)));
-        let doubts = args.device.doubts(calibration, &[recording])?;
+        let doubts = device.doubts(calibration, &[recording])?;
         let of_biases = calibration.doubts_biases_of(recording);
         for doubt in doubts.iter().chain(&of_biases) {
             warnings.push(match calibrations.len() {
