@@ -18,7 +18,7 @@ pub use self::decay::Trials;
 pub use self::not_excluded::not_excluded;
 pub use self::rested::Rested;
 use crate::calibration::Calibration;
-use crate::methods::joint::{BiasMotion, JointFit, MeanSensitivity};
+use crate::methods::joint::{BiasMotion, JointFit};
 
 findings::tuning! {
     /// It is said where it moves a parameter by more than so many of its standard errors.
@@ -43,9 +43,8 @@ impl AfterTurns {
         within: &Trials<'_>,
         calibration: &Calibration,
     ) -> Option<Self> {
-        let means = fit.sensitivities().means;
-        let (decay, is_what_lacks) = decay_of(fit, &means, recordings, within)?;
-        let column = column_of(fit, &means, &decay);
+        let (decay, is_what_lacks) = decay_of(fit, recordings, within)?;
+        let column = column_of(fit, &decay);
         let off = fit.moved_by(&column);
         let matters = off.iter().any(|(name, off)| {
             let std = calibration.standard_error_of(name);
@@ -99,12 +98,11 @@ pub fn rested_of<'a>(
 /// where an error that the catalogue knows explains the means better, these are not asked.
 fn decay_of(
     fit: &JointFit,
-    means: &[MeanSensitivity],
     recordings: &[&Recording],
     within: &Trials<'_>,
 ) -> Option<(Decay, bool)> {
     let columns = within.seen_in_means();
-    let columns = columns.iter().map(|own| column_of(fit, means, own));
+    let columns = columns.iter().map(|own| column_of(fit, own));
     let columns: Vec<Vec<f64>> = columns.collect();
     let columns = Mat::from_fn(fit.residuals.len(), columns.len(), |i, k| columns[k][i]);
     let with_means = within.with_means(&fit.evidence_for(columns));
@@ -119,15 +117,13 @@ fn decay_of(
 }
 
 /// The column that a decay adds to the rows.
-fn column_of(fit: &JointFit, means: &[MeanSensitivity], decay: &Decay) -> Vec<f64> {
+fn column_of(fit: &JointFit, decay: &Decay) -> Vec<f64> {
     let mut column = vec![0.0; fit.residuals.len()];
-    for own in means {
-        let chunk = &fit.data.chunks[own.chunk];
-        if let (Sensor::Accelerometer, Some(mean)) = (own.sensor, chunk.mean(own.sensor)) {
-            let left = decay.mean_left(&mean.span, fit.data.rests[chunk.rest].turned);
-            let off = decay.at_first[chunk.rest] * left;
-            column[own.row..own.row + 3].copy_from_slice(off.as_slice());
-        }
+    for own in fit.plain_rows().means(Sensor::Accelerometer) {
+        let rest = own.chunk.rest;
+        let left = decay.mean_left(&own.mean.span, fit.data.rests[rest].turned);
+        let off = decay.at_first[rest] * left;
+        column[own.row..own.row + 3].copy_from_slice(off.as_slice());
     }
     column
 }

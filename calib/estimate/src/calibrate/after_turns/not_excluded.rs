@@ -13,10 +13,9 @@ pub fn not_excluded(fit: &JointFit, within: &Trials<'_>) -> Vec<ErrorLeftOut> {
     let Some(usual) = relaxation(Sensor::Accelerometer).map(|effect| effect.typical()) else {
         return Vec::new();
     };
-    let means = fit.sensitivities().means;
     let each = within.slowest_alike().into_iter();
     let each = each.map(|(decay, tested)| ErrorLeftOut {
-        column: column_of(fit, &means, &decay),
+        column: column_of(fit, &decay),
         size: match tested.way {
             Way::Force => usual / fit.gravity,
             _ => usual,
