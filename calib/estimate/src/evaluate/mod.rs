@@ -52,7 +52,7 @@ fn is_empty(findings: &Findings) -> bool {
 pub struct Misfit {
     /// Its place in [`Segmentation::statics`], or that of the rest before the turn.
     pub index: usize,
-    /// When.
+    /// Begin and end by the stamps, s.
     pub span: Span,
     /// `|f| − g`, m/s², or the angle by which the predicted direction of gravity misses, degrees.
     pub value: f64,

@@ -15,7 +15,7 @@ findings::tuning! {
 /// A quiet stretch that is not used.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rejected {
-    /// When.
+    /// Begin and end by the stamps, s.
     pub span: Span,
     /// Why it is no static interval.
     pub reason: Reason,

@@ -22,7 +22,7 @@ findings::tuning! {
 /// A rest of the device.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StaticInterval {
-    /// When.
+    /// Begin and end by the stamps, s.
     pub span: Span,
     /// Moments of the accelerometer, raw unit.
     pub accelerometer: Option<Moments>,
@@ -48,7 +48,7 @@ impl StaticInterval {
 pub struct Turn {
     /// Index of the static interval before it.
     pub from: usize,
-    /// When.
+    /// Begin and end by the stamps, s.
     pub span: Span,
     /// Its gyroscope samples.
     pub samples: Range<usize>,

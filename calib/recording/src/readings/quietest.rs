@@ -11,7 +11,7 @@ findings::tuning! {
 /// A stretch and what moves in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quiet {
-    /// When.
+    /// Begin and end by the stamps, s.
     pub span: Span,
     /// Spread of the accelerometer, over its axes; in the unit of the readings.
     pub force: Option<f64>,

@@ -25,7 +25,7 @@ use crate::show;
 pub struct Calibrations<'a> {
     /// The files, in the order in which they were given.
     pub files: Vec<(String, &'a Path)>,
-    /// What they hold.
+    /// The calibrations with their names.
     pub all: Vec<(String, Calibration)>,
 }
 
@@ -58,7 +58,7 @@ pub struct Compared {
     pub segmentation: Segmentation,
     /// Residuals of the raw readings, then of each calibration, by name.
     pub rows: Vec<(String, Evaluation)>,
-    /// What speaks against a comparison, for people.
+    /// Warnings about the recording and the comparison, one text each.
     pub warnings: Vec<String>,
     /// Doubts that a calibration is for this recording, of each.
     doubts: Vec<Vec<Finding>>,
@@ -68,11 +68,11 @@ pub struct Compared {
 pub struct Asked<'a> {
     /// File or folder.
     pub recording: &'a Path,
-    /// How its static intervals are found.
+    /// Detector of its static intervals.
     pub detector: &'a DetectorArgs,
-    /// Whether it has to be of the calibrations' device.
+    /// Use on a recording of another unit or device.
     pub device: DeviceArgs,
-    /// How it is read.
+    /// Options of reading.
     pub read: &'a ReadArgs,
 }
 
@@ -167,7 +167,7 @@ impl Compared {
         calibrations.iter().zip(left).filter_map(judged).collect()
     }
 
-    /// How good the best is, in a sentence, and what to do next.
+    /// Level of the best calibration, a sentence on it, and next steps.
     pub fn verdict(
         &self,
         calibrations: &[(String, Calibration)],

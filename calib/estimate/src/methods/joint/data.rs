@@ -79,7 +79,7 @@ pub struct TurnSamples {
     pub turn: usize,
     /// The rest before it; the one after it is the next.
     pub from: usize,
-    /// When.
+    /// Begin and end by the stamps, s.
     pub span: Span,
     /// Middle of each sample's window, s; a few samples of the rests at either end.
     pub t: Vec<f64>,
@@ -105,7 +105,7 @@ pub struct LostTurn {
     pub recording: usize,
     /// Place in the recording's segmentation.
     pub turn: usize,
-    /// When.
+    /// Begin and end by the stamps, s.
     pub span: Span,
     /// Why.
     pub fault: TurnFault,

@@ -13,7 +13,7 @@ pub struct Placement {
     pub part: usize,
     /// Place of the static interval in that recording.
     pub interval: usize,
-    /// When.
+    /// Begin and end by the stamps, s.
     pub span: Span,
     /// Mean reading.
     pub mean: Vector3<f64>,

@@ -220,7 +220,7 @@ pub struct Flagged {
     pub recording: usize,
     /// Static interval (or the one before the turn), counted from 0.
     pub interval: usize,
-    /// When.
+    /// Begin and end by the stamps, s.
     pub span: Span,
     /// Its fitted size, in the unit of the fault.
     pub size: f64,

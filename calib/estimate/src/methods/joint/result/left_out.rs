@@ -12,11 +12,11 @@ use crate::methods::left_out::squares_added;
 /// An error of the accelerometer at rest that a model leaves out.
 #[derive(Clone, Debug)]
 pub struct ErrorLeftOut {
-    /// What one of it adds to the rows.
+    /// Column that a unit error adds to the rows.
     pub column: Vec<f64>,
     /// Its usual size.
     pub size: f64,
-    /// What readings that no row has say of it, and the variance of that.
+    /// Estimate of it by readings that no row has, and its variance.
     pub seen: (f64, f64),
 }
 
