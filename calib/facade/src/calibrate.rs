@@ -16,7 +16,7 @@ const IGNORED: [&str; 7] = [
     "gyro_recordings",
     "nominal_rate",
     "field",
-    "sensors",
+    "catalogue",
 ];
 
 /// Calibrates both sensors from recordings of one device: scale factors, misalignments and biases with standard errors.

@@ -179,7 +179,7 @@ impl Request {
             ("integrator", self.integrator != Integrator::default()),
             ("gyro_bias", self.gyro_bias != GyroBias::default()),
             ("field", self.field.is_some()),
-            ("sensors", !self.catalogue.sensors().is_empty()),
+            ("catalogue", !self.catalogue.sensors().is_empty()),
         ];
         let mut given = given.into_iter().filter(|(_, is_given)| *is_given);
         match given.find(|(name, _)| ignored.contains(name)) {

@@ -126,9 +126,16 @@ pub fn base_part(name: &str) -> Option<(Sensor, BasePart)> {
     Some((sensor, part))
 }
 
+impl BasePart {
+    /// Returns true if a name is that of a parameter of this part, whichever sensor's.
+    pub fn has(self, name: &str) -> bool {
+        base_part(name).is_some_and(|(_, part)| part == self)
+    }
+}
+
 /// Returns true if a name is that of a bias of a base model.
 pub fn is_bias(name: &str) -> bool {
-    base_part(name).is_some_and(|(_, part)| part == BasePart::Bias)
+    BasePart::Bias.has(name)
 }
 
 /// The inverse of a 3 × 3 matrix by its adjugate, over any scalar; `None` where it is singular.

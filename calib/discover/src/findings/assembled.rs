@@ -59,7 +59,6 @@ impl Found {
             let remainder = said.iter_mut().filter(remains);
             remainder.for_each(|found| found.consequence.clear());
         }
-        said.retain(|found| !is_said_by_readings(found, &calibration.warnings));
         calibration.warnings.extend(said);
         withdraw_explained(&mut calibration.warnings);
         let untested = untested_linearity(&calibration);
@@ -88,22 +87,6 @@ impl Found {
             calibration,
         }
     }
-}
-
-/// Returns true of a fault that the readings were found to have before they were fitted, with what was left out for it.
-fn is_said_by_readings(found: &Finding, before: &::findings::Findings) -> bool {
-    let causes: &[Kind] = match found.kind {
-        Kind::SAMPLES_MISSING => &[Kind::SAMPLES_LOST, Kind::FROZEN],
-        Kind::RANGE_REACHED => &[Kind::SATURATED],
-        _ => &[],
-    };
-    let is_of_sensor = |own: &Finding| match (found.place.sensor, own.place.sensor) {
-        (Some(one), Some(other)) => one == other,
-        _ => true,
-    };
-    let is_of_recording = |own: &Finding| own.place.recording == found.place.recording;
-    let mut before = before.iter();
-    before.any(|own| causes.contains(&own.kind) && is_of_recording(own) && is_of_sensor(own))
 }
 
 /// Kinds of errors that no hand-held recording shows: a free parameter takes each up.

@@ -1,7 +1,7 @@
 //! From the triangular to the symmetric frame.
 
 use nalgebra::Matrix3;
-use sensor::{BasePart, PLACES, Sensor, base_names, base_part, inverse};
+use sensor::{BasePart, PLACES, Sensor, base_names, inverse};
 use solver::{Problem, Residual, Scalar, lit};
 
 use super::{Calibration, Triad};
@@ -50,11 +50,9 @@ pub fn in_symmetric_frame(mut calibration: Calibration) -> Calibration {
     }
     calibration.parameters = new;
     // What an effect adds to a misalignment is not known in this frame.
-    let misaligned =
-        |name: &str| base_part(name).is_some_and(|(_, part)| part == BasePart::Misalignment);
     calibration
         .left_out
-        .retain(|own| !misaligned(&own.parameter));
+        .retain(|own| !BasePart::Misalignment.has(&own.parameter));
     calibration
 }
 

@@ -1,5 +1,7 @@
 //! Names of parameters in words.
 
+use sensor::{BasePart, base_part};
+
 /// `gyro.s_x (the gyroscope's scale factor on x)`; a name that is none of a base model stays alone.
 pub(super) fn with_words(name: &str) -> String {
     match in_words(name) {
@@ -9,24 +11,15 @@ pub(super) fn with_words(name: &str) -> String {
 }
 
 fn in_words(name: &str) -> Option<String> {
-    let (sensor, parameter) = name.split_once('.')?;
-    let sensor = match sensor {
-        "accel" => "accelerometer",
-        "gyro" => "gyroscope",
-        "mag" => "magnetometer",
-        _ => return None,
+    let (sensor, part) = base_part(name)?;
+    let (_, axes) = name.split_once('_')?;
+    let (what, count) = match part {
+        BasePart::ScaleFactor => ("scale factor on", 1),
+        BasePart::Bias => ("bias on", 1),
+        BasePart::Misalignment => ("misalignment", 2),
     };
-    let (kind, axes) = parameter.split_once('_')?;
-    if axes.is_empty() || !axes.chars().all(|axis| "xyz".contains(axis)) {
-        return None;
-    }
-    let what = match (kind, axes.len()) {
-        ("s", 1) => "scale factor on",
-        ("b", 1) => "bias on",
-        ("alpha" | "beta" | "gamma", 2) => "misalignment",
-        _ => return None,
-    };
-    Some(format!("the {sensor}'s {what} {axes}"))
+    let are_axes = axes.len() == count && axes.chars().all(|axis| "xyz".contains(axis));
+    are_axes.then(|| format!("the {}'s {what} {axes}", sensor.name()))
 }
 
 #[cfg(test)]

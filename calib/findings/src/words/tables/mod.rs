@@ -86,10 +86,12 @@ const SUBJECTS: &[&[Row]] = &[
 ];
 
 /// The words of each kind by its name.
-static WORDS: LazyLock<HashMap<&'static str, Row>> = LazyLock::new(|| {
-    let all = SUBJECTS.iter().copied().flatten();
-    all.map(|row| (row.0.name(), *row)).collect()
-});
+static WORDS: LazyLock<HashMap<&'static str, Row>> =
+    LazyLock::new(|| rows().map(|row| (row.0.name(), *row)).collect());
+
+fn rows() -> impl Iterator<Item = &'static Row> {
+    SUBJECTS.iter().copied().flatten()
+}
 
 /// The entry of a kind.
 pub(crate) fn entry(kind: Kind) -> Entry {
@@ -100,8 +102,7 @@ pub(crate) fn entry(kind: Kind) -> Entry {
 impl Kind {
     /// Every kind, in the order of the manual.
     pub fn all() -> impl Iterator<Item = Self> {
-        let all = SUBJECTS.iter().copied().flatten();
-        all.map(|(kind, _)| *kind)
+        rows().map(|(kind, _)| *kind)
     }
 
     /// Kind of a name; [`Kind::REMARK`] of a name that this version does not know.

@@ -2,7 +2,7 @@
 
 use faer::Mat;
 use nalgebra::{DMatrix, DVector};
-use sensor::{BasePart, PLACES, Sensor, base_names, base_part};
+use sensor::{BasePart, PLACES, Sensor, base_names};
 
 use crate::methods::chance;
 use crate::methods::joint::blocks::basis::Basis;
@@ -115,9 +115,8 @@ impl JointFit {
             &without(&biases, &residuals),
             spare,
         )?;
-        let is_scale =
-            |name: &str| base_part(name).is_some_and(|(_, part)| part == BasePart::ScaleFactor);
-        let (scales, angles): (Vec<usize>, Vec<usize>) = (0..n).partition(|k| is_scale(&names[*k]));
+        let (scales, angles): (Vec<usize>, Vec<usize>) =
+            (0..n).partition(|k| BasePart::ScaleFactor.has(&names[*k]));
         let chances = [scales, angles];
         let chances = chances.iter().filter_map(|group| change.chance(group));
         // Two groups were tried.
