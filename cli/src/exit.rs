@@ -1,11 +1,10 @@
 //! Exit statuses and the messages that go with them.
 
-use crate::message::{Place, advice};
 use calib::Error;
 use findings::{Finding, Front};
 use serde_json::{Value, json};
 
-use crate::quoted::{path as shown_path, printable, shortened};
+use crate::quoted::{path as shown_path, shortened};
 
 /// Done, but a quality gate failed.
 pub const GATE: u8 = 1;
@@ -35,6 +34,8 @@ pub struct Failure {
     pub message: String,
     /// The file that the message is about, where that is known.
     pub file: Option<String>,
+    /// What to do about it, where that is known; the message ends with it.
+    pub advice: Option<String>,
     /// The finding that ended the run, where a library had it.
     pub finding: Option<Box<Finding>>,
 }
@@ -58,8 +59,25 @@ impl Failure {
             kind,
             message: message.into(),
             file: None,
+            advice: None,
             finding: None,
         }
+    }
+
+    /// The same about a file, with which the message begins.
+    pub fn in_file(mut self, name: impl Into<String>) -> Self {
+        let name = name.into();
+        self.message = format!("{name}: {}", self.message);
+        self.file = Some(name);
+        self
+    }
+
+    /// The same with what to do about it, with which the message ends.
+    pub fn advise(mut self, advice: impl Into<String>) -> Self {
+        let advice = advice.into();
+        self.message = format!("{}; {advice}", self.message);
+        self.advice = Some(advice);
+        self
     }
 
     /// The call is wrong.
@@ -72,6 +90,7 @@ impl Failure {
         let message = finding.text(Front::CommandLine);
         Self {
             file: finding.place.file.clone(),
+            advice: finding.advice(Front::CommandLine),
             finding: Some(Box::new(finding)),
             ..Self::new(code, message)
         }
@@ -104,56 +123,32 @@ impl Failure {
         if self.code == 0 {
             return json!({"nothing_to_do": message});
         }
-        let place = Place::of(&message);
-        let named = |file: &&str| std::path::Path::new(file).exists() || was_given(file);
-        let before = message.split_once(": ").map(|(file, _)| file);
-        let file = self.file.as_deref();
-        let file = file.or(place.map(|p| p.file)).or(before.filter(named));
         let found = self.finding.as_deref();
-        let of_finding = |number: fn(&findings::Place) -> Option<u64>| number(&found?.place);
-        let line = of_finding(|place| place.line).or(place.map(|p| p.line));
-        let column = of_finding(|place| place.column).or(place.and_then(|p| p.column));
         json!({"error": {
             "kind": self.kind,
             "exit": self.code,
             "message": message,
-            "file": file,
-            "line": line,
-            "column": column,
-            "next": self.next(&message),
+            "file": self.file,
+            "line": found.and_then(|f| f.place.line),
+            "column": found.and_then(|f| f.place.column),
+            "next": self.advice.as_deref().unwrap_or(self.usual_step()),
             "finding": found,
         }})
     }
 
-    /// Returns the advice of the finding, if any.
-    pub fn advice(&self) -> Option<String> {
-        self.finding.as_deref()?.advice(Front::CommandLine)
-    }
-
-    /// Returns the advice of the finding or of the message, else a general one for the exit status.
-    fn next(&self, message: &str) -> String {
-        self.advice()
-            .unwrap_or_else(|| self.usual_step(message).to_owned())
-    }
-
-    fn usual_step<'a>(&self, message: &'a str) -> &'a str {
-        match (advice(message), self.code) {
-            (Some(advice), _) => advice,
-            (None, USAGE) => "see stillpoint COMMAND --help",
-            (None, INPUT) => "correct the input at the place named, or export it again",
-            (None, NOT_ENOUGH) => "record more, as the message says",
-            (None, NOT_CONVERGED) => "look at the static intervals with stillpoint segment",
-            (None, OUTPUT) => "choose another output",
-            (None, INTERRUPTED) => "run the command again",
-            (None, GATE) => "do not use the result",
-            (None, _) => "report the command and its message",
+    /// General advice on the exit status.
+    fn usual_step(&self) -> &'static str {
+        match self.code {
+            USAGE => "see stillpoint COMMAND --help",
+            INPUT => "correct the input at the place named, or export it again",
+            NOT_ENOUGH => "record more, as the message says",
+            NOT_CONVERGED => "look at the static intervals with stillpoint segment",
+            OUTPUT => "choose another output",
+            INTERRUPTED => "run the command again",
+            GATE => "do not use the result",
+            _ => "report the command and its message",
         }
     }
-}
-
-/// Returns true if the call has this word as an argument.
-fn was_given(word: &str) -> bool {
-    std::env::args_os().any(|arg| printable(&arg.to_string_lossy()) == word)
 }
 
 impl From<Error> for Failure {
@@ -217,12 +212,16 @@ mod tests {
 
     #[test]
     fn the_document_has_every_entry() {
-        let failure = Failure::new(INPUT, "no.csv:3:1: 5 cells, 7 expected; split it here");
+        let failure = Failure::new(INPUT, "5 cells, 7 expected").in_file("no.csv");
+        let failure = failure.advise("split it here");
+        assert_eq!(
+            failure.message,
+            "no.csv: 5 cells, 7 expected; split it here"
+        );
         let error = &failure.document()["error"];
         assert_eq!(error["kind"], "input");
         assert_eq!(error["exit"], 3);
         assert_eq!(error["file"], "no.csv");
-        assert_eq!((&error["line"], &error["column"]), (&json!(3), &json!(1)));
         assert_eq!(error["next"], "split it here");
         let error = &Failure::new(NOT_ENOUGH, "all static").document()["error"];
         assert!(error["file"].is_null() && error["line"].is_null());

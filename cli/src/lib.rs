@@ -10,7 +10,6 @@ mod exit;
 mod interrupt;
 #[cfg(doc)]
 pub mod manual;
-mod message;
 mod output;
 mod pages;
 mod quoted;

@@ -151,10 +151,7 @@ fn next(level: Grade, sorted: &[&Finding], inputs: &Inputs<'_>) -> Vec<Step> {
         if level == Grade::Bad && finding.level == Level::Remark {
             break;
         }
-        // With several remedies the first is the best.
-        let first = finding.remedies.first();
-        if let Some(remedy) = first.filter(|remedy| !remedy.is_if_wrong()) {
-            let text = finding.step(remedy);
+        if let Some((remedy, text)) = finding.step() {
             add(text, command::of(remedy, finding, inputs));
         }
     }
@@ -171,14 +168,17 @@ fn next(level: Grade, sorted: &[&Finding], inputs: &Inputs<'_>) -> Vec<Step> {
 }
 
 impl Finding {
-    /// A remedy as a step: what to do, and for what.
-    fn step(&self, remedy: &Remedy) -> String {
+    /// The best remedy, which is the first, as a step: what to do, and for what; `None` where nothing has to be done.
+    pub fn step(&self) -> Option<(&Remedy, String)> {
+        let first = self.remedies.first();
+        let remedy = first.filter(|remedy| !remedy.is_if_wrong())?;
         let place = match (&self.place.interval, &self.place.turn) {
             (Some(k), _) => format!(" (static interval {k})"),
             (None, Some(k)) => format!(" (turn {k})"),
             _ => String::new(),
         };
-        format!("{}{place}", remedies::words(remedy, Front::Plain))
+        let text = format!("{}{place}", remedies::words(remedy, Front::Plain));
+        Some((remedy, text))
     }
 }
 

@@ -50,9 +50,10 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         None | Some("csv" | "txt" | "parquet") => {}
         Some(other) => {
             let output = show::path(&args.output);
-            return Err(Failure::usage(format!(
-                "-o {output}: .{other} is not written; name a .csv file or a folder"
-            )));
+            return Err(
+                Failure::usage(format!("-o {output}: .{other} is not written"))
+                    .advise("name a .csv file or a folder"),
+            );
         }
     }
     let target = Target::claim(&args.output, args.replace, &[&args.recording])?;

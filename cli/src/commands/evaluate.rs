@@ -63,8 +63,8 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let calibrations = Calibrations::named(&args.calibration)?;
     let limits = args.limits.read()?;
     if limits.is_some() && calibrations.all.is_empty() {
-        let why = "--limits: there is no calibration to judge; add --calibration FILE";
-        return Err(Failure::usage(why));
+        let why = Failure::usage("--limits: there is no calibration to judge");
+        return Err(why.advise("add --calibration FILE"));
     }
     args.gravity.map_or(Ok(()), check_gravity)?;
     let gravities = Gravities::of(args.gravity, &calibrations.all);

@@ -121,10 +121,10 @@ fn refuse_useless(args: &Args) -> Result<(), Failure> {
     for (option, given, targets) in useless {
         if given && !targets.contains(&name) {
             let why = format!(
-                "{option} is for {} and means nothing to {name}; leave it out",
+                "{option} is for {} and means nothing to {name}",
                 targets.join(" and ")
             );
-            return Err(Failure::usage(why));
+            return Err(Failure::usage(why).advise("leave it out"));
         }
     }
     Ok(())
@@ -136,13 +136,9 @@ fn settings(args: &Args) -> Result<Settings, Failure> {
         let found: Result<calib::noise::NoiseSummary, _> = serde_json::from_str(&text);
         match found {
             Ok(summary) if summary.schema == NOISE_SCHEMA => Ok(summary),
-            _ => Err(Failure::new(
-                INPUT,
-                format!(
-                    "{}: no \"{NOISE_SCHEMA}\"; use a file that `allan -o` has written",
-                    show::path(path)
-                ),
-            )),
+            _ => Err(Failure::new(INPUT, format!("no \"{NOISE_SCHEMA}\""))
+                .in_file(show::path(path))
+                .advise("use a file that `allan -o` has written")),
         }
     });
     let logged_with = args.logged_with.as_ref();
@@ -171,12 +167,12 @@ impl Outputs {
         };
         if path.extension().is_some() {
             let why = format!(
-                "-o {}: {} wants {}; name a folder, without an extension",
+                "-o {}: {} wants {}",
                 show::path(path),
                 args.to.name,
                 names.join(" and ")
             );
-            return Err(Failure::usage(why));
+            return Err(Failure::usage(why).advise("name a folder, without an extension"));
         }
         let folder = Folder::make(path)?;
         let claims = names

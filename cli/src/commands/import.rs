@@ -77,9 +77,9 @@ fn read(files: &[PathBuf], from: Option<From>) -> Result<Calibration, Failure> {
                 None => "",
             };
             let why = format!(
-                "{said}one imu.yaml of Kalibr, or two texts of imu_tk (accelerometer, gyroscope) expected; name those"
+                "{said}one imu.yaml of Kalibr, or two texts of imu_tk (accelerometer, gyroscope) expected"
             );
-            return Err(Failure::usage(why));
+            return Err(Failure::usage(why).advise("name those"));
         }
     };
     found.map_err(|error| {

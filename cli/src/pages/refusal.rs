@@ -41,7 +41,7 @@ pub fn page(
     );
     warnings = show::folded(&warnings);
     let Some(session) = session.filter(|s| !s.parts.is_empty()) else {
-        next.extend(verdict::advice_of(failure));
+        next.extend(failure.advice.as_deref().map(verdict::sentence));
         if next.is_empty() {
             next.push("See what is in the file: stillpoint info RECORDING".into());
         }
@@ -52,7 +52,7 @@ pub fn page(
         next.extend(coverage.as_ref().and_then(Coverage::advice));
     }
     if next.is_empty() {
-        next.extend(verdict::advice_of(failure));
+        next.extend(failure.advice.as_deref().map(verdict::sentence));
     }
     if lacking.is_none() {
         next.push(format!(

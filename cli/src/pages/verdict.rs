@@ -1,13 +1,12 @@
 //! Is the calibration good, and what next: in sentences.
 
-use ::findings::{Grade, Step};
+use ::findings::{Finding, Grade, Remedy, Step};
 use calib::Calibration;
 
 use super::coverage::Coverage;
 use super::parameters;
 use super::residual::Residual;
 use super::session::Session;
-use crate::exit::Failure;
 use crate::report::{Figure, Level};
 use crate::show::{self, capital};
 
@@ -40,7 +39,10 @@ pub fn judged(calibration: &Calibration, coverage: Option<&Coverage>) -> Judged 
     let mut next: Vec<String> = steps.iter().map(show::step).collect();
     if let Some(record) = coverage.and_then(Coverage::second_recording) {
         let record = format!("{record}: {TOGETHER}");
-        match steps.iter().position(adds_placements) {
+        match steps
+            .iter()
+            .position(|step| adds_placements(calibration, step))
+        {
             Some(place) => next[place] = record,
             None => next.push(record),
         }
@@ -52,9 +54,11 @@ pub fn judged(calibration: &Calibration, coverage: Option<&Coverage>) -> Judged 
     }
 }
 
-fn adds_placements(step: &Step) -> bool {
-    let text = step.text.to_lowercase();
-    text.starts_with("add ") && text.contains(" placement")
+/// Returns true for the step of a finding that more placements would mend.
+fn adds_placements(calibration: &Calibration, step: &Step) -> bool {
+    let findings = calibration.findings();
+    let mut steps = findings.iter().filter_map(Finding::step);
+    steps.any(|(remedy, text)| matches!(remedy, Remedy::AddPlacements { .. }) && text == step.text)
 }
 
 /// Raw to calibrated residual, weakest parameter, coverage.
@@ -69,34 +73,7 @@ pub fn figures(
     all
 }
 
-/// Returns the advice on a failure, from its finding, else from its message.
-pub fn advice_of(failure: &Failure) -> Option<String> {
-    failure
-        .advice()
-        .map(|advice| sentence(&advice))
-        .or_else(|| advice_in(&failure.message))
-}
-
-/// The advice after the semicolon of a message.
-fn advice_in(message: &str) -> Option<String> {
-    let (_, advice) = message.rsplit_once("; ")?;
-    Some(sentence(advice))
-}
-
-fn sentence(words: &str) -> String {
-    format!("{}.", capital(words.trim().trim_end_matches('.')))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn advice_is_what_follows_the_semicolon() {
-        assert_eq!(
-            advice_in("too few; add placements").unwrap(),
-            "Add placements."
-        );
-        assert_eq!(advice_in("too few"), None);
-    }
+/// Advice as a sentence of its own.
+pub fn sentence(advice: &str) -> String {
+    format!("{}.", capital(advice.trim_end_matches('.')))
 }

@@ -27,11 +27,11 @@ pub fn moved(stillness: &Stillness, longest: Option<Span>) -> Failure {
     Failure::new(
         NOT_ENOUGH,
         format!(
-            "the device moved ({}) and {length}: an Allan deviation needs a recording at rest; leave the \
-             device alone for an hour, or name a stretch with --rest T0,T1",
+            "the device moved ({}) and {length}: an Allan deviation needs a recording at rest",
             listed(&stillness.motions)
         ),
     )
+    .advise("leave the device alone for an hour, or name a stretch with --rest T0,T1")
 }
 
 /// The first few spans, and how many more.

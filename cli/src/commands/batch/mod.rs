@@ -35,7 +35,7 @@ pub fn run_command(args: &Args) -> Result<(), Failure> {
         return Err(Failure::usage("--budget: seconds above 0 expected"));
     }
     let Some(folder) = &args.output else {
-        return Err(Failure::usage("no output folder; give one with -o OUT"));
+        return Err(Failure::usage("no output folder").advise("give one with -o OUT"));
     };
     let options = options::of(args)?;
     let manifest = Manifest::read(&args.inputs).map_err(failure)?;
@@ -46,10 +46,9 @@ pub fn run_command(args: &Args) -> Result<(), Failure> {
     let _made = Folder::make(folder)?;
     let part = folder.join(part_name(args.shard));
     if part.exists() && !args.resume && !args.force {
-        return Err(Failure::exists(format!(
-            "{}: exists already; add --resume to keep what is complete or --force to compute all again",
-            show::path(&part)
-        )));
+        return Err(Failure::exists("exists already")
+            .in_file(show::path(&part))
+            .advise("add --resume to keep what is complete or --force to compute all again"));
     }
     // Claimed now, so that another run of this shard into this folder is refused at once.
     let own = args.inputs.iter().chain(&args.prior);
@@ -114,11 +113,11 @@ fn refuse_within(folder: &Path, manifest: &Manifest) -> Result<(), Failure> {
             _ => continue,
         };
         let why = format!(
-            "-o {}: {relation} {}; choose another folder",
+            "-o {}: {relation} {}",
             show::path(folder),
             show::path(input)
         );
-        return Err(Failure::usage(why));
+        return Err(Failure::usage(why).advise("choose another folder"));
     }
     Ok(())
 }

@@ -21,8 +21,9 @@ fn refuse_with_discover(args: &Args) -> Result<(), Failure> {
         .find(|(_, given)| args.discover && *given)
     {
         Some((option, _)) => Err(Failure::usage(format!(
-            "{option} means nothing with --discover, which finds the effects of each device in the joint fit; leave one of the two out"
-        ))),
+            "{option} means nothing with --discover, which finds the effects of each device in the joint fit"
+        ))
+        .advise("leave one of the two out")),
         None => Ok(()),
     }
 }

@@ -78,11 +78,10 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         .count();
     if informed > 0 {
         let why = format!(
-            "{informed} of {} calibrations were made with a prior: their errors are not those of their sessions; run the \
-             batch without --prior",
+            "{informed} of {} calibrations were made with a prior: their errors are not those of their sessions",
             calibrations.len()
         );
-        return Err(Failure::new(INPUT, why));
+        return Err(Failure::new(INPUT, why).advise("run the batch without --prior"));
     }
     let prior = prior_of(&calibrations).map_err(failure)?;
     let json = show::json(&prior)?;
@@ -139,13 +138,9 @@ fn files(input: &Path) -> Result<Vec<PathBuf>, Failure> {
         return Ok(vec![input.to_owned()]);
     }
     calibrations_of(input).map_err(|error| match error {
-        Error::Io { path, source } => Failure::new(
-            INPUT,
-            format!(
-                "{}: {source}; name the output folder of a batch",
-                show::path(&path)
-            ),
-        ),
+        Error::Io { path, source } => Failure::new(INPUT, source.to_string())
+            .in_file(show::path(&path))
+            .advise("name the output folder of a batch"),
         other => failure(other),
     })
 }

@@ -96,8 +96,9 @@ fn refuse_unread(args: &Args) -> Result<(), Failure> {
     let by_hand = !args.sections.is_empty() && args.gyro_recording.is_empty();
     match args.detector.given().filter(|_| by_hand) {
         Some(option) => Err(Failure::usage(format!(
-            "{option} finds static intervals, and --sections gives them; leave one of the two out"
-        ))),
+            "{option} finds static intervals, and --sections gives them"
+        ))
+        .advise("leave one of the two out")),
         None => Ok(()),
     }
 }
@@ -107,9 +108,9 @@ fn refuse_unnamed(own: &[EffectRef], named: &[String]) -> Result<(), Failure> {
     let is_named = |effect: &EffectRef| named.iter().any(|name| name == effect.name());
     match own.first() {
         Some(first) if !own.iter().any(is_named) => Err(Failure::usage(format!(
-            "--effect-file: none of its effects is fitted; name it, as in --effects {}",
-            first.name()
-        ))),
+            "--effect-file: none of its effects is fitted"
+        ))
+        .advise(format!("name it, as in --effects {}", first.name()))),
         _ => Ok(()),
     }
 }

@@ -48,7 +48,8 @@ pub fn refuse_twins(recordings: &[Recording]) -> Result<(), Failure> {
             return Err(Failure::usage(format!(
                 "{} and {}: the same data, which would count twice; with --units each recording is another unit",
                 other.name, one.name
-            )));
+            ))
+            .advise("leave one of the two out"));
         }
     }
     Ok(())
@@ -61,7 +62,7 @@ fn are_same(one: &Option<Stream>, other: &Option<Stream>) -> bool {
 
 fn seen(validation: &str, input: &str) -> Failure {
     Failure::usage(format!(
-        "--validation {validation}: the same data as {input}, which the fit has seen: what it shows there is \
-             no proof; name another recording of the device, or leave --validation out"
+        "--validation {validation}: the same data as {input}, which the fit has seen: what it shows there is no proof"
     ))
+    .advise("name another recording of the device, or leave --validation out")
 }

@@ -37,8 +37,9 @@ impl<'a> Calibrations<'a> {
             let (name, path) = named_file(named);
             if files.iter().any(|(other, _)| *other == name) {
                 return Err(Failure::usage(format!(
-                    "--calibration {named}: another one is called {name}; name them apart (NAME=FILE)"
-                )));
+                    "--calibration {named}: another one is called {name}"
+                ))
+                .advise("name them apart (NAME=FILE)"));
             }
             all.push((name.clone(), load(path)?));
             files.push((name, path));

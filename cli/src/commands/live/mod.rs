@@ -130,11 +130,9 @@ fn folder(args: &Args) -> Result<(PathBuf, Folder), Failure> {
     let path = args.out.clone().or_else(numbered).unwrap_or_default();
     let is_empty = std::fs::read_dir(&path).map_or(true, |mut entries| entries.next().is_none());
     if path.exists() && !is_empty {
-        let words = format!(
-            "{}: exists already; name a new or an empty folder with --out",
-            show::path(&path)
-        );
-        return Err(Failure::exists(words));
+        return Err(Failure::exists("exists already")
+            .in_file(show::path(&path))
+            .advise("name a new or an empty folder with --out"));
     }
     let folder = Folder::make(&path)?;
     Ok((path, folder))

@@ -52,7 +52,8 @@ pub(super) struct Web(Arc<Shared>);
 impl Web {
     /// Begins to answer, on a port that is free.
     pub(super) fn start() -> Result<Self, Failure> {
-        let refused = |why: String| Failure::new(OUTPUT, format!("--web: {why}; leave it out"));
+        let refused =
+            |why: String| Failure::new(OUTPUT, format!("--web: {why}")).advise("leave it out");
         let listener = TcpListener::bind(("127.0.0.1", 0)).map_err(|e| refused(e.to_string()))?;
         let address = listener.local_addr().map_err(|e| refused(e.to_string()))?;
         let [token, nonce] = [random().map_err(&refused)?, random().map_err(&refused)?];

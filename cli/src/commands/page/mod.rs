@@ -29,8 +29,8 @@ pub struct Args {
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
     let Some(page) = PAGE else {
-        return Err(Failure::usage(
-            "this build carries no page; take stillpoint.html from a release, or run cli/web/build in the source, which writes it",
+        return Err(Failure::usage("this build carries no page").advise(
+            "take stillpoint.html from a release, or run cli/web/build in the source, which writes it",
         ));
     };
     let output = Output::claim(&args.output, args.replace, &[])?;

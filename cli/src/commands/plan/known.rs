@@ -171,8 +171,9 @@ fn of_calibration(
     let calibration = load(path)?;
     let name = show::path(path);
     let (information, scale) = at_one_gravity(&calibration).ok_or_else(|| {
-        let why = "its covariance is missing or no covariance; calibrate again";
-        Failure::new(INPUT, format!("{name}: {why}"))
+        Failure::new(INPUT, "its covariance is missing or no covariance")
+            .in_file(&name)
+            .advise("calibrate again")
     })?;
     let mut notes = ties(document);
     notes.extend(left_out(&calibration));

@@ -113,10 +113,10 @@ impl Rivals {
             ));
         }
         if self.white.iter().any(|w| !w.is_finite() || *w <= 0.0) {
-            return Err(Failure::new(
-                INPUT,
-                "the findings do not say how noisy the sensors are; run `discover` again",
-            ));
+            return Err(
+                Failure::new(INPUT, "the findings do not say how noisy the sensors are")
+                    .advise("run `discover` again"),
+            );
         }
         let conditions = Conditions {
             white: self.white,

@@ -292,20 +292,21 @@ fn calibrations(args: &Args) -> Result<Vec<Named>, Failure> {
         let (name, path) = named_file(named);
         if all.iter().any(|other| other.name == name) {
             return Err(Failure::usage(format!(
-                "--calibration {named}: there is a \"{name}\" already; choose another name"
-            )));
+                "--calibration {named}: there is a \"{name}\" already"
+            ))
+            .advise("choose another name"));
         }
         let calibration = load(path)?;
         if let Some(own) = calibration.not_calibrated.first() {
             return Err(Failure::new(
                 NOT_ENOUGH,
                 format!(
-                    "--calibration {named}: the {} is not calibrated ({}), and the motion needs both sensors; calibrate a \
-                     recording with turns that can be used",
+                    "--calibration {named}: the {} is not calibrated ({}), and the motion needs both sensors",
                     own.sensor.name(),
                     own.reason.in_words()
                 ),
-            ));
+            )
+            .advise("calibrate a recording with turns that can be used"));
         }
         all.push(Named::file(&name, calibration));
     }

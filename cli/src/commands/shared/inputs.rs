@@ -129,12 +129,18 @@ fn nowhere(what: NotOnEarth) -> Failure {
             latitude,
             normal,
         } => format!(
-            "--gravity {} and --latitude {}: there gravity is {normal:.4} m/s²; correct one of them, or give the latitude alone",
+            "--gravity {} and --latitude {}: there gravity is {normal:.4} m/s²",
             figure(gravity),
             figure(latitude)
         ),
     };
-    Failure::usage(message)
+    let failure = Failure::usage(message);
+    match what {
+        NotOnEarth::Place { .. } => {
+            failure.advise("correct one of them, or give the latitude alone")
+        }
+        _ => failure,
+    }
 }
 
 impl PlaceArgs {
