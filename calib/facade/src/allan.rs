@@ -90,7 +90,7 @@ pub fn allan(recording: &Recording, rest: Option<(f64, f64)>) -> Result<Noise, E
         AtRest::TooShort(longest) => {
             let length = longest.map_or(0.0, |rest| rest.length());
             let found = Finding::of(Kind::NEVER_AT_REST).number("length", length, "s");
-            Err(Error::of(ErrorKind::NotEnoughInformation, &found))
+            Err(Error::of(ErrorKind::NotEnoughInformation, found))
         }
     }
 }

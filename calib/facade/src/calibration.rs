@@ -9,6 +9,7 @@ use calib::calibrate::Outcome;
 use calib::calibration::{Triad, check_units, doubts, in_unit_of, load_with, read_calibration};
 use calib::document::to_json;
 use nalgebra::Vector3;
+use output::{Existing, Output};
 use sensor::{PLACES, Sensor, base_names};
 
 use crate::{Catalogue, Error, Recording, Watch};
@@ -85,6 +86,28 @@ impl Calibration {
         let name = Path::new("calibration");
         let read = read_calibration(text, name, catalogue.own())?;
         Ok(Self::of(read.with_sensors(catalogue.sensors())?))
+    }
+
+    /// Writes cal.json, whole or not at all; a file that is there is replaced.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, _) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, None)?;
+    /// # let calibration = stillpoint::calibrate(&[recording], &stillpoint::Request::default())?;
+    /// # let folder = tempfile::tempdir().unwrap();
+    /// # let path = folder.path().join("cal.json");
+    /// calibration.save(&path)?;
+    /// let again = stillpoint::Calibration::load(&path, &stillpoint::Catalogue::default())?;
+    /// assert_eq!(again.parameters(), calibration.parameters());
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
+    pub fn save(&self, path: impl AsRef<Path>) -> Result<(), Error> {
+        let claimed = Output::claim(path.as_ref(), Existing::Replace, &[])?;
+        Ok(claimed.write(self.to_json()?.as_bytes())?)
     }
 
     /// The file that `calibrate -o` writes, to the byte.

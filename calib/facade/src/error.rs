@@ -53,8 +53,9 @@ impl ErrorKind {
 /// assert_eq!(error.kind, ErrorKind::Input);
 /// assert_eq!((error.line, error.column), (Some(2), Some(3)));
 /// assert_eq!(error.next.as_deref(), Some("leave such rows out"));
+/// assert_eq!(error.finding.kind.name(), "array_not_finite");
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{message}")]
 #[non_exhaustive]
 pub struct Error {
@@ -70,11 +71,13 @@ pub struct Error {
     pub column: Option<u64>,
     /// Advice on how to proceed, where the message gives one.
     pub next: Option<String>,
+    /// The same as data: kind, place, numbers, remedies.
+    pub finding: Box<Finding>,
 }
 
 impl Error {
     /// Builds the error from a finding: its message, its place and its advice, with options named as in this library.
-    pub(crate) fn of(kind: ErrorKind, finding: &Finding) -> Self {
+    pub(crate) fn of(kind: ErrorKind, finding: Finding) -> Self {
         let place = &finding.place;
         Self {
             kind,
@@ -83,18 +86,19 @@ impl Error {
             line: place.line,
             column: place.column,
             next: finding.advice(Front::Rust),
+            finding: finding.into(),
         }
     }
 
     pub(crate) fn usage(finding: Finding) -> Self {
-        Self::of(ErrorKind::Usage, &finding)
+        Self::of(ErrorKind::Usage, finding)
     }
 
     /// The same about arrays: what stands for a file's name is none.
     pub(crate) fn of_arrays(error: &calib::Error) -> Self {
         let mut finding = error.finding();
         finding.place.file = None;
-        Self::of(kind_of(error), &finding)
+        Self::of(kind_of(error), finding)
     }
 }
 
@@ -112,12 +116,18 @@ fn kind_of(error: &calib::Error) -> ErrorKind {
 
 impl From<calib::Error> for Error {
     fn from(error: calib::Error) -> Self {
-        Self::of(kind_of(&error), &error.finding())
+        Self::of(kind_of(&error), error.finding())
     }
 }
 
 impl From<serde_json::Error> for Error {
     fn from(error: serde_json::Error) -> Self {
-        Self::of(ErrorKind::Bug, &error.to_string().into())
+        Self::of(ErrorKind::Bug, error.to_string().into())
+    }
+}
+
+impl From<output::Error> for Error {
+    fn from(error: output::Error) -> Self {
+        Self::of(ErrorKind::Output, error.finding())
     }
 }
