@@ -70,29 +70,6 @@ fn sheet(rows: &[Vec<f64>]) -> Vec<Vec<SheetCell>> {
     [names.to_vec()].into_iter().chain(numbers).collect()
 }
 
-#[cfg(not(any(feature = "parquet", feature = "hdf5", feature = "xlsx")))]
-#[test]
-fn a_build_without_them_says_what_to_do() {
-    let told = |format: &str, bytes: &[u8], words: &[&str]| {
-        let error = texts(format, bytes).unwrap_err();
-        assert!(words.iter().all(|w| error.contains(w)), "{error}");
-    };
-    told(
-        "parquet",
-        b"PAR1",
-        &["a Parquet file", "feature `parquet`", "CSV"],
-    );
-    told(
-        "hdf5",
-        &vectors(),
-        &["HDF5", "save -v7", "feature `hdf5`", "CSV"],
-    );
-    let book = workbook(&[("Raw", false, sheet(&[]))]);
-    told("xlsx", &book, &["Excel", "feature `xlsx`", "CSV"]);
-    let error = write_parquet(&columns()).unwrap_err().to_string();
-    assert!(error.contains("feature `parquet`"), "{error}");
-}
-
 #[test]
 fn a_file_of_tables_is_known_by_its_first_bytes() {
     let name = |head: &[u8]| Tabular::recognise(head).map(|format| format.name);

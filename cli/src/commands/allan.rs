@@ -162,7 +162,7 @@ fn plot(sensor: Sensor, noise: &SensorNoise) -> Plot {
     };
     let unit = if is_in_counts(noise) { "counts" } else { unit };
     let mut plot = Plot::new(
-        format!("Allan deviation of the {name}"),
+        format!("Allan deviation of the {name} (bars 95 %, fit dashed)"),
         Axis::log("averaging time τ, s"),
         Axis::log(format!("Allan deviation σ(τ), {unit}")),
     );

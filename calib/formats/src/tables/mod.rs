@@ -132,13 +132,15 @@ impl Tabular {
     /// # Errors
     /// A build without it, and what to do.
     fn reader(&self) -> Result<Reader, Error> {
-        self.reader.ok_or_else(|| {
-            let found = Finding::of(Kind::NOT_IN_BUILD).detail("format", self.called);
-            let build = Remedy::Build {
-                feature: self.name.into(),
-            };
-            Error::refused(found.only_remedies((self.instead)().into_iter().chain([build])))
-        })
+        self.reader.ok_or_else(|| self.not_in_build())
+    }
+
+    fn not_in_build(&self) -> Error {
+        let found = Finding::of(Kind::NOT_IN_BUILD).detail("format", self.called);
+        let build = Remedy::Build {
+            feature: self.name.into(),
+        };
+        Error::refused(found.only_remedies((self.instead)().into_iter().chain([build])))
     }
 
     /// The tables in `store`.
@@ -182,11 +184,16 @@ pub fn write_parquet(columns: &[(String, Vec<f64>)]) -> Result<Vec<u8>, Error> {
     #[cfg(not(feature = "parquet"))]
     {
         let _ = columns;
-        let found = Finding::of(Kind::NOT_WRITTEN_BY_BUILD).detail("format", "Parquet");
-        Err(Error::refused(found.remedy(Remedy::Build {
-            feature: "parquet".into(),
-        })))
+        Err(parquet_not_written())
     }
+}
+
+#[cfg(any(test, not(feature = "parquet")))]
+fn parquet_not_written() -> Error {
+    let found = Finding::of(Kind::NOT_WRITTEN_BY_BUILD).detail("format", "Parquet");
+    Error::refused(found.remedy(Remedy::Build {
+        feature: "parquet".into(),
+    }))
 }
 
 thread_local! {
@@ -209,6 +216,21 @@ fn guarded<T>(read: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_build_without_a_reader_says_what_to_do() {
+        let told = |error: Error, words: &[&str]| {
+            let error = error.to_string();
+            assert!(words.iter().all(|w| error.contains(w)), "{error}");
+        };
+        let refused = |name: &str| Tabular::by_name(name).unwrap().not_in_build();
+        let parquet = ["a Parquet file", "feature `parquet`", "CSV"];
+        told(refused("parquet"), &parquet);
+        let hdf5 = ["HDF5", "save -v7", "feature `hdf5`", "CSV"];
+        told(refused("hdf5"), &hdf5);
+        told(refused("xlsx"), &["Excel", "feature `xlsx`", "CSV"]);
+        told(parquet_not_written(), &["feature `parquet`"]);
+    }
 
     #[test]
     fn a_panic_is_known_as_caught_where_it_is() {

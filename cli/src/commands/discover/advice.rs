@@ -52,14 +52,26 @@ pub fn to_show(not_observable: &[String], whole: bool) -> Vec<String> {
 }
 
 /// Returns the remedy for a fault; `None` if the only remedy is to record the interval again or leave it out.
-pub fn remedy_of(fault: &Integrity) -> Option<String> {
+fn remedy_of(fault: &Integrity) -> Option<String> {
     let again = [Remedy::RecordAgain, Remedy::LeaveOut];
     let remedies = &fault.finding.remedies;
     let more = remedies.iter().any(|remedy| !again.contains(remedy));
     more.then(|| fault.finding.advice(Front::CommandLine))?
 }
 
-/// Returns the recordings to make next, the most informative first.
+/// What to do against each fault that has a remedy.
+pub fn against_faults(findings: &Findings) -> impl Iterator<Item = String> {
+    let of = |fault: &Integrity| {
+        let remedy = remedy_of(fault)?;
+        Some(format!(
+            "Against {}: {remedy}.",
+            fault.name.replace('_', " ")
+        ))
+    };
+    findings.integrity.iter().filter_map(of)
+}
+
+/// Returns the recordings to make beside the next steps of the first screen, the most informative first.
 pub fn next_recordings(findings: &Findings) -> Vec<String> {
     let mut next: Vec<String> = Vec::new();
     let mut add = |text: String| {
@@ -69,25 +81,15 @@ pub fn next_recordings(findings: &Findings) -> Vec<String> {
     };
     for effect in &findings.effects {
         if let Some(recording) = &effect.told_apart_by {
-            let plan = match effect.rivals.is_empty() {
-                true => "",
-                false => {
-                    " `stillpoint plan findings.json`, with the file that -o writes, says which placements and turns."
-                }
-            };
             add(format!(
-                "To tell {} from {}: {}.{plan}",
+                "To tell {} from {}: {}.",
                 effect.name,
                 effect.indistinguishable_from.join(" and "),
                 recording.text(Front::CommandLine)
             ));
         }
     }
-    for fault in &findings.integrity {
-        if let Some(remedy) = remedy_of(fault) {
-            add(format!("Against {}: {remedy}.", fault.name));
-        }
-    }
+    against_faults(findings).skip(1).for_each(&mut add);
     if findings
         .integrity
         .iter()
@@ -97,7 +99,10 @@ pub fn next_recordings(findings: &Findings) -> Vec<String> {
             "The calibration does not use what is at fault. To be sure of it, record those intervals again.".into(),
         );
     }
-    if findings.unexplained.is_some() && findings.calibration.provenance.inputs.len() < 2 {
+    if findings.unexplained.is_some()
+        && !findings.effects.is_empty()
+        && findings.calibration.provenance.inputs.len() < 2
+    {
         add(
             "To learn whether what remains belongs to the device or to the day: a second recording of the same \
              kind. What returns with the same shape belongs to the device."
@@ -110,15 +115,6 @@ pub fn next_recordings(findings: &Findings) -> Vec<String> {
              formula defined in a file given as --effect-file. The gap must close there, or the formula be named."
                 .into(),
         );
-    }
-    if !findings.effects.is_empty() && findings.validation.is_empty() {
-        let what = match findings.effects.len() {
-            1 => "the name",
-            _ => "the names",
-        };
-        add(format!(
-            "To see {what} confirmed: another recording of the device, given as --validation. The gap must close there too."
-        ));
     }
     next
 }

@@ -5,7 +5,7 @@ use calib::Recording;
 use calib::discover::{Channel, Confirmation, EffectFinding, Findings, Integrity, Says, Verdict};
 use calib::gravity::GravitySource;
 
-use super::advice::remedy_of;
+use super::advice::against_faults;
 use super::args::Args;
 use super::size;
 use super::tables;
@@ -320,16 +320,7 @@ fn next(args: &Args, findings: &Findings) -> Vec<Step> {
             "Record the device once more: what returns with the same shape belongs to it, anything else to the day.",
         ));
     }
-    let remedy = findings
-        .integrity
-        .iter()
-        .find_map(|fault| Some((&fault.name, remedy_of(fault)?)));
-    if let Some((fault, remedy)) = remedy {
-        steps.push(Step::words(format!(
-            "Against {}: {remedy}.",
-            fault.replace('_', " ")
-        )));
-    }
+    steps.extend(against_faults(findings).next().map(Step::words));
     let calibration = &findings.calibration;
     if calibration.failed_gates.is_empty() {
         let one = args.recordings.first() + &args.read.command_line();
