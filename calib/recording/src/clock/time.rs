@@ -181,45 +181,15 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
     }
     let step = usual_step(table);
     if let Some(unit) = table.stated.time {
-        let rate = step.map(|step| unit.per_second() / step);
-        return match rate.filter(|rate| !POSSIBLE.contains(rate)) {
-            None => Ok(unit),
-            Some(rate) => {
-                // Another in which the rate is one of a sensor.
-                let step = step.unwrap_or(1.0);
-                let usual =
-                    |unit: &&TimeUnit| (10.0..=2000.0).contains(&(unit.per_second() / step));
-                let other = TimeUnit::ALL
-                    .iter()
-                    .find(usual)
-                    .unwrap_or(&TimeUnit::Seconds);
-                Err(in_file(
-                    &table.name,
-                    Finding::of(Kind::TIME_UNIT_STATED)
-                        .detail("unit", unit.name())
-                        .detail("rate", significant(rate, 6))
-                        .only_remedies([Remedy::such_as(OptionName::TimeUnit, other.name())]),
-                ))
-            }
-        };
+        return possible_as_stated(table, unit, step);
     }
-    let mut columns = table.roles.iter();
-    let unknown = |(role, name): &&(Role, String)| *role == Role::Time && says_unknown_unit(name);
-    if let Some((_, column)) = columns.find(unknown) {
-        let found = Finding::of(Kind::TIME_UNIT_OPEN).detail("column", shown(column));
-        // Any unit that the option takes would be another.
-        let count = per_second(column).map_or_else(|| "100".to_owned(), |count| count.to_string());
-        let scaled = Remedy::such_as(OptionName::Columns, format!("t={column}/{count}"));
-        return Err(in_file(&table.name, found.only_remedies([scaled])));
-    }
+    refuse_unknown(table)?;
     let Some(step) = step else {
         return Ok(TimeUnit::Seconds);
     };
-    let is_ticks = |(role, name): &&(Role, String)| *role == Role::Time && is_of_ticks(name);
-    let ticks = table.roles.iter().find(is_ticks);
-    let plausible = |unit: &TimeUnit| (1.0..=10_000.0).contains(&(unit.per_second() / step));
     // A counter of microseconds looks like seconds of this century after half an hour: its rate tells.
-    if let Some(unit) = table.clock.origin.and_then(of_epoch).filter(plausible) {
+    let of_epoch = table.clock.origin.and_then(of_epoch);
+    if let Some(unit) = of_epoch.filter(|unit| is_plausible(*unit, step)) {
         if unit != TimeUnit::Seconds {
             let year = year_of(table.clock.origin.unwrap_or_default(), unit);
             warnings.push(decided(table, unit).number("year", year, "count"));
@@ -236,37 +206,61 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
         }
         return unit_of_ones(table, warnings);
     }
+    unit_by_rate(table, step, warnings)
+}
+
+/// Returns true for a unit in which a step makes 1 Hz to 10 kHz.
+fn is_plausible(unit: TimeUnit, step: f64) -> bool {
+    (1.0..=10_000.0).contains(&(unit.per_second() / step))
+}
+
+/// The unit that a table states, unless no sensor has the rate that it makes.
+fn possible_as_stated(table: &Table, unit: TimeUnit, step: Option<f64>) -> Result<TimeUnit, Error> {
+    let rate = |step: f64| unit.per_second() / step;
+    let Some(step) = step.filter(|step| !POSSIBLE.contains(&rate(*step))) else {
+        return Ok(unit);
+    };
+    // Another in which the rate is one of a sensor.
+    let usual = |unit: &&TimeUnit| (10.0..=2000.0).contains(&(unit.per_second() / step));
+    let mut others = TimeUnit::ALL.iter();
+    let other = others.find(usual).unwrap_or(&TimeUnit::Seconds);
+    let found = Finding::of(Kind::TIME_UNIT_STATED)
+        .detail("unit", unit.name())
+        .detail("rate", significant(rate(step), 6))
+        .only_remedies([Remedy::such_as(OptionName::TimeUnit, other.name())]);
+    Err(in_file(&table.name, found))
+}
+
+/// Refuses a time whose name says that it has a unit of its own.
+fn refuse_unknown(table: &Table) -> Result<(), Error> {
+    let mut columns = table.roles.iter();
+    let unknown = |(role, name): &&(Role, String)| *role == Role::Time && says_unknown_unit(name);
+    let Some((_, column)) = columns.find(unknown) else {
+        return Ok(());
+    };
+    let found = Finding::of(Kind::TIME_UNIT_OPEN).detail("column", shown(column));
+    // Any unit that the option takes would be another.
+    let count = per_second(column).map_or_else(|| "100".to_owned(), |count| count.to_string());
+    let scaled = Remedy::such_as(OptionName::Columns, format!("t={column}/{count}"));
+    Err(in_file(&table.name, found.only_remedies([scaled])))
+}
+
+/// The column of time that is called after ticks of a counter.
+fn ticks_of(table: &Table) -> Option<&str> {
+    let is_ticks = |(role, name): &&(Role, String)| *role == Role::Time && is_of_ticks(name);
+    let column = table.roles.iter().find(is_ticks);
+    column.map(|(_, name)| name.as_str())
+}
+
+/// The one unit in which the rate is that of a sensor.
+fn unit_by_rate(table: &Table, step: f64, warnings: &mut Findings) -> Result<TimeUnit, Error> {
     let is_open = may_be_minutes(table, step);
-    if plausible(&TimeUnit::Seconds) && !is_open {
+    if is_plausible(TimeUnit::Seconds, step) && !is_open {
         return Ok(TimeUnit::Seconds);
     }
     // Of a packet with one stamp every sample is one.
     let step = step / rows_per_stamp(table);
-    let fitting = |rates: std::ops::Range<f64>| {
-        // Nobody counts ticks of a nanosecond: those of a processor's clock would be taken for such.
-        let fits = |unit: &TimeUnit| {
-            let may_be = ticks.is_none() || *unit != TimeUnit::Nanoseconds;
-            may_be && rates.contains(&(unit.per_second() / step))
-        };
-        COUNTED.into_iter().filter(fits).collect::<Vec<_>>()
-    };
-    // The rate of a counter is anything: one that makes an unusual rate has another.
-    let possible = if ticks.is_some() {
-        TICKED
-    } else {
-        1.0..10_000.0
-    };
-    let mut fitted = fitting(possible);
-    if fitted.len() > 1 {
-        fitted = fitting(USUAL);
-    }
-    // A counter that is called after its ticks may count those of Windows.
-    let tenths = TimeUnit::TenthMicroseconds;
-    let is_slow = |unit: &TimeUnit| unit.per_second() / step < USUAL.start;
-    if ticks.is_some() && fitted.iter().all(is_slow) && is_usual(&tenths, step) {
-        fitted = vec![tenths];
-    }
-    match fitted[..] {
+    match fitting(ticks_of(table).is_some(), step)[..] {
         [unit] if !is_open => {
             let rate = (unit.per_second() / step).round();
             let told = decided(table, unit).number("rate", rate, "Hz");
@@ -279,42 +273,68 @@ fn unit(table: &Table, options: &ReadOptions, warnings: &mut Findings) -> Result
         }
         // Seconds by contract, unless no sensor has that rate.
         [] if table.plain_time && POSSIBLE.contains(&(1.0 / step)) => Ok(TimeUnit::Seconds),
-        _ => {
-            // Days since 1900, or since the year 0, or the part of a day.
-            let samples = [&table.accel, &table.gyro];
-            let first = samples.into_iter().find_map(|samples| samples.t.first());
-            let is_days =
-                first.is_some_and(|first| (1e4..1e6).contains(first) || (0.0..1.0).contains(first));
-            let is_days = is_days && plausible(&TimeUnit::Days);
-            if let Some((_, column)) = ticks {
-                let found = Finding::of(Kind::TIME_UNIT_OPEN).detail("step", significant(step, 6));
-                let scaled = Remedy::such_as(OptionName::Columns, format!("t={column}/32768"));
-                return Err(in_file(&table.name, found.only_remedies([scaled])));
-            }
-            let is_time = |(role, _): &&(Role, String)| *role == Role::Time;
-            let name = table.roles.iter().find(is_time).map(|(_, name)| name);
-            let clock = CLOCKS
-                .into_iter()
-                .chain(PROCESSORS)
-                .find(|clock| USUAL.contains(&(clock / step)));
-            let long = LONG.iter().find(|unit| is_usual(unit, step));
-            let unit = |unit: TimeUnit| (OptionName::TimeUnit, unit.name().to_owned());
-            let counted = clock
-                .zip(name)
-                .map(|(clock, name)| (OptionName::Columns, format!("t={name}/{clock}")))
-                .into_iter();
-            let remedy = match long.copied().or(is_days.then_some(TimeUnit::Days)) {
-                Some(likely) => Remedy::examples([unit(likely)]),
-                // Of several clocks that make a usual rate nobody but the user knows which it is.
-                None if is_usual(&tenths, step) => {
-                    Remedy::examples([unit(tenths)].into_iter().chain(counted))
-                }
-                None => Remedy::examples(counted.chain([unit(TimeUnit::Milliseconds)])),
-            };
-            let found = Finding::of(Kind::TIME_UNIT_OPEN).detail("step", significant(step, 6));
-            Err(in_file(&table.name, found.only_remedies([remedy])))
-        }
+        _ => Err(rate_is_open(table, step)),
     }
+}
+
+/// The units in which a step makes a rate that may be; of a counter of ticks, any rate may.
+fn fitting(is_of_ticks: bool, step: f64) -> Vec<TimeUnit> {
+    let within = |rates: std::ops::Range<f64>| {
+        // Nobody counts ticks of a nanosecond: those of a processor's clock would be taken for such.
+        let fits = |unit: &TimeUnit| {
+            let may_be = !is_of_ticks || *unit != TimeUnit::Nanoseconds;
+            may_be && rates.contains(&(unit.per_second() / step))
+        };
+        COUNTED.into_iter().filter(fits).collect::<Vec<_>>()
+    };
+    // The rate of a counter is anything: one that makes an unusual rate has another.
+    let possible = if is_of_ticks { TICKED } else { 1.0..10_000.0 };
+    let mut fitted = within(possible);
+    if fitted.len() > 1 {
+        fitted = within(USUAL);
+    }
+    // A counter that is called after its ticks may count those of Windows.
+    let tenths = TimeUnit::TenthMicroseconds;
+    let is_slow = |unit: &TimeUnit| unit.per_second() / step < USUAL.start;
+    if is_of_ticks && fitted.iter().all(is_slow) && is_usual(&tenths, step) {
+        fitted = vec![tenths];
+    }
+    fitted
+}
+
+/// The refusal of stamps whose step no unit or several explain, with what they may be.
+fn rate_is_open(table: &Table, step: f64) -> Error {
+    let found = Finding::of(Kind::TIME_UNIT_OPEN).detail("step", significant(step, 6));
+    if let Some(column) = ticks_of(table) {
+        let scaled = Remedy::such_as(OptionName::Columns, format!("t={column}/32768"));
+        return in_file(&table.name, found.only_remedies([scaled]));
+    }
+    // Days since 1900, or since the year 0, or the part of a day.
+    let samples = [&table.accel, &table.gyro];
+    let first = samples.into_iter().find_map(|samples| samples.t.first());
+    let is_days =
+        first.is_some_and(|first| (1e4..1e6).contains(first) || (0.0..1.0).contains(first));
+    let days = Some(TimeUnit::Days).filter(|days| is_days && is_plausible(*days, step));
+    let is_time = |(role, _): &&(Role, String)| *role == Role::Time;
+    let name = table.roles.iter().find(is_time).map(|(_, name)| name);
+    let mut clocks = CLOCKS.into_iter().chain(PROCESSORS);
+    let clock = clocks.find(|clock| USUAL.contains(&(clock / step)));
+    let counted = clock
+        .zip(name)
+        .map(|(clock, name)| (OptionName::Columns, format!("t={name}/{clock}")))
+        .into_iter();
+    let long = LONG.iter().find(|unit| is_usual(unit, step));
+    let unit = |unit: TimeUnit| (OptionName::TimeUnit, unit.name().to_owned());
+    let tenths = TimeUnit::TenthMicroseconds;
+    let remedy = match long.copied().or(days) {
+        Some(likely) => Remedy::examples([unit(likely)]),
+        // Of several clocks that make a usual rate nobody but the user knows which it is.
+        None if is_usual(&tenths, step) => {
+            Remedy::examples([unit(tenths)].into_iter().chain(counted))
+        }
+        None => Remedy::examples(counted.chain([unit(TimeUnit::Milliseconds)])),
+    };
+    in_file(&table.name, found.only_remedies([remedy]))
 }
 
 findings::tuning! {

@@ -1,6 +1,6 @@
 //! Tables to a recording: seconds, SI units, order, and what is worth a warning.
 
-use findings::{Finding, Findings, Kind};
+use findings::{Finding, Findings, Kind, Remedy};
 use std::collections::HashSet;
 
 use sensor::Sensor;
@@ -50,38 +50,9 @@ pub(crate) fn assemble(
         &mut recording.warnings,
     )?;
     recording.name.push_str(&part);
-    if options.rate.is_none() {
-        let in_seconds = time::to_seconds(&mut tables, options, &mut recording.warnings);
-        if in_seconds.is_err() {
-            // Stamps that most rows share have no step that tells their unit.
-            for samples in tables.iter().flat_map(|table| [&table.accel, &table.gyro]) {
-                checks::order(&recording.name, samples, &mut Findings::new())?;
-            }
-        }
-        recording.zero_ns = in_seconds?;
-    } else if tables.iter().any(|table| table.has_time) {
-        let ignored = Finding::of(Kind::STAMPS_IGNORED);
-        recording
-            .warnings
-            .push(ignored.in_recording(&recording.name));
-    }
-    for Table {
-        name,
-        accel,
-        gyro,
-        magnetometer,
-        ..
-    } in &mut tables
-    {
-        for (sensor, samples) in [(Sensor::Accelerometer, accel), (Sensor::Gyroscope, gyro)] {
-            recording
-                .warnings
-                .extend(packets::apart(name, sensor, samples));
-            mixed::refuse(name, sensor, samples)?;
-            checks::order(name, samples, &mut recording.warnings)?;
-            samples.merge_twins();
-        }
-        magnetometer.merge_twins();
+    recording.zero_ns = in_seconds(&mut tables, options, &mut recording)?;
+    for table in &mut tables {
+        in_order(table, &mut recording.warnings)?;
     }
     // Who says which columns are what knows what is left. Before magnetometers and thermometers are taken out: theirs
     // may be all that is understood.
@@ -98,24 +69,10 @@ pub(crate) fn assemble(
         true => tables.clear(),
         false => thermometer::join(&mut tables)?,
     }
-    // A column that one sensor leaves is another's.
-    let read: HashSet<String> = tables
-        .iter()
-        .flat_map(|table| table.roles.iter().map(|(_, column)| column.clone()))
-        .collect();
-    for table in &mut tables {
-        table.unused.retain(|column| !read.contains(column));
-    }
-    let unused: Vec<String> = tables
-        .iter()
-        .flat_map(|table| table.unused.clone())
-        .collect();
+    let unused = unused(&mut tables);
     let unread = unclear::unread_accelerometer(&tables);
-    let gyro = tables.iter().find(|table| !table.gyro.t.is_empty());
-    let gyro = gyro.map(|table| {
-        let strange = table.strange[1].clone();
-        (table.name.clone(), table.stated.gyro, strange)
-    });
+    let gyroscope = tables.iter().find(|table| !table.gyro.t.is_empty());
+    let gyroscope = gyroscope.map(SaidOfRate::of);
     swapped::refuse(&tables, options)?;
     for table in tables {
         add(&mut recording, table, options)?;
@@ -123,20 +80,8 @@ pub(crate) fn assemble(
     // Turns tell the unit by the right signs.
     flip(&mut recording, &options.flip);
     hand_clock::refuse(&recording)?;
-    if let (Some((name, stated, strange)), Some(stream)) = (gyro, recording.gyroscope.take()) {
-        let said = decide::Said {
-            given: options.gyro_unit,
-            stated,
-            strange: strange.as_deref(),
-        };
-        let accel = recording.accelerometer.as_ref();
-        let warnings = &mut recording.warnings;
-        let (unit, unit_by) = decide::gyro_unit(&name, &stream, accel, said, warnings)?;
-        recording.gyroscope = Some(scaled(stream, unit.scale()));
-        let sensors = recording.description.sensors.iter_mut();
-        for described in sensors.filter(|described| described.sensor == Sensor::Gyroscope) {
-            (described.unit, described.unit_by) = (unit.name(), unit_by);
-        }
+    if let Some(said) = gyroscope {
+        rate_in_its_unit(&mut recording, &said, options)?;
     }
     let erased = crate::readings::cut_erased_tail(&mut recording);
     recording.warnings.extend(erased);
@@ -145,35 +90,138 @@ pub(crate) fn assemble(
     recording.warnings.extend(frozen);
     overlap(&recording)?;
     thermometer::check_clock(&mut recording);
+    let missing = missing_sensor(&recording, &unused, unread);
+    recording.warnings.extend(missing);
+    // What is true of a row is true of both sensors in it, but said once.
+    recording.warnings.once();
+    Ok(recording)
+}
+
+/// Brings the stamps into seconds and returns their zero in nanoseconds; a given rate ignores them.
+fn in_seconds(
+    tables: &mut [Table],
+    options: &ReadOptions,
+    recording: &mut Recording,
+) -> Result<i128, Error> {
+    if options.rate.is_some() {
+        if tables.iter().any(|table| table.has_time) {
+            let ignored = Finding::of(Kind::STAMPS_IGNORED).in_recording(&recording.name);
+            recording.warnings.push(ignored);
+        }
+        return Ok(recording.zero_ns);
+    }
+    let in_seconds = time::to_seconds(tables, options, &mut recording.warnings);
+    if in_seconds.is_err() {
+        // Stamps that most rows share have no step that tells their unit.
+        for samples in tables.iter().flat_map(|table| [&table.accel, &table.gyro]) {
+            checks::order(&recording.name, samples, &mut Findings::new())?;
+        }
+    }
+    in_seconds
+}
+
+/// Holds the samples of each sensor of a table to their order, and makes one of those with one stamp.
+fn in_order(table: &mut Table, warnings: &mut Findings) -> Result<(), Error> {
+    let Table {
+        name,
+        accel,
+        gyro,
+        magnetometer,
+        ..
+    } = table;
+    for (sensor, samples) in [(Sensor::Accelerometer, accel), (Sensor::Gyroscope, gyro)] {
+        warnings.extend(packets::apart(name, sensor, samples));
+        mixed::refuse(name, sensor, samples)?;
+        checks::order(name, samples, warnings)?;
+        samples.merge_twins();
+    }
+    magnetometer.merge_twins();
+    Ok(())
+}
+
+/// The columns that no sensor reads: one that a table leaves may be another's.
+fn unused(tables: &mut [Table]) -> Vec<String> {
+    let roles = tables.iter().flat_map(|table| &table.roles);
+    let read: HashSet<String> = roles.map(|(_, column)| column.clone()).collect();
+    for table in tables.iter_mut() {
+        table.unused.retain(|column| !read.contains(column));
+    }
+    tables
+        .iter()
+        .flat_map(|table| table.unused.clone())
+        .collect()
+}
+
+/// What a table says of the unit of its gyroscope.
+struct SaidOfRate {
+    name: String,
+    stated: Option<GyroUnit>,
+    strange: Option<String>,
+}
+
+impl SaidOfRate {
+    fn of(table: &Table) -> Self {
+        Self {
+            name: table.name.clone(),
+            stated: table.stated.gyro,
+            strange: table.strange[1].clone(),
+        }
+    }
+}
+
+/// Brings the gyroscope into rad/s by what was given and said, or by gravity in the turns.
+fn rate_in_its_unit(
+    recording: &mut Recording,
+    own: &SaidOfRate,
+    options: &ReadOptions,
+) -> Result<(), Error> {
+    let Some(stream) = recording.gyroscope.take() else {
+        return Ok(());
+    };
+    let said = decide::Said {
+        given: options.gyro_unit,
+        stated: own.stated,
+        strange: own.strange.as_deref(),
+    };
+    let accel = recording.accelerometer.as_ref();
+    let warnings = &mut recording.warnings;
+    let (unit, unit_by) = decide::gyro_unit(&own.name, &stream, accel, said, warnings)?;
+    recording.gyroscope = Some(scaled(stream, unit.scale()));
+    let sensors = recording.description.sensors.iter_mut();
+    for described in sensors.filter(|described| described.sensor == Sensor::Gyroscope) {
+        (described.unit, described.unit_by) = (unit.name(), unit_by);
+    }
+    Ok(())
+}
+
+/// The finding about a sensor that the tables do not hold, with their columns that nobody reads.
+fn missing_sensor(
+    recording: &Recording,
+    unused: &[String],
+    unread: Option<Remedy>,
+) -> Option<Finding> {
     let sensors = [&recording.accelerometer, &recording.gyroscope].map(Option::is_some);
     let only = |missing: &str, only: &str| {
         Finding::of(Kind::ONE_SENSOR_ONLY)
             .detail("missing", missing)
             .detail("only", only)
     };
-    let missing = match (sensors, recording.magnetometer.is_some()) {
-        ([true, true], _) => None,
-        ([true, false], _) => Some(only("gyroscope", "accelerometer")),
-        ([false, true], _) => Some(only("accelerometer", "gyroscope")),
+    let mut missing = match (sensors, recording.magnetometer.is_some()) {
+        ([true, true], _) => return None,
+        ([true, false], _) => only("gyroscope", "accelerometer"),
+        ([false, true], _) => only("accelerometer", "gyroscope"),
         ([false, false], true) => {
-            Some(only("accelerometer", "magnetometer").detail("neither", "gyroscope"))
+            only("accelerometer", "magnetometer").detail("neither", "gyroscope")
         }
-        ([false, false], false) => Some(Finding::of(Kind::NO_SENSOR)),
+        ([false, false], false) => Finding::of(Kind::NO_SENSOR),
     };
-    let missing = missing.map(|missing| match unused.is_empty() {
-        true => missing,
-        false => missing.detail("unused", format!("`{}`", unused.join("`, `"))),
-    });
-    let missing = missing.map(|missing| match unread.filter(|_| !sensors[0]) {
-        Some(columns) => missing.remedy(columns),
-        None => missing,
-    });
-    recording
-        .warnings
-        .extend(missing.map(|missing| missing.in_recording(&recording.name)));
-    // What is true of a row is true of both sensors in it, but said once.
-    recording.warnings.once();
-    Ok(recording)
+    if !unused.is_empty() {
+        missing = missing.detail("unused", format!("`{}`", unused.join("`, `")));
+    }
+    if let Some(columns) = unread.filter(|_| !sensors[0]) {
+        missing = missing.remedy(columns);
+    }
+    Some(missing.in_recording(&recording.name))
 }
 
 fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Result<(), Error> {

@@ -76,6 +76,59 @@ fn owner(name: &str) -> &str {
     name.split_once('.').map_or(name, |(owner, _)| owner)
 }
 
+/// Gates of static intervals in which the device moved; warns of turns that are long.
+fn restless(
+    fit: &JointFit,
+    recordings: &[&Recording],
+    choices: &[&Choice],
+    gravity: f64,
+    warnings: &mut Findings,
+) -> Findings {
+    let mut gates = Findings::new();
+    let scale = fit.force_unit.scale;
+    for (recording, choice) in recordings.iter().zip(choices) {
+        let cut = &choice.segmentation;
+        gates.extend(checks::restless(recording, cut, scale, gravity));
+        warnings.extend(checks::long_turns(recording, cut));
+    }
+    gates
+}
+
+/// What no device has of the fitted parameters: units, signs and columns that were read wrongly.
+fn read_wrongly(
+    fit: &JointFit,
+    force: &Fitted,
+    rate: Option<&Fitted>,
+    recordings: &[&Recording],
+) -> checks::Said {
+    let mut said = checks::ForceFit::of(force, fit.force_unit, fit.gravity, recordings).said();
+    if let Some(rate) = rate {
+        let (missed, unit) = (fit.missed(), &fit.force_unit);
+        let of_rate = checks::RateFit::of(rate, &fit.rate_unit, missed, unit, recordings);
+        said.append(of_rate.said());
+    }
+    said
+}
+
+/// Warns of clocks, disturbances, what the model leaves, another latitude, and intervals that decide alone.
+fn doubts(
+    fit: &JointFit,
+    remainders: &[Remainder],
+    recordings: &[&Recording],
+    account: &Account,
+    warnings: &mut Findings,
+) {
+    warnings.extend(clocks::doubts(fit));
+    disturbances(fit, warnings);
+    let is_of_search = account.names_what_is_missing;
+    say_misfits(fit, remainders, recordings, is_of_search, warnings);
+    // More than the earth turns is an error of the gyroscope, whatever the latitude.
+    let doubt = account.latitude.and_then(|l| LatitudeDoubt::of(fit, l));
+    let doubt = doubt.filter(LatitudeDoubt::is_of_the_earth);
+    warnings.extend(doubt.map(|doubt| doubt.finding()));
+    influences(fit, warnings);
+}
+
 /// The fit as a [`Calibration`], checked; `warnings` stay outside.
 pub fn written_down(
     fit: &JointFit,
@@ -86,48 +139,20 @@ pub fn written_down(
 ) -> Result<Calibration, Error> {
     let force = fit.fitted(Sensor::Accelerometer);
     let rate = fit.has_gyroscope().then(|| fit.fitted(Sensor::Gyroscope));
-    check_force(fit, &force, warnings)?;
-    let mut failed_gates = Findings::new();
-    for (recording, choice) in recordings.iter().zip(choices) {
-        let segmentation = &choice.segmentation;
-        let scale = fit.force_unit.scale;
-        failed_gates.extend(checks::restless(
-            recording,
-            segmentation,
-            scale,
-            account.gravity,
-        ));
-        warnings.extend(checks::long_turns(recording, segmentation));
-    }
     let turned = rate.as_ref().filter(|_| !fit.chords.is_empty());
+    check_force(fit, &force, warnings)?;
+    let mut failed_gates = restless(fit, recordings, choices, account.gravity, warnings);
     if let Some(rate) = turned {
         check_rate(fit, rate, warnings)?;
     }
-    let not_calibrated: Vec<NotCalibrated> = rate
-        .as_ref()
-        .filter(|_| turned.is_none())
-        .map(|rate| without_a_turn(fit, rate, recordings, choices))
-        .into_iter()
-        .collect();
+    let lost = rate.as_ref().filter(|_| turned.is_none());
+    let lost = lost.map(|rate| without_a_turn(fit, rate, recordings, choices));
+    let not_calibrated: Vec<NotCalibrated> = lost.into_iter().collect();
     failed_gates.extend(not_calibrated.iter().map(NotCalibrated::gate));
     failed_gates.extend(placements_apart(fit));
-    let said = checks::ForceFit::of(&force, fit.force_unit, fit.gravity, recordings).said();
-    said.add_to(&mut failed_gates, warnings);
-    if let Some(rate) = turned {
-        let (missed, force_unit) = (fit.missed(), &fit.force_unit);
-        let said = checks::RateFit::of(rate, &fit.rate_unit, missed, force_unit, recordings).said();
-        said.add_to(&mut failed_gates, warnings);
-    }
-    warnings.extend(clocks::doubts(fit));
-    disturbances(fit, warnings);
+    read_wrongly(fit, &force, turned, recordings).add_to(&mut failed_gates, warnings);
     let remainders: Vec<Remainder> = fit.misfits().iter().map(Remainder::of).collect();
-    let is_of_search = account.names_what_is_missing;
-    say_misfits(fit, &remainders, recordings, is_of_search, warnings);
-    // More than the earth turns is an error of the gyroscope, whatever the latitude.
-    let doubt = account.latitude.and_then(|l| LatitudeDoubt::of(fit, l));
-    let doubt = doubt.filter(LatitudeDoubt::is_of_the_earth);
-    warnings.extend(doubt.map(|doubt| doubt.finding()));
-    influences(fit, warnings);
+    doubts(fit, &remainders, recordings, account, warnings);
     let motions = fit.bias_motions();
     let last = |motions: &[Option<BiasMotion>]| motions.last().copied().flatten();
     let [moved_force, moved_rate] = [last(&motions[0]), last(&motions[1])];

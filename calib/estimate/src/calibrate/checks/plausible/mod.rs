@@ -56,6 +56,12 @@ impl Said {
         self.warnings.push(found.at_level(level));
     }
 
+    /// Takes what another one says after it.
+    pub fn append(&mut self, other: Self) {
+        self.gates.extend(other.gates);
+        self.warnings.extend(other.warnings);
+    }
+
     /// Adds to the gates and the warnings of a calibration.
     pub fn add_to(self, gates: &mut Findings, warnings: &mut Findings) {
         gates.extend(self.gates);

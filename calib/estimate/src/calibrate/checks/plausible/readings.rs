@@ -87,7 +87,7 @@ pub fn implausible(
         recordings: &recordings,
     };
     let found = force::said(&force_fit, &force_columns);
-    found.add_to(&mut said.gates, &mut said.warnings);
+    said.append(found);
     let up = forces
         .iter()
         .map(|f| f.map(|f| base.correct(&f).normalize()));
@@ -108,7 +108,7 @@ pub fn implausible(
         };
         let own = columns(Sensor::Gyroscope, rate_base.is_some());
         let found = rate::said(&rate_fit, &own, &force_columns);
-        found.add_to(&mut said.gates, &mut said.warnings);
+        said.append(found);
     }
     said
 }
