@@ -24,6 +24,9 @@ use crate::units::{AccelUnit, GyroUnit, TimeUnit};
 #[derive(Debug)]
 pub(crate) struct Measured(pub &'static str);
 
+/// Names of what a log holds that a message lists.
+const LISTED: usize = 12;
+
 /// Stamps from here on are epochs, ns: what is before their first whole second is subtracted.
 const EPOCH: i64 = 1_000_000_000_000_000;
 
@@ -88,41 +91,20 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
     let accel = chooser.take(&mut streams, Quantity::SpecificForce)?;
     let gyro = chooser.take(&mut streams, Quantity::AngularRate)?;
     if accel.is_none() && gyro.is_none() {
-        let listed = match listed.len() {
-            0 => "nothing".to_owned(),
-            1..=12 => listed.join(", "),
-            more => format!("{} and {} more", listed[..12].join(", "), more - 12),
-        };
-        let found = Finding::of(Kind::LOG_WITHOUT_SENSOR).detail("listed", shown(&listed));
         let why = cut.as_ref().or_else(|| warnings.first());
-        return Err(in_file(
-            name,
-            match why {
-                Some(why) => found.detail("why", shown(&why.what())),
-                None => found,
-            },
-        ));
+        return Err(in_file(name, without_sensor(&listed, why)));
     }
     let all_wanted = options.topics.is_empty() && !unclear.is_empty();
-    if all_wanted && (accel.is_none() || gyro.is_none()) {
-        let missing = match accel {
-            None => Sensor::Accelerometer,
-            Some(_) => Sensor::Gyroscope,
-        };
+    let one = [(Sensor::Gyroscope, &accel), (Sensor::Accelerometer, &gyro)];
+    if let [(missing, Some(known)), (_, None)] | [(_, None), (missing, Some(known))] = one
+        && all_wanted
+    {
+        let topic = Remedy::such_as(OptionName::Topic, shown(&known.source));
         let found = Finding::of(Kind::LOG_SENSOR_UNCLEAR)
             .of_sensor(missing)
-            .detail("unclear", shown_list(unclear.iter()));
-        let known = accel.as_ref().or(gyro.as_ref());
-        return Err(in_file(
-            name,
-            match known {
-                Some(stream) => {
-                    let known = Remedy::such_as(OptionName::Topic, shown(&stream.source));
-                    found.only_remedies([known])
-                }
-                None => found,
-            },
-        ));
+            .detail("unclear", shown_list(unclear.iter()))
+            .only_remedies([topic]);
+        return Err(in_file(name, found));
     }
     let of_accel = |stream: &Stream| {
         accel
@@ -138,13 +120,7 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
         .iter()
         .position(|stream| stream.quantity == Quantity::Temperature && of_accel(stream));
     let temperature = temperature.map(|at| streams.swap_remove(at));
-    let origin = [&accel, &gyro]
-        .into_iter()
-        .flatten()
-        .filter_map(|stream| stream.stamps.first())
-        .min();
-    let origin = origin.copied().filter(|first| first.abs() >= EPOCH);
-    let origin = origin.map_or(0, |first| first - first.rem_euclid(1_000_000_000));
+    let origin = origin([&accel, &gyro].into_iter().flatten());
     let mut tables = Vec::new();
     let mut applied_before = Vec::new();
     for (sensor, stream) in [(Sensor::Accelerometer, accel), (Sensor::Gyroscope, gyro)] {
@@ -157,13 +133,7 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
         }
     }
     if let (Some(temperature), Some(table)) = (temperature, tables.first_mut()) {
-        for (stamp, value) in temperature.stamps.iter().zip(&temperature.values) {
-            let t = seconds(*stamp, origin);
-            if table.temperature_t.last().is_none_or(|last| t > *last) {
-                table.temperature_t.push(t);
-                table.temperature.push(value[0]);
-            }
-        }
+        add_temperature(table, &temperature, origin);
     }
     warnings.extend(cut);
     let warnings = warnings.into_iter().map(|f| f.in_recording(name));
@@ -176,6 +146,42 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
     recording.warnings.extend(warnings);
     recording.description.applied_before = applied_before;
     Ok(recording)
+}
+
+/// A log that holds neither accelerometer nor gyroscope, with what it lists and why it may end early.
+fn without_sensor(listed: &[String], why: Option<&Finding>) -> Finding {
+    let listed = match listed {
+        [] => "nothing".to_owned(),
+        [first @ .., _] if first.len() < LISTED => listed.join(", "),
+        all => format!(
+            "{} and {} more",
+            all[..LISTED].join(", "),
+            all.len() - LISTED
+        ),
+    };
+    let found = Finding::of(Kind::LOG_WITHOUT_SENSOR).detail("listed", shown(&listed));
+    match why {
+        Some(why) => found.detail("why", shown(&why.what())),
+        None => found,
+    }
+}
+
+/// The whole second that stamps which tell the date are counted from, ns; 0 for others.
+fn origin<'a>(streams: impl Iterator<Item = &'a Stream>) -> i64 {
+    let first = streams.filter_map(|stream| stream.stamps.first()).min();
+    let first = first.filter(|first| first.abs() >= EPOCH);
+    first.map_or(0, |first| first - first.rem_euclid(1_000_000_000))
+}
+
+/// Adds the temperatures of a stream, those that go back in time left out.
+fn add_temperature(table: &mut Table, stream: &Stream, origin: i64) {
+    for (stamp, value) in stream.stamps.iter().zip(&stream.values) {
+        let t = seconds(*stamp, origin);
+        if table.temperature_t.last().is_none_or(|last| t > *last) {
+            table.temperature_t.push(t);
+            table.temperature.push(value[0]);
+        }
+    }
 }
 
 /// The magnetometer in a stream.
