@@ -1,5 +1,8 @@
 //! Median, quantiles and root mean square.
 
+/// Standard deviation of a normal variable over the median of its sizes, `1/Φ⁻¹(3/4)`.
+pub const NORMAL_OVER_MEDIAN: f64 = 1.4826;
+
 /// The middle value, of an even number of them the upper of the two; `None` of none.
 pub fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
     let mut values: Vec<f64> = values.into_iter().collect();

@@ -1,6 +1,6 @@
 //! Changes of the mean within a rest that are no noise: steps, and drift in one direction.
 
-use recording::averages::median;
+use recording::averages::{NORMAL_OVER_MEDIAN, median};
 use recording::intervals::Span;
 
 /// Means on either side of a place that are compared, in blocks.
@@ -20,9 +20,6 @@ findings::tuning! {
     /// Farther is so many blocks.
     FARTHER: usize = 16;
 }
-
-/// Standard deviation of a normal variable over its median absolute deviation.
-const MAD: f64 = 1.4826;
 
 findings::tuning! {
     /// Steps that are kept.
@@ -85,7 +82,7 @@ pub(crate) fn steps(means: &[Mean]) -> Vec<Step> {
             continue;
         };
         let away = differences.iter().map(|d| (d.1 - usual).abs());
-        let scale = MAD * median(away).unwrap_or(0.0);
+        let scale = NORMAL_OVER_MEDIAN * median(away).unwrap_or(0.0);
         let mut evident: Vec<(usize, f64)> = differences
             .into_iter()
             .map(|(k, d)| (k, d - usual))

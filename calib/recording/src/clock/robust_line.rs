@@ -1,5 +1,7 @@
 //! A line through the offsets of turns that outliers do not bend.
 
+use crate::averages::NORMAL_OVER_MEDIAN;
+
 findings::tuning! {
     /// Turns that a drift takes.
     FEWEST: usize = 8;
@@ -98,7 +100,7 @@ pub(super) fn line_through(offsets: &[Offset], middle: f64) -> Option<(Line, f64
             .map(|(o, e)| left(o) / e)
             .collect();
         let mut sizes: Vec<f64> = ratios.iter().map(|z| z.abs()).collect();
-        let scale = OUTLIER.get() * (1.4826 * quantile(&mut sizes, 0.5)).max(1e-6);
+        let scale = OUTLIER.get() * (NORMAL_OVER_MEDIAN * quantile(&mut sizes, 0.5)).max(1e-6);
         for ((weight, error), z) in weights.iter_mut().zip(&errors).zip(&ratios) {
             *weight = error.powi(-2) / (1.0 + (z / scale).powi(2));
         }

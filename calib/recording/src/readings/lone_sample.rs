@@ -1,6 +1,6 @@
 //! A sample far from its neighbours, where those around it are quiet: no noise and no motion makes it.
 
-use crate::averages::median;
+use crate::averages::{NORMAL_OVER_MEDIAN, median};
 
 findings::tuning! {
     /// Samples on each side that show what is usual around one.
@@ -17,9 +17,6 @@ findings::tuning! {
     /// ... and its neighbours differ by less than this share of it.
     NEIGHBOURS: f64 = 0.25;
 }
-
-/// Standard deviation of a normal variable over its median absolute deviation, `1/Φ⁻¹(3/4)`.
-const MAD: f64 = 1.482_602_218_505_602;
 
 /// The smallest changes that an axis can show.
 #[derive(Clone, Copy, Debug)]
@@ -63,7 +60,7 @@ pub fn is_far(distance: f64, around: &[f64], least: f64) -> bool {
     let Some(usual) = median(around.iter().copied()) else {
         return false;
     };
-    let spread = (MAD * usual).max(least);
+    let spread = (NORMAL_OVER_MEDIAN * usual).max(least);
     let restless = around.iter().filter(|v| **v > QUIET.get() * spread).count();
     distance > BEYOND.get() * spread && restless as f64 <= RESTLESS.get() * around.len() as f64
 }

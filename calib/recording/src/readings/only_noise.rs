@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::averages::median;
+use crate::averages::{NORMAL_OVER_MEDIAN, median};
 use crate::order_statistic::nth_smallest;
 
 findings::tuning! {
@@ -17,9 +17,6 @@ findings::tuning! {
 
     /// Range of an axis that turns, in the same.
     TURNS: f64 = 100.0;
-
-    /// Median absolute deviation of a standard normal number.
-    MEDIAN_DEVIATION: f64 = 0.6745;
 }
 
 /// Returns the axis that reads only noise, if another one turns.
@@ -35,7 +32,7 @@ pub fn only_noise(values: &[Vector3<f64>]) -> Option<usize> {
 fn range(values: &[Vector3<f64>], stride: usize, axis: usize) -> Option<f64> {
     let pairs = values.windows(2).step_by(stride);
     let steps = pairs.map(|pair| (pair[1][axis] - pair[0][axis]).abs());
-    let noise = median(steps)? / (MEDIAN_DEVIATION.get() * std::f64::consts::SQRT_2);
+    let noise = NORMAL_OVER_MEDIAN * median(steps)? / std::f64::consts::SQRT_2;
     let own = || values.iter().step_by(stride).map(|value| value[axis]);
     let count = own().count();
     let tail = (TAIL.get() * count as f64) as usize;

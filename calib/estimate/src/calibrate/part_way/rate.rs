@@ -1,6 +1,6 @@
 //! A bias of the gyroscope that steps and stays.
 
-use recording::averages::median;
+use recording::averages::{NORMAL_OVER_MEDIAN, median};
 use recording::intervals::{Moments, Span, StaticInterval};
 use sensor::Sensor;
 
@@ -37,7 +37,7 @@ fn of_axis(rests: &[(usize, Span, Moments)], axis: usize) -> Option<Change> {
     let at = inner.max_by(|&a, &b| differences[a].abs().total_cmp(&differences[b].abs()))?;
     let step = differences[at];
     let others = differences.iter().enumerate().filter(|(k, _)| *k != at);
-    let usual = 1.4826 * median(others.map(|(_, d)| d.abs()))?;
+    let usual = NORMAL_OVER_MEDIAN * median(others.map(|(_, d)| d.abs()))?;
     let white = median(rests.iter().map(|(.., rate)| rate.white_of_mean()))?;
     let level = |side: &[f64]| median(side.iter().copied());
     let noise = usual.hypot(2f64.sqrt() * white);

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use sensor::Sensor;
 
 use super::resolution::{Spike, resolution, usual_reach};
-use crate::averages::median;
+use crate::averages::{NORMAL_OVER_MEDIAN, median};
 use crate::readings::lone_sample::{AROUND, Resolution};
 use crate::recording::Stream;
 
@@ -46,9 +46,6 @@ findings::tuning! {
     /// Half as large ones may be so many more than the spikes: of heavy tails they are far more.
     MORE_SMALL: usize = 2;
 }
-
-/// The standard deviation of a normal distribution over the median of the sizes.
-const NORMAL: f64 = 1.0 / 0.6745;
 
 /// Lists the readings of a sensor that neither its other axes, nor the samples next to them, nor the other sensor share.
 pub(super) fn alone(sensor: Sensor, own: &Stream, other: &Stream) -> Vec<Spike> {
@@ -156,7 +153,7 @@ fn around(values: &[Vector3<f64>], axis: usize, at: usize) -> (f64, f64) {
     let level: Vec<f64> = before.iter().chain(after).map(|v| v[axis]).collect();
     let middle = median(level.iter().copied()).unwrap_or(0.0);
     let off = || level.iter().map(|v| (v - middle).abs());
-    let scatter = NORMAL * median(off()).unwrap_or(0.0);
+    let scatter = NORMAL_OVER_MEDIAN * median(off()).unwrap_or(0.0);
     (scatter, off().fold(0.0, f64::max))
 }
 
@@ -195,7 +192,7 @@ fn noise(values: &[Vector3<f64>], axis: usize, at: usize) -> f64 {
     let last = values.len().saturating_sub(2);
     let near = at.saturating_sub(AROUND.get()).max(2)..(at + AROUND.get() + 1).min(last);
     let sizes = near.map(|k| departure(|i| values[i][axis], k).abs());
-    NORMAL * median(sizes).unwrap_or(0.0)
+    NORMAL_OVER_MEDIAN * median(sizes).unwrap_or(0.0)
 }
 
 /// Places whose departures are large against those of their block, or of both beside it.
@@ -209,7 +206,7 @@ fn far(values: &[Vector3<f64>], axis: usize, step: f64) -> Vec<usize> {
         .collect();
     let blocks = sizes.chunks(AROUND.get());
     let usual: Vec<f64> = blocks
-        .map(|block| NORMAL * median(block.iter().copied()).unwrap_or(0.0))
+        .map(|block| NORMAL_OVER_MEDIAN * median(block.iter().copied()).unwrap_or(0.0))
         .collect();
     let is_far = |k: usize| {
         let block = k / AROUND.get();
