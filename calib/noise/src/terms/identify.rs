@@ -54,7 +54,6 @@ pub struct NoiseTerms {
     pub is_known: bool,
     /// Squared coefficients; that of quantisation is negative where a memory takes off more than rounding adds.
     squares: [f64; 5],
-    samples: usize,
     step: f64,
 }
 
@@ -118,7 +117,7 @@ impl NoiseTerms {
     pub fn interval(&self, point: &AllanPoint) -> Interval {
         let theta = self.squares;
         let implied = variance(point.tau, &theta);
-        let scatter = PairCovariance::new([point.factor; 2], self.samples, self.step).at(&theta);
+        let scatter = PairCovariance::new([point.factor; 2], [point.places; 2], self.step).at(&theta);
         let relative = scatter / (implied * implied);
         let squares = invert(POINT_CONFIDENCE.get(), point.deviation.powi(2), |v| {
             Scatter {
@@ -180,7 +179,6 @@ pub fn identify(curve: &AllanCurve) -> Option<NoiseTerms> {
         longest_tau: octaves.points.last()?.tau,
         is_known,
         squares,
-        samples: curve.samples,
         step: curve.step,
     })
 }
