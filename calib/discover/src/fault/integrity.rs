@@ -384,4 +384,16 @@ mod tests {
         let before = lost[0].interval.unwrap();
         assert!((50..PLACEMENTS).contains(&before), "{before}");
     }
+
+    #[test]
+    fn a_gyroscope_whose_clock_runs_faster_has_no_late_stamps_and_the_drift_is_said() {
+        let spec = Spec::hand_held(3);
+        let mut recording = spec.run().unwrap().recording;
+        let gyroscope = recording.gyroscope.as_mut().unwrap();
+        gyroscope.t.iter_mut().for_each(|t| *t *= 1.002);
+        let found = crate::discover(&[recording], &Request::new(spec.gravity)).unwrap();
+        let findings = found.findings;
+        assert!(findings.calibration.warnings.has(Kind::CLOCK_DRIFT));
+        assert!(findings.effects.is_empty(), "{:?}", findings.effects);
+    }
 }

@@ -86,7 +86,6 @@ pub(super) fn beyond_errors(
         for (row, (place, _)) in rows.iter().enumerate() {
             scatter[(row, row)] += missed[*place].variance.max(usual.0);
         }
-        let allowed = scatter.diagonal().sum() / kept.len() as f64;
         let value = DVector::from_iterator(rows.len(), rows.iter().map(|&(k, i)| missed[k].value[i]));
         let square = value.dot(&Cholesky::new(scatter)?.solve(&value));
         // Of the three components of a turn's miss one is along gravity, and nothing.
@@ -100,7 +99,6 @@ pub(super) fn beyond_errors(
             .in_recording(&recording.name)
             .of_sensor(sensor)
             .number("rms", rms, unit)
-            .number("allowed", allowed.sqrt(), unit)
             .number("ratio", (square / dof).sqrt(), "1");
         Some(found.affects(affected, rms, unit))
     };
@@ -118,4 +116,47 @@ fn usual(sensor: Sensor, own: &Triad) -> Option<(f64, f64)> {
     };
     let dof = count.checked_sub(own.rank).filter(|&dof| dof > 0)? as f64;
     Some((rms * rms * count as f64 / dof, dof))
+}
+
+#[cfg(test)]
+mod tests {
+    use recording::intervals::{Detector, segment};
+    use simulate::Spec;
+
+    use super::*;
+    use crate::calibrate::{Request, calibrate};
+    use crate::evaluate::evaluate;
+
+    #[test]
+    fn a_calibration_is_doubted_where_its_scale_factors_are_twenty_errors_off_and_else_not() {
+        let spec = Spec::hand_held(3);
+        let mut recording = spec.run().unwrap().recording;
+        let request = Request {
+            gravity: spec.gravity,
+            ..Request::default()
+        };
+        let made = calibrate(std::slice::from_ref(&recording), &[], &request);
+        let mut calibration = made.unwrap().calibration;
+        // A sample less is another recording of the same device.
+        let streams = [&mut recording.accelerometer, &mut recording.gyroscope];
+        for stream in streams.into_iter().flatten() {
+            stream.t.pop();
+            stream.values.pop();
+        }
+        let segmentation = segment(&recording, &Detector::default()).unwrap();
+        let doubts = |calibration: &Calibration| -> Vec<Option<Sensor>> {
+            let left = evaluate(&recording, &segmentation, Some(calibration), spec.gravity);
+            let found = left.unwrap().warnings;
+            found.iter().map(|found| found.place.sensor).collect()
+        };
+        assert_eq!(doubts(&calibration), []);
+        let sensors = [Sensor::Accelerometer, Sensor::Gyroscope];
+        for sensor in sensors {
+            let own = calibration.triad_mut(sensor).unwrap();
+            for (axis, errors) in [20.0, -20.0, 20.0].into_iter().enumerate() {
+                own.t[axis][axis] += errors * own.t_std[axis][axis].unwrap();
+            }
+        }
+        assert_eq!(doubts(&calibration), sensors.map(Some));
+    }
 }

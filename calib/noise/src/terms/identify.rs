@@ -221,6 +221,7 @@ fn without_memory(all: &Octaves) -> Option<Octaves> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::allan::AllanAccumulator;
 
     /// White noise of density 1 at 50 Hz: SplitMix64, sums of twelve.
     fn white(samples: usize, seed: u64) -> Vec<f64> {
@@ -283,6 +284,23 @@ mod tests {
                 "{name}"
             );
         }
+    }
+
+    /// Twenty minutes with gaps are twelve pieces that show nothing over more than half a piece, and less of a walk than the whole.
+    #[test]
+    fn beside_gaps_the_terms_are_bounded_by_what_the_pieces_hold() {
+        let values = white(60_000, 5);
+        let mut pieces = AllanAccumulator::new();
+        for (k, value) in values.iter().enumerate() {
+            if k % 5000 == 0 {
+                pieces.gap();
+            }
+            pieces.push(*value);
+        }
+        let (pieces, whole) = (identify(&pieces.finish(0.02)).unwrap(), fit(values));
+        let walk = |found: &NoiseTerms| found.get(NoiseTerm::RandomWalk).interval.upper;
+        assert!(pieces.longest_tau < 50.0 && whole.longest_tau > 200.0);
+        assert!(walk(&pieces) > walk(&whole), "{}", walk(&pieces));
     }
 
     #[test]

@@ -33,7 +33,7 @@ kinds! {
     ),
     /// A recording misses gravity by more than the errors of a calibration allow.
     BEYOND_ERRORS = "beyond_errors" => doubt(
-        "corrected by this calibration the {sensor} misses gravity by {rms} (rms), {ratio} times what the calibration's standard errors and the noise allow ({allowed}). Its parameters have changed since by more than their errors, or gravity is another here",
+        "corrected by this calibration the {sensor} misses gravity by {rms} (rms), in a pattern {ratio} times as large as the calibration's standard errors and the noise make it. Its parameters have changed since by more than their errors, or gravity is another here",
         "",
         vec![Remedy::CalibrateAgain],
     ),
