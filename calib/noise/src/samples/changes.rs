@@ -19,6 +19,8 @@ findings::tuning! {
     NEARER: usize = 8;
     /// Farther is so many blocks.
     FARTHER: usize = 16;
+    /// Of the squares that a step explains a line explains three quarters, and more than this share of those of a slope.
+    SLOPE: f64 = 0.9;
 }
 
 /// Standard deviation of a normal variable over its median absolute deviation.
@@ -141,7 +143,7 @@ fn is_abrupt(prefix: &[f64], k: usize, width: usize, size: f64) -> bool {
         && !is_slope(prefix, k, far)
 }
 
-/// Returns true if a line explains more of the squares within the window than a step in its middle does.
+/// Returns true if a line explains about as much of the squares within the window as a step in its middle does.
 fn is_slope(prefix: &[f64], k: usize, width: usize) -> bool {
     let w = width as f64;
     let from_middle = |j: usize| j as f64 - k as f64;
@@ -150,7 +152,7 @@ fn is_slope(prefix: &[f64], k: usize, width: usize) -> bool {
         .map(|j| from_middle(j) * mean(j))
         .sum();
     let by_line = along * along / (w * (w + 1.0) * (2.0 * w + 1.0) / 3.0);
-    by_line > 0.5 * w * difference(prefix, k, width).powi(2)
+    by_line > SLOPE.get() * 0.5 * w * difference(prefix, k, width).powi(2)
 }
 
 fn prefix(means: &[Mean]) -> Vec<f64> {
