@@ -59,8 +59,9 @@ pub fn evaluate(
         _ => how.gravity,
     };
     let choice = cut(recording, &how.detector, how.choose_multiplier, gravity)?;
-    Ok(Evaluation {
-        warnings,
-        ..calib::evaluate(recording, &choice.segmentation, calibration, gravity)?
-    })
+    let left = calib::evaluate(recording, &choice.segmentation, calibration, gravity)?;
+    if warnings.is_empty() {
+        warnings.extend(left.warnings.clone());
+    }
+    Ok(Evaluation { warnings, ..left })
 }

@@ -31,8 +31,8 @@ pub struct AllanPoint {
     pub tau: f64,
     /// Allan deviation `σ(τ)`, in the unit of the samples.
     pub deviation: f64,
-    /// Differences in the sum.
-    pub differences: usize,
+    /// Places that its differences begin at, gaps left out; beyond the longest lag of a level neighbours stand for each other.
+    pub places: usize,
 }
 
 /// Overlapping Allan deviation over quarter octaves of the averaging time.
@@ -129,15 +129,18 @@ impl AllanAccumulator {
             level
                 .lags
                 .iter()
-                .map(move |lag| (level.stride * lag.strides, lag))
+                .map(move |lag| (level.stride, lag))
         });
         let points = lags
             .filter(|(_, lag)| lag.count > 0)
-            .map(|(m, lag)| AllanPoint {
-                factor: m,
-                tau: m as f64 * step,
-                deviation: (lag.sum / (2.0 * lag.count as f64)).sqrt() / m as f64,
-                differences: lag.count,
+            .map(|(stride, lag)| {
+                let m = stride * lag.strides;
+                AllanPoint {
+                    factor: m,
+                    tau: m as f64 * step,
+                    deviation: (lag.sum / (2.0 * lag.count as f64)).sqrt() / m as f64,
+                    places: stride * lag.count,
+                }
             })
             .collect();
         AllanCurve {
@@ -380,7 +383,7 @@ mod tests {
         for m in [1, 64, 1024] {
             let squares = [&a, &b].map(|c| {
                 let p = c.at_factor(m).unwrap();
-                (p.deviation.powi(2) * p.differences as f64, p.differences)
+                (p.deviation.powi(2) * p.places as f64, p.places)
             });
             let together =
                 ((squares[0].0 + squares[1].0) / (squares[0].1 + squares[1].1) as f64).sqrt();

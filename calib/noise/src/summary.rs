@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::allan::AllanCurve;
 use super::curves::{RecordingCurves, SensorCurves};
 use super::terms::identify::{NoiseTerms, identify};
+use super::terms::octaves::spans_enough;
 use super::terms::settling::settling_time;
 use super::terms::term::NoiseTerm;
 use super::warnings;
@@ -336,13 +337,12 @@ fn terms(fit: &NoiseTerms, sensor: Sensor, in_counts: bool) -> Vec<TermValue> {
     fit.estimates.iter().map(value).collect()
 }
 
-/// The points whose averaging time fits into the recording at least four times.
+/// The points that the recording has enough room for.
 fn points(curve: &AllanCurve, fit: Option<&NoiseTerms>) -> Vec<CurvePoint> {
-    let enough = |factor: usize| 4 * factor <= curve.samples;
     curve
         .points
         .iter()
-        .filter(|point| enough(point.factor))
+        .filter(|point| spans_enough(point))
         .map(|point| {
             let fit = fit.filter(|fit| fit.reach(point.tau));
             let interval = fit.map(|fit| fit.interval(point));

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use ::findings::{Finding, Kind};
-use estimate::calibrate::{cut_towards_zero, is_read_otherwise, late_clock};
+use estimate::calibrate::{clocks_apart, cut_towards_zero, is_read_otherwise};
 use estimate::methods::joint::SensorNoise;
 use recording::intervals::{Rails, Segmentation, Span};
 use recording::readings::{Symptom, altered_bias};
@@ -34,7 +34,7 @@ findings::tuning! {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Integrity {
     /// `saturation`, `quantisation`, `dead_zone`, `rezeroing`, `lost_samples`, `outlying_turn`, `undersampled_motion`, `mount_slip` or
-    /// `disturbed_interval`, `scale_change`, `sign_change`, `columns_swap_part_way`, `clock_offset`, `cut_towards_zero`; `time_offset` where it is another in every recording.
+    /// `disturbed_interval`, `scale_change`, `sign_change`, `columns_swap_part_way`, `clock_offset`, `clock_drift`, `cut_towards_zero`; `time_offset` where it is another in every recording.
     pub name: Cow<'static, str>,
     /// The recording.
     pub recording: String,
@@ -107,6 +107,7 @@ impl Integrity {
                 | Kind::DEAD_ZONE
                 | Kind::REZEROED
                 | Kind::CLOCK_OFFSET
+                | Kind::CLOCK_DRIFT
         ) || is_read_otherwise(&self.finding)
     }
 }
@@ -129,8 +130,8 @@ pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
         ];
         let otherwise = read_otherwise(session, base, recording, &choice.segmentation).into_iter();
         all.extend(otherwise.map(|found| Integrity::of(found.kind.name(), &recording.name, found)));
-        let late = late_clock(recording);
-        all.extend(late.map(|found| Integrity::of("clock_offset", &recording.name, found)));
+        let apart = clocks_apart(&[recording]).into_iter();
+        all.extend(apart.map(|found| Integrity::of(found.kind.name(), &recording.name, found)));
         let altered = altered_bias(recording, &choice.segmentation);
         for (sensor, stream, noise) in sensors {
             let Some(stream) = stream else { continue };
@@ -382,5 +383,17 @@ mod tests {
         assert!(details.any(|detail| detail.value == "gyroscope"));
         let before = lost[0].interval.unwrap();
         assert!((50..PLACEMENTS).contains(&before), "{before}");
+    }
+
+    #[test]
+    fn a_gyroscope_whose_clock_runs_faster_has_no_late_stamps_and_the_drift_is_said() {
+        let spec = Spec::hand_held(3);
+        let mut recording = spec.run().unwrap().recording;
+        let gyroscope = recording.gyroscope.as_mut().unwrap();
+        gyroscope.t.iter_mut().for_each(|t| *t *= 1.002);
+        let found = crate::discover(&[recording], &Request::new(spec.gravity)).unwrap();
+        let findings = found.findings;
+        assert!(findings.calibration.warnings.has(Kind::CLOCK_DRIFT));
+        assert!(findings.effects.is_empty(), "{:?}", findings.effects);
     }
 }

@@ -47,7 +47,7 @@ pub use magnetic::{FIELDS, beside_the_others};
 pub use outcome::Outcome;
 pub use part_way::{changes_part_way, count_scale_changes};
 pub use prepared::Prepared;
-pub use prepared::clocks::late_clock;
+pub use prepared::clocks::clocks_apart;
 pub use recording::read_static_means;
 pub use request::{Frame, GyroBias, Instant, Method, NOMINAL_RATES, Request};
 pub use same_device::{Differences, differences, of_one_device};
@@ -114,7 +114,7 @@ fn in_steps(
     let mut outcome = fit.run()?;
     say_clocks(
         &mut outcome.calibration,
-        prepared::clocks::apart(&ready.originals),
+        clocks_apart(&ready.originals),
     );
     let mut inputs = ready.originals.clone();
     inputs.extend(&for_gyroscope.originals);

@@ -1,5 +1,6 @@
 //! Evaluation of a calibration on a recording that it was not made from.
 
+mod beyond_errors;
 mod field;
 
 pub use field::FieldMisfit;
@@ -7,7 +8,7 @@ pub use field::FieldMisfit;
 use findings::Findings;
 use nalgebra::Vector3;
 use recording::averages::root_mean_square;
-use recording::intervals::{Segmentation, Span, StaticInterval, Turn};
+use recording::intervals::{Moments, Segmentation, Span, StaticInterval, Turn};
 use recording::{Error, Recording, Stream};
 use serde::Serialize;
 
@@ -58,6 +59,21 @@ pub struct Misfit {
     pub value: f64,
 }
 
+/// A residual by its components, and the variance of one by the noise of the readings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Miss {
+    /// Its components, as many as count, m/s² or rad.
+    value: Vector3<f64>,
+    count: usize,
+    variance: f64,
+}
+
+impl Miss {
+    fn size(&self) -> f64 {
+        self.value.norm()
+    }
+}
+
 /// The misfit of every rest and of every sound turn.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Misfits {
@@ -69,6 +85,10 @@ pub struct Misfits {
     pub rates: Vec<Vector3<f64>>,
     /// Norm of the magnetic field in each rest and its angle to the specific force, degrees.
     pub fields: Vec<[f64; 2]>,
+    /// Residuals of the norm with their noise.
+    norms: Vec<Miss>,
+    /// Those of the direction.
+    directions: Vec<Miss>,
 }
 
 /// Measures a calibration, or the raw readings with `None`, on the rests and turns of a recording.
@@ -98,7 +118,13 @@ pub fn evaluate(
         turns: misfits.turns.len(),
         direction_rms: rms(values(&misfits.turns)),
         magnetic_field: FieldMisfit::of(&misfits.fields),
-        warnings: Findings::new(),
+        warnings: match calibration {
+            Some(calibration) => {
+                let left = (gravity, &misfits);
+                beyond_errors::beyond_errors(recording, segmentation, calibration, left)?.into()
+            }
+            None => Findings::new(),
+        },
     })
 }
 
@@ -125,17 +151,28 @@ pub fn misfits(
             value: rest.accelerometer?.mean.norm() - gravity,
         })
     };
-    let direction = |turn: &Turn| {
-        Some(Misfit {
-            index: turn.from,
-            span: turn.span,
-            value: angle(corrected.gyroscope.as_ref()?, &rests, turn)?,
-        })
-    };
     let sound = segmentation.turns.iter().filter(|t| t.fault.is_none());
+    let missed = |turn: &Turn| missed_by(corrected.gyroscope.as_ref()?, &rests, turn);
+    let (turns, directions): (Vec<&Turn>, Vec<Miss>) = sound
+        .filter_map(|turn| Some((turn, missed(turn)?)))
+        .unzip();
+    let direction = |(turn, miss): (&&Turn, &Miss)| Misfit {
+        index: turn.from,
+        span: turn.span,
+        value: miss.size().to_degrees(),
+    };
+    let of_force = rests.statics.iter().filter_map(|rest| rest.accelerometer);
     Ok(Misfits {
+        norms: of_force
+            .map(|own| Miss {
+                value: Vector3::new(own.mean.norm() - gravity, 0.0, 0.0),
+                count: 1,
+                variance: of_mean(&own),
+            })
+            .collect(),
         rests: rests.statics.iter().enumerate().filter_map(norm).collect(),
-        turns: sound.filter_map(direction).collect(),
+        turns: turns.iter().zip(&directions).map(direction).collect(),
+        directions,
         fields: field::fields(&corrected, &rests),
         rates: rests
             .statics
@@ -145,8 +182,13 @@ pub fn misfits(
     })
 }
 
-/// The angle by which the corrected rate misses gravity after a turn, degrees.
-fn angle(rate: &Stream, rests: &Segmentation, turn: &Turn) -> Option<f64> {
+/// The variance of a component of a mean, by white noise.
+fn of_mean(moments: &Moments) -> f64 {
+    moments.covariance.trace() / 3.0 / moments.count as f64
+}
+
+/// The rotation by which the corrected rate misses gravity after a turn, rad.
+fn missed_by(rate: &Stream, rests: &Segmentation, turn: &Turn) -> Option<Miss> {
     let (before, after) = (
         rests.statics.get(turn.from)?,
         rests.statics.get(turn.from + 1)?,
@@ -156,5 +198,24 @@ fn angle(rate: &Stream, rests: &Segmentation, turn: &Turn) -> Option<f64> {
     let t = &rate.t[turn.samples.clone()];
     let attitude = attitude_of(Integrator::Exponential, t, |k| values[k] - bias);
     let predicted = attitude.into_body(&before.accelerometer?.mean);
-    Some(predicted.angle(&after.accelerometer?.mean).to_degrees())
+    let measured = after.accelerometer?.mean;
+    let axis = predicted.cross(&measured);
+    let angle = predicted.angle(&measured);
+    let noise = rate_noise(before, after)?;
+    let length = turn.span.length();
+    // Of the samples of the turn, of the bias that was taken off it, of gravity on both sides.
+    let of_rate = noise.0 * length * rate.median_step()? + noise.1 * length * length;
+    let of_gravity = of_mean(&before.accelerometer?) + of_mean(&after.accelerometer?);
+    Some(Miss {
+        value: axis.try_normalize(0.0).unwrap_or_default() * angle,
+        count: 3,
+        variance: of_rate + of_gravity / measured.norm_squared(),
+    })
+}
+
+/// Variance of a component of the rate in the rests beside a turn, and of the mean of both.
+fn rate_noise(before: &StaticInterval, after: &StaticInterval) -> Option<(f64, f64)> {
+    let both = [before.gyroscope?, after.gyroscope?];
+    let one = both.iter().map(|own| own.covariance.trace() / 6.0).sum();
+    Some((one, 0.25 * both.iter().map(of_mean).sum::<f64>()))
 }

@@ -19,6 +19,8 @@ findings::tuning! {
     NEARER: usize = 8;
     /// Farther is so many blocks.
     FARTHER: usize = 16;
+    /// Of the squares that a step explains a line explains three quarters, and more than this share of those of a slope.
+    SLOPE: f64 = 0.9;
 }
 
 findings::tuning! {
@@ -125,15 +127,29 @@ fn difference(prefix: &[f64], k: usize, width: usize) -> f64 {
     (after - before) / width as f64
 }
 
-/// Returns true if a step happens within a part of the window, and lasts.
+/// Returns true if a step happens within a part of the window, lasts, and is none of the places at which a slope has its luckiest noise.
 fn is_abrupt(prefix: &[f64], k: usize, width: usize, size: f64) -> bool {
     let room = k.min(prefix.len() - 2 - k);
     let is_same = |width: usize| {
         (SAME.get()..1.0 / SAME.get()).contains(&(difference(prefix, k, width) / size))
     };
+    let far = room.min(FARTHER.get().max(width));
     room >= 2
         && is_same((width / NEARER.get()).max(2))
-        && is_same(room.min(FARTHER.get().max(width)))
+        && is_same(far)
+        && !is_slope(prefix, k, far)
+}
+
+/// Returns true if a line explains about as much of the squares within the window as a step in its middle does.
+fn is_slope(prefix: &[f64], k: usize, width: usize) -> bool {
+    let w = width as f64;
+    let from_middle = |j: usize| j as f64 - k as f64;
+    let mean = |j: usize| prefix[j + 1] - prefix[j];
+    let along: f64 = (k - width..=k + width)
+        .map(|j| from_middle(j) * mean(j))
+        .sum();
+    let by_line = along * along / (w * (w + 1.0) * (2.0 * w + 1.0) / 3.0);
+    by_line > SLOPE.get() * 0.5 * w * difference(prefix, k, width).powi(2)
 }
 
 fn prefix(means: &[Mean]) -> Vec<f64> {
@@ -300,6 +316,15 @@ mod tests {
         for seed in 0..300 {
             let walk = [0.0, 0.03, 0.3, 3.0][seed as usize % 4];
             assert_eq!(drift(&means(noise(seed, 900, walk))), None, "seed {seed}");
+        }
+    }
+
+    #[test]
+    fn a_warm_up_is_no_step() {
+        for seed in 0..40 {
+            let values = noise(seed, 7000, 0.0).into_iter().zip(0..);
+            let warm = values.map(|(v, k)| v + 8.0 * (1.0 - (-f64::from(k) / 400.0).exp()));
+            assert_eq!(steps(&means(warm)), [], "seed {seed}");
         }
     }
 

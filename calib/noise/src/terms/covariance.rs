@@ -25,9 +25,10 @@ pub(crate) struct PairCovariance {
 }
 
 impl PairCovariance {
-    /// For averaging factors `m₁ ≤ m₂` in `samples` samples `step` seconds apart.
-    pub(crate) fn new(m: [usize; 2], samples: usize, step: f64) -> Self {
-        let places = m.map(|m| (samples + 1).saturating_sub(2 * m).max(1) as f64);
+    /// For averaging factors `m₁ ≤ m₂` with so many places each, samples `step` seconds apart. Of a recording in pieces the places count
+    /// as if they followed each other, which overstates the scatter rather than not.
+    pub(crate) fn new(m: [usize; 2], places: [usize; 2], step: f64) -> Self {
+        let places = places.map(|places| places.max(1) as f64);
         let lags = Lags {
             m: m.map(|m| m as f64),
             places,
@@ -190,7 +191,7 @@ mod tests {
         let samples = 1000;
         let pairs = 999.0;
         let by_hand = (4.0 * pairs + 2.0 * (pairs - 1.0)) * 2.0 / (4.0 * pairs * pairs);
-        let found = PairCovariance::new([1, 1], samples, 1.0).at(&[0.0, 1.0, 0.0, 0.0, 0.0]);
+        let found = PairCovariance::new([1, 1], [samples - 1; 2], 1.0).at(&[0.0, 1.0, 0.0, 0.0, 0.0]);
         assert!((found / by_hand - 1.0).abs() < 1e-12, "{found} {by_hand}");
     }
 
@@ -202,7 +203,7 @@ mod tests {
         let count = |k: usize| pairs - k as f64;
         let sum = 36.0 * pairs + 2.0 * 16.0 * count(m) + 2.0 * count(2 * m);
         let by_hand = 2.0 * sum / (4.0 * (m as f64).powi(4) * pairs * pairs);
-        let found = PairCovariance::new([m, m], samples, 1.0).at(&[1.0, 0.0, 0.0, 0.0, 0.0]);
+        let found = PairCovariance::new([m, m], [samples + 1 - 2 * m; 2], 1.0).at(&[1.0, 0.0, 0.0, 0.0, 0.0]);
         assert!((found / by_hand - 1.0).abs() < 1e-12, "{found} {by_hand}");
     }
 
@@ -231,7 +232,7 @@ mod tests {
                 sum += lags.pairs(k as f64) * (2.0 * r * r + 4.0 * mean * r);
             }
             let direct = sum / (4.0 * (tau[0] * tau[1]).powi(2) * places[0] * places[1]);
-            let found = PairCovariance::new(m, samples, 0.5).at(&theta);
+            let found = PairCovariance::new(m, m.map(|m| samples + 1 - 2 * m), 0.5).at(&theta);
             // Two per cent of a variance is one per cent of an error bar.
             assert!(
                 (found / direct - 1.0).abs() < 0.02,

@@ -54,7 +54,6 @@ pub struct NoiseTerms {
     pub is_known: bool,
     /// Squared coefficients; that of quantisation is negative where a memory takes off more than rounding adds.
     squares: [f64; 5],
-    samples: usize,
     step: f64,
 }
 
@@ -118,7 +117,7 @@ impl NoiseTerms {
     pub fn interval(&self, point: &AllanPoint) -> Interval {
         let theta = self.squares;
         let implied = variance(point.tau, &theta);
-        let scatter = PairCovariance::new([point.factor; 2], self.samples, self.step).at(&theta);
+        let scatter = PairCovariance::new([point.factor; 2], [point.places; 2], self.step).at(&theta);
         let relative = scatter / (implied * implied);
         let squares = invert(POINT_CONFIDENCE.get(), point.deviation.powi(2), |v| {
             Scatter {
@@ -180,7 +179,6 @@ pub fn identify(curve: &AllanCurve) -> Option<NoiseTerms> {
         longest_tau: octaves.points.last()?.tau,
         is_known,
         squares,
-        samples: curve.samples,
         step: curve.step,
     })
 }
@@ -223,6 +221,7 @@ fn without_memory(all: &Octaves) -> Option<Octaves> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::allan::AllanAccumulator;
 
     /// White noise of density 1 at 50 Hz: SplitMix64, sums of twelve.
     fn white(samples: usize, seed: u64) -> Vec<f64> {
@@ -285,6 +284,23 @@ mod tests {
                 "{name}"
             );
         }
+    }
+
+    /// Twelve pieces of 100 s show nothing of means over more than half of that, and less of a walk than twenty minutes do.
+    #[test]
+    fn beside_gaps_the_terms_are_bounded_by_what_the_pieces_hold() {
+        let values = white(60_000, 5);
+        let mut pieces = AllanAccumulator::new();
+        for (k, value) in values.iter().enumerate() {
+            if k % 5000 == 0 {
+                pieces.gap();
+            }
+            pieces.push(*value);
+        }
+        let (pieces, whole) = (identify(&pieces.finish(0.02)).unwrap(), fit(values));
+        let walk = |found: &NoiseTerms| found.get(NoiseTerm::RandomWalk).interval.upper;
+        assert!(pieces.longest_tau < 50.0 && whole.longest_tau > 100.0);
+        assert!(walk(&pieces) > walk(&whole), "{}", walk(&pieces));
     }
 
     #[test]

@@ -42,6 +42,11 @@ findings::tuning! {
     MOST_BY_WALKS: f64 = 0.5;
 }
 
+/// Returns true if the recording, gaps left out, has enough room for a point.
+pub(crate) fn spans_enough(point: &AllanPoint) -> bool {
+    point.places > (SPANS.get() - 2) * point.factor
+}
+
 /// The χ² above which a misfit is no accident.
 fn limit(freedom: f64) -> f64 {
     ChiSquared::new(freedom).map_or(f64::INFINITY, |law| {
@@ -66,7 +71,7 @@ impl Octaves {
         let points: Vec<AllanPoint> = curve
             .points
             .iter()
-            .filter(|p| p.factor.is_power_of_two() && SPANS.get() * p.factor <= curve.samples)
+            .filter(|p| p.factor.is_power_of_two() && spans_enough(p))
             .copied()
             .collect();
         let varied = points
@@ -79,8 +84,8 @@ impl Octaves {
             .map(|i| {
                 (0..=i)
                     .map(|j| {
-                        let factors = [points[j].factor, points[i].factor];
-                        PairCovariance::new(factors, curve.samples, curve.step)
+                        let both = [points[j], points[i]];
+                        PairCovariance::new(both.map(|p| p.factor), both.map(|p| p.places), curve.step)
                     })
                     .collect()
             })

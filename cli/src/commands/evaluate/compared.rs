@@ -94,8 +94,13 @@ pub fn compared(
     let segmentation = cut(&recording, &detector, choose, gravities.raw)?.segmentation;
     let measure = |c, gravity| evaluate(&recording, &segmentation, c, gravity);
     let mut rows: Vec<(String, Evaluation)> = vec![("raw".into(), measure(None, gravities.raw)?)];
-    for (name, calibration) in calibrations {
-        let left = measure(Some(calibration), gravities.of_calibration(calibration))?;
+    for ((name, calibration), own) in calibrations.iter().zip(&doubts) {
+        let mut left = measure(Some(calibration), gravities.of_calibration(calibration))?;
+        // What is doubted altogether misses by more than its errors, too.
+        match own.is_empty() {
+            true => warnings.extend(left.warnings.iter().map(|doubt| said_of(calibrations, name, doubt))),
+            false => left.warnings = own.clone().into(),
+        }
         rows.push((name.clone(), left));
     }
     progress.finish_and_clear();
@@ -140,14 +145,19 @@ fn doubted(
         let doubts = device.doubts(calibration, &[recording])?;
         let of_biases = calibration.doubts_biases_of(recording);
         for doubt in doubts.iter().chain(&of_biases) {
-            warnings.push(match calibrations.len() {
-                1 => doubt.clone(),
-                _ => of(name, doubt.text(Front::CommandLine)).into(),
-            });
+            warnings.push(said_of(calibrations, name, doubt));
         }
         all.push(doubts);
     }
     Ok(all)
+}
+
+/// A doubt about a calibration, which says of several whose it is.
+fn said_of(calibrations: &[(String, Calibration)], name: &str, doubt: &Finding) -> Finding {
+    match calibrations.len() {
+        1 => doubt.clone(),
+        _ => format!("{}: {}", show::name(name), doubt.text(Front::CommandLine)).into(),
+    }
 }
 
 impl Compared {

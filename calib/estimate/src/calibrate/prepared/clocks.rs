@@ -101,7 +101,7 @@ pub(in crate::calibrate) fn without_bursts(recording: &Recording) -> Option<(Rec
 }
 
 /// Sensors whose clocks are apart: offsets first, then drifts.
-pub(in crate::calibrate) fn apart(recordings: &[&Recording]) -> Vec<Finding> {
+pub fn clocks_apart(recordings: &[&Recording]) -> Vec<Finding> {
     let (mut offsets, mut drifts) = (Vec::new(), Vec::new());
     for recording in recordings {
         let Some((force, rate)) = both(recording) else {
@@ -119,12 +119,6 @@ pub(in crate::calibrate) fn apart(recordings: &[&Recording]) -> Vec<Finding> {
     }
     offsets.append(&mut drifts);
     offsets
-}
-
-/// The finding about one of a recording's sensors that is later than the other; `None` where that is too little to see.
-pub fn late_clock(recording: &Recording) -> Option<Finding> {
-    let (force, rate) = both(recording)?;
-    clock_offset(force, rate).map(|found| late(&recording.name, found))
 }
 
 /// Accelerometer and gyroscope of a recording that has them.

@@ -181,11 +181,8 @@ impl Run<'_> {
             // One rest or two that are far off pull on all of the others where these are few.
             let trial = analysis.trial(&candidates, &columns, &[]);
             let few = trial.flag(&given, given.len() + FEW.get());
-            // At the first look the fit may be bent by more of them: it is judged again without these.
-            let bends = || match before.is_empty() {
-                true => bends(at, analysis, (&candidates, &trial), &given, most),
-                false => None,
-            };
+            // The fit may be bent by more of them: it is judged again without these.
+            let bends = || bends(at, analysis, (&candidates, &trial), &given, most);
             found = few
                 .filter(|few| !analysis.is_missed(rows, &all(few)))
                 .or_else(bends)

@@ -15,6 +15,9 @@ findings::tuning! {
 
     /// Eigenvalues of the information below this share of what the columns had before projection are nothing.
     UNSEEN: f64 = 1e-8;
+
+    /// A suspect with fewer parameters that explains this share of what another does takes its place.
+    AS_WELL: f64 = 0.99;
 }
 
 /// A suspect that the data flag.
@@ -93,7 +96,36 @@ impl<'a> Trial<'a> {
             match self.worst(&found) {
                 None => return Some(found),
                 Some(_) if found.len() >= most => return None,
-                Some(worst) => found.push(worst),
+                Some(worst) => self.add(&mut found, worst, flagged.len()),
+            }
+        }
+    }
+
+    /// Adds the worst, and takes for those beyond the `given` ones what explains as much beside the others with fewer parameters: two turns
+    /// that miss look like a push between them.
+    pub fn add(&self, found: &mut Vec<usize>, worst: usize, given: usize) {
+        found.push(worst);
+        let columns = |k: usize| self.first[k + 1] - self.first[k];
+        if found.len() < 2 {
+            return;
+        }
+        for place in given..found.len() {
+            let own = found[place];
+            let mut others = found.clone();
+            others.remove(place);
+            let is_simpler =
+                |k: &usize| *k == own || (columns(*k) < columns(own) && !others.contains(k));
+            let tried = (0..self.suspects.len()).filter(is_simpler);
+            let (mine, simpler): (Vec<Verdict>, Vec<Verdict>) = self
+                .verdicts(&others, tried)
+                .into_iter()
+                .partition(|verdict| verdict.suspect == own);
+            let best = simpler
+                .into_iter()
+                .max_by(|a, b| a.statistic.total_cmp(&b.statistic));
+            let explained = mine.first().map_or(0.0, |verdict| verdict.statistic);
+            if let Some(best) = best.filter(|best| best.statistic >= AS_WELL.get() * explained) {
+                found[place] = best.suspect;
             }
         }
     }

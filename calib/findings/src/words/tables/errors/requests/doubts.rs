@@ -31,6 +31,12 @@ kinds! {
         "",
         vec![Remedy::CalibrateAgain],
     ),
+    /// A recording misses gravity by more than the errors of a calibration allow.
+    BEYOND_ERRORS = "beyond_errors" => doubt(
+        "corrected by this calibration the {sensor} misses gravity by {rms} (rms), in a pattern {ratio} times as large as the calibration's standard errors and the noise make it. Its parameters have changed since by more than their errors, or gravity is another here",
+        "",
+        vec![Remedy::CalibrateAgain],
+    ),
     /// The corrected magnetic field differs from rest to rest.
     FIELD_OFF = "field_off" => doubt(
         "the corrected magnetic field differs from one static interval to the next by {share} in strength and by {angle} in its angle to the vertical[, and in the calibration's own recordings by {usual}]. The magnetometer's bias has moved, its unit, signs or order of axes are others, the calibration is of another device, or iron was near",
