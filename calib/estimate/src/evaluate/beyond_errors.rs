@@ -1,12 +1,12 @@
 //! Whether a recording meets gravity as well as a calibration's standard errors promise.
 
 use findings::{Finding, Kind};
-use nalgebra::{Cholesky, DMatrix, DVector};
+use nalgebra::{DMatrix, DVector};
 use recording::intervals::Segmentation;
 use recording::{Error, Recording};
 use sensor::{Sensor, base_names, is_bias};
 
-use super::{Miss, Misfits, misfits};
+use super::{Misfits, Miss, misfits};
 use crate::calibration::{Calibration, Triad};
 use crate::methods::chance;
 
@@ -35,83 +35,145 @@ pub(super) fn beyond_errors(
     calibration: &Calibration,
     (gravity, left): (f64, &Misfits),
 ) -> Result<Vec<Finding>, Error> {
-    let mut covariance = calibration.covariance_matrix();
     let count = calibration.parameters.len();
-    if covariance.nrows() != count || calibration.was_made_from(recording) != Some(false) {
+    let has_errors = calibration.covariance_matrix().nrows() == count;
+    if !has_errors || calibration.was_made_from(recording) != Some(false) {
         return Ok(Vec::new());
     }
+    let covariance = with_motion_of_biases(calibration);
+    let deviations: Vec<f64> = (0..count)
+        .map(|k| covariance[(k, k)].max(0.0).sqrt())
+        .collect();
+    let moved = deviations.iter().enumerate().map(|(k, deviation)| {
+        let mut values = calibration.parameter_values();
+        values[k] += deviation;
+        let mut other = calibration.clone();
+        other.write_parameters(&values, &calibration.covariance_matrix());
+        misfits(recording, segmentation, Some(&other), gravity)
+    });
+    let promised = Promised {
+        calibration,
+        left,
+        moved: moved.collect::<Result<_, _>>()?,
+        correlation: DMatrix::from_fn(count, count, |i, k| {
+            let scale = deviations[i] * deviations[k];
+            if scale > 0.0 {
+                covariance[(i, k)] / scale
+            } else {
+                0.0
+            }
+        }),
+    };
+    let of_force = promised.missed(Sensor::Accelerometer);
+    let of_rate = promised.missed(Sensor::Gyroscope);
+    let found = of_force.into_iter().chain(of_rate);
+    Ok(found.map(|own| own.in_recording(&recording.name)).collect())
+}
+
+/// The covariance of the parameters, that of the biases with their motion in the calibration's own recordings.
+fn with_motion_of_biases(calibration: &Calibration) -> DMatrix<f64> {
+    let mut covariance = calibration.covariance_matrix();
     for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
-        let time = calibration.triad(sensor).and_then(|own| own.bias_time.as_ref());
+        let triad = calibration.triad(sensor);
+        let Some(time) = triad.and_then(|own| own.bias_time.as_ref()) else {
+            continue;
+        };
         let names = base_names(sensor).into_iter().filter(|name| is_bias(name));
         for (axis, name) in names.enumerate() {
-            let is_own = |k: &usize| calibration.parameters[*k].split('[').next() == Some(&name);
-            for (k, time) in (0..count).filter(is_own).zip(time.into_iter().cycle()) {
-                covariance[(k, k)] += time.change[axis].powi(2) + time.change_std[axis].powi(2);
+            let variance = time.change[axis].powi(2) + time.change_std[axis].powi(2);
+            for (k, parameter) in calibration.parameters.iter().enumerate() {
+                if parameter.split('[').next() == Some(&name) {
+                    covariance[(k, k)] += variance;
+                }
             }
         }
     }
-    // A column is what one standard deviation of a parameter makes.
-    let values = calibration.parameter_values();
-    let deviations: Vec<f64> = (0..count).map(|k| covariance[(k, k)].max(0.0).sqrt()).collect();
-    let mut moved = Vec::with_capacity(count);
-    for (k, &deviation) in deviations.iter().enumerate() {
-        let mut by_one = values.clone();
-        by_one[k] += deviation;
-        let mut other = calibration.clone();
-        other.write_parameters(&by_one, &calibration.covariance_matrix());
-        moved.push(misfits(recording, segmentation, Some(&other), gravity)?);
-    }
-    let together = DMatrix::from_fn(count, count, |i, k| {
-        let scale = deviations[i] * deviations[k];
-        if scale > 0.0 { covariance[(i, k)] / scale } else { 0.0 }
-    });
-    let judge = |sensor: Sensor, of: fn(&Misfits) -> &[Miss], unit: &'static str| {
-        let own = calibration.triad(sensor)?;
-        let usual = usual(sensor, own)?;
-        let (missed, all) = (of(left), moved.iter().map(of).collect::<Vec<_>>());
-        let is_whole = all.iter().all(|own| own.len() == missed.len());
-        let spoilt = missed.len() / MAY_BE_SPOILT.get();
-        let mut kept: Vec<usize> = (0..missed.len()).collect();
-        kept.sort_by(|&a, &b| missed[a].size().total_cmp(&missed[b].size()));
-        kept.truncate(missed.len() - spoilt);
+    covariance
+}
+
+/// What a calibration leaves of a recording, and what its errors make of that.
+struct Promised<'a> {
+    calibration: &'a Calibration,
+    left: &'a Misfits,
+    /// What is left where a parameter is one standard error larger, for each parameter.
+    moved: Vec<Misfits>,
+    correlation: DMatrix<f64>,
+}
+
+impl Promised<'_> {
+    /// The finding about a sensor that misses gravity by more.
+    fn missed(&self, sensor: Sensor) -> Option<Finding> {
+        let (of, unit, affected): (fn(&Misfits) -> &[Miss], _, _) = match sensor {
+            Sensor::Gyroscope => (|own| &own.directions, "rad", "turn"),
+            _ => (|own| &own.norms, "m/s^2", "corrected_reading"),
+        };
+        let (usual, usual_dof) = usual(sensor, self.calibration.triad(sensor)?)?;
+        let left = of(self.left);
+        let kept = unspoilt(left);
+        let is_whole = self.moved.iter().all(|own| of(own).len() == left.len());
         if !is_whole || kept.len() < ENOUGH.get() {
             return None;
         }
-        let rows: Vec<(usize, usize)> = kept.iter().flat_map(|&k| (0..missed[k].count).map(move |i| (k, i))).collect();
-        let by = DMatrix::from_fn(rows.len(), count, |row, k| {
-            let (place, i) = rows[row];
-            all[k][place].value[i] - missed[place].value[i]
+        let components = |place: usize| (0..left[place].count).map(move |i| (place, i));
+        let rows: Vec<(usize, usize)> = kept.iter().copied().flat_map(components).collect();
+        let value = |all: &[Miss], row: usize| all[rows[row].0].value[rows[row].1];
+        let precision = |row: usize, _| left[rows[row].0].variance.max(usual).recip();
+        let precision = DVector::from_fn(rows.len(), precision);
+        let missed = DVector::from_fn(rows.len(), |row, _| value(left, row));
+        let by_errors = DMatrix::from_fn(rows.len(), self.moved.len(), |row, k| {
+            value(of(&self.moved[k]), row) - value(left, row)
         });
-        let mut scatter = &by * &together * by.transpose();
-        for (row, (place, _)) in rows.iter().enumerate() {
-            scatter[(row, row)] += missed[*place].variance.max(usual.0);
-        }
-        let value = DVector::from_iterator(rows.len(), rows.iter().map(|&(k, i)| missed[k].value[i]));
-        let square = value.dot(&Cholesky::new(scatter)?.solve(&value));
+        let square = self.squared(&missed, &by_errors, &precision)?;
         // Of the three components of a turn's miss one is along gravity, and nothing.
-        let dof = kept.iter().map(|&k| missed[k].count.min(2)).sum::<usize>() as f64;
-        if chance::of_f(square / dof, [dof, usual.1]) > BY_CHANCE.get() {
+        let dof = kept.iter().map(|&k| left[k].count.min(2)).sum::<usize>() as f64;
+        if chance::of_f(square / dof, [dof, usual_dof]) > BY_CHANCE.get() {
             return None;
         }
-        let rms = (value.norm_squared() / kept.len() as f64).sqrt();
-        let affected = if sensor == Sensor::Gyroscope { "turn" } else { "corrected_reading" };
+        let rms = (missed.norm_squared() / kept.len() as f64).sqrt();
         let found = Finding::of(Kind::BEYOND_ERRORS)
-            .in_recording(&recording.name)
             .of_sensor(sensor)
             .number("rms", rms, unit)
             .number("ratio", (square / dof).sqrt(), "1");
         Some(found.affects(affected, rms, unit))
-    };
-    let of_force = judge(Sensor::Accelerometer, |own| &own.norms, "m/s^2");
-    let of_rate = judge(Sensor::Gyroscope, |own| &own.directions, "rad");
-    Ok(of_force.into_iter().chain(of_rate).collect())
+    }
+
+    /// `rᵀ (D + B C Bᵀ)⁻¹ r` with `D⁻¹` the `precision` and `C` the correlation of the parameters, by the matrices of the parameters alone
+    /// (Woodbury): `rᵀ D⁻¹ r − bᵀ (1 + C G)⁻¹ C b` with `b = Bᵀ D⁻¹ r` and `G = Bᵀ D⁻¹ B`.
+    fn squared(
+        &self,
+        r: &DVector<f64>,
+        by_errors: &DMatrix<f64>,
+        precision: &DVector<f64>,
+    ) -> Option<f64> {
+        let mut weighted = by_errors.clone();
+        for (mut row, precision) in weighted.row_iter_mut().zip(precision.iter()) {
+            row *= *precision;
+        }
+        let b = weighted.transpose() * r;
+        let gram = by_errors.transpose() * &weighted;
+        let count = self.correlation.nrows();
+        let inner = DMatrix::identity(count, count) + &self.correlation * gram;
+        let solved = inner.lu().solve(&(&self.correlation * &b))?;
+        Some(r.component_mul(precision).dot(r) - b.dot(&solved))
+    }
+}
+
+/// The places of the misses but the largest, some of which may be spoilt, the smallest first.
+fn unspoilt(all: &[Miss]) -> Vec<usize> {
+    let mut places: Vec<usize> = (0..all.len()).collect();
+    places.sort_by(|&a, &b| all[a].size().total_cmp(&all[b].size()));
+    places.truncate(all.len() - all.len() / MAY_BE_SPOILT.get());
+    places
 }
 
 /// The variance of a component of what a calibration left of its own recordings, as if it had left all of the noise, and the degrees of
 /// freedom that this is known by; `None` where they do not say.
 fn usual(sensor: Sensor, own: &Triad) -> Option<(f64, f64)> {
     let (rms, count) = match sensor {
-        Sensor::Gyroscope => (own.residual_rms.to_radians() / 2_f64.sqrt(), 2 * own.dynamic_intervals?),
+        Sensor::Gyroscope => (
+            own.residual_rms.to_radians() / 2_f64.sqrt(),
+            2 * own.dynamic_intervals?,
+        ),
         _ => (own.residual_rms, own.static_intervals?),
     };
     let dof = count.checked_sub(own.rank).filter(|&dof| dof > 0)? as f64;
