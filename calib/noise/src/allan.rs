@@ -125,12 +125,10 @@ impl AllanAccumulator {
     /// The curve for samples `step` seconds apart.
     pub fn finish(mut self, step: f64) -> AllanCurve {
         self.levels.iter_mut().for_each(Level::work);
-        let lags = self.levels.iter().flat_map(|level| {
-            level
-                .lags
-                .iter()
-                .map(move |lag| (level.stride, lag))
-        });
+        let lags = self
+            .levels
+            .iter()
+            .flat_map(|level| level.lags.iter().map(move |lag| (level.stride, lag)));
         let points = lags
             .filter(|(_, lag)| lag.count > 0)
             .map(|(stride, lag)| {

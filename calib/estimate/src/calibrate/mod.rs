@@ -112,10 +112,7 @@ fn in_steps(
         remarks: &remarks.into_iter().flatten().collect(),
     };
     let mut outcome = fit.run()?;
-    say_clocks(
-        &mut outcome.calibration,
-        clocks_apart(&ready.originals),
-    );
+    say_clocks(&mut outcome.calibration, clocks_apart(&ready.originals));
     let mut inputs = ready.originals.clone();
     inputs.extend(&for_gyroscope.originals);
     inputs::state(&mut outcome, &inputs, request);

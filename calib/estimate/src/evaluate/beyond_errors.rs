@@ -6,7 +6,7 @@ use recording::intervals::Segmentation;
 use recording::{Error, Recording};
 use sensor::{Sensor, base_names, is_bias};
 
-use super::{Miss, Misfits, misfits};
+use super::{Misfits, Miss, misfits};
 use crate::calibration::{Calibration, Triad};
 use crate::methods::chance;
 
@@ -41,7 +41,9 @@ pub(super) fn beyond_errors(
         return Ok(Vec::new());
     }
     for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
-        let time = calibration.triad(sensor).and_then(|own| own.bias_time.as_ref());
+        let time = calibration
+            .triad(sensor)
+            .and_then(|own| own.bias_time.as_ref());
         let names = base_names(sensor).into_iter().filter(|name| is_bias(name));
         for (axis, name) in names.enumerate() {
             let is_own = |k: &usize| calibration.parameters[*k].split('[').next() == Some(&name);
@@ -52,7 +54,9 @@ pub(super) fn beyond_errors(
     }
     // A column is what one standard deviation of a parameter makes.
     let values = calibration.parameter_values();
-    let deviations: Vec<f64> = (0..count).map(|k| covariance[(k, k)].max(0.0).sqrt()).collect();
+    let deviations: Vec<f64> = (0..count)
+        .map(|k| covariance[(k, k)].max(0.0).sqrt())
+        .collect();
     let mut moved = Vec::with_capacity(count);
     for (k, &deviation) in deviations.iter().enumerate() {
         let mut by_one = values.clone();
@@ -63,7 +67,11 @@ pub(super) fn beyond_errors(
     }
     let together = DMatrix::from_fn(count, count, |i, k| {
         let scale = deviations[i] * deviations[k];
-        if scale > 0.0 { covariance[(i, k)] / scale } else { 0.0 }
+        if scale > 0.0 {
+            covariance[(i, k)] / scale
+        } else {
+            0.0
+        }
     });
     let judge = |sensor: Sensor, of: fn(&Misfits) -> &[Miss], unit: &'static str| {
         let own = calibration.triad(sensor)?;
@@ -77,7 +85,10 @@ pub(super) fn beyond_errors(
         if !is_whole || kept.len() < ENOUGH.get() {
             return None;
         }
-        let rows: Vec<(usize, usize)> = kept.iter().flat_map(|&k| (0..missed[k].count).map(move |i| (k, i))).collect();
+        let rows: Vec<(usize, usize)> = kept
+            .iter()
+            .flat_map(|&k| (0..missed[k].count).map(move |i| (k, i)))
+            .collect();
         let by = DMatrix::from_fn(rows.len(), count, |row, k| {
             let (place, i) = rows[row];
             all[k][place].value[i] - missed[place].value[i]
@@ -86,7 +97,8 @@ pub(super) fn beyond_errors(
         for (row, (place, _)) in rows.iter().enumerate() {
             scatter[(row, row)] += missed[*place].variance.max(usual.0);
         }
-        let value = DVector::from_iterator(rows.len(), rows.iter().map(|&(k, i)| missed[k].value[i]));
+        let value =
+            DVector::from_iterator(rows.len(), rows.iter().map(|&(k, i)| missed[k].value[i]));
         let square = value.dot(&Cholesky::new(scatter)?.solve(&value));
         // Of the three components of a turn's miss one is along gravity, and nothing.
         let dof = kept.iter().map(|&k| missed[k].count.min(2)).sum::<usize>() as f64;
@@ -94,7 +106,11 @@ pub(super) fn beyond_errors(
             return None;
         }
         let rms = (value.norm_squared() / kept.len() as f64).sqrt();
-        let affected = if sensor == Sensor::Gyroscope { "turn" } else { "corrected_reading" };
+        let affected = if sensor == Sensor::Gyroscope {
+            "turn"
+        } else {
+            "corrected_reading"
+        };
         let found = Finding::of(Kind::BEYOND_ERRORS)
             .in_recording(&recording.name)
             .of_sensor(sensor)
@@ -111,7 +127,10 @@ pub(super) fn beyond_errors(
 /// freedom that this is known by; `None` where they do not say.
 fn usual(sensor: Sensor, own: &Triad) -> Option<(f64, f64)> {
     let (rms, count) = match sensor {
-        Sensor::Gyroscope => (own.residual_rms.to_radians() / 2_f64.sqrt(), 2 * own.dynamic_intervals?),
+        Sensor::Gyroscope => (
+            own.residual_rms.to_radians() / 2_f64.sqrt(),
+            2 * own.dynamic_intervals?,
+        ),
         _ => (own.residual_rms, own.static_intervals?),
     };
     let dof = count.checked_sub(own.rank).filter(|&dof| dof > 0)? as f64;

@@ -153,9 +153,8 @@ pub fn misfits(
     };
     let sound = segmentation.turns.iter().filter(|t| t.fault.is_none());
     let missed = |turn: &Turn| missed_by(corrected.gyroscope.as_ref()?, &rests, turn);
-    let (turns, directions): (Vec<&Turn>, Vec<Miss>) = sound
-        .filter_map(|turn| Some((turn, missed(turn)?)))
-        .unzip();
+    let (turns, directions): (Vec<&Turn>, Vec<Miss>) =
+        sound.filter_map(|turn| Some((turn, missed(turn)?))).unzip();
     let direction = |(turn, miss): (&&Turn, &Miss)| Misfit {
         index: turn.from,
         span: turn.span,

@@ -137,10 +137,7 @@ fn is_abrupt(prefix: &[f64], k: usize, width: usize, size: f64) -> bool {
         (SAME.get()..1.0 / SAME.get()).contains(&(difference(prefix, k, width) / size))
     };
     let far = room.min(FARTHER.get().max(width));
-    room >= 2
-        && is_same((width / NEARER.get()).max(2))
-        && is_same(far)
-        && !is_slope(prefix, k, far)
+    room >= 2 && is_same((width / NEARER.get()).max(2)) && is_same(far) && !is_slope(prefix, k, far)
 }
 
 /// Returns true if a line explains about as much of the squares within the window as a step in its middle does.

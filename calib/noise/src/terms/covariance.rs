@@ -191,7 +191,8 @@ mod tests {
         let samples = 1000;
         let pairs = 999.0;
         let by_hand = (4.0 * pairs + 2.0 * (pairs - 1.0)) * 2.0 / (4.0 * pairs * pairs);
-        let found = PairCovariance::new([1, 1], [samples - 1; 2], 1.0).at(&[0.0, 1.0, 0.0, 0.0, 0.0]);
+        let found =
+            PairCovariance::new([1, 1], [samples - 1; 2], 1.0).at(&[0.0, 1.0, 0.0, 0.0, 0.0]);
         assert!((found / by_hand - 1.0).abs() < 1e-12, "{found} {by_hand}");
     }
 
@@ -203,7 +204,8 @@ mod tests {
         let count = |k: usize| pairs - k as f64;
         let sum = 36.0 * pairs + 2.0 * 16.0 * count(m) + 2.0 * count(2 * m);
         let by_hand = 2.0 * sum / (4.0 * (m as f64).powi(4) * pairs * pairs);
-        let found = PairCovariance::new([m, m], [samples + 1 - 2 * m; 2], 1.0).at(&[1.0, 0.0, 0.0, 0.0, 0.0]);
+        let found = PairCovariance::new([m, m], [samples + 1 - 2 * m; 2], 1.0)
+            .at(&[1.0, 0.0, 0.0, 0.0, 0.0]);
         assert!((found / by_hand - 1.0).abs() < 1e-12, "{found} {by_hand}");
     }
 

@@ -117,7 +117,8 @@ impl NoiseTerms {
     pub fn interval(&self, point: &AllanPoint) -> Interval {
         let theta = self.squares;
         let implied = variance(point.tau, &theta);
-        let scatter = PairCovariance::new([point.factor; 2], [point.places; 2], self.step).at(&theta);
+        let scatter =
+            PairCovariance::new([point.factor; 2], [point.places; 2], self.step).at(&theta);
         let relative = scatter / (implied * implied);
         let squares = invert(POINT_CONFIDENCE.get(), point.deviation.powi(2), |v| {
             Scatter {

@@ -85,7 +85,11 @@ impl Octaves {
                 (0..=i)
                     .map(|j| {
                         let both = [points[j], points[i]];
-                        PairCovariance::new(both.map(|p| p.factor), both.map(|p| p.places), curve.step)
+                        PairCovariance::new(
+                            both.map(|p| p.factor),
+                            both.map(|p| p.places),
+                            curve.step,
+                        )
                     })
                     .collect()
             })

@@ -97,7 +97,11 @@ pub fn compared(
         let mut left = measure(Some(calibration), gravities.of_calibration(calibration))?;
         // What is doubted altogether misses by more than its errors, too.
         match own.is_empty() {
-            true => warnings.extend(left.warnings.iter().map(|doubt| said_of(calibrations, name, doubt))),
+            true => warnings.extend(
+                left.warnings
+                    .iter()
+                    .map(|doubt| said_of(calibrations, name, doubt)),
+            ),
             false => left.warnings = own.clone().into(),
         }
         rows.push((name.clone(), left));
