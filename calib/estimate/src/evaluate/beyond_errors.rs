@@ -1,4 +1,4 @@
-//! Whether a recording meets gravity as well as a calibration's standard errors promise.
+//! Test of a calibration's standard errors on a recording that it was not made from.
 
 use findings::{Finding, Kind};
 use nalgebra::{DMatrix, DVector};
@@ -6,7 +6,7 @@ use recording::intervals::Segmentation;
 use recording::{Error, Recording};
 use sensor::{Sensor, base_names, is_bias};
 
-use super::{Misfits, Miss, misfits};
+use super::misfits::{Misfits, Miss, misfits};
 use crate::calibration::{Calibration, Triad};
 use crate::methods::chance;
 
@@ -178,47 +178,4 @@ fn usual(sensor: Sensor, own: &Triad) -> Option<(f64, f64)> {
     };
     let dof = count.checked_sub(own.rank).filter(|&dof| dof > 0)? as f64;
     Some((rms * rms * count as f64 / dof, dof))
-}
-
-#[cfg(test)]
-mod tests {
-    use recording::intervals::{Detector, segment};
-    use simulate::Spec;
-
-    use super::*;
-    use crate::calibrate::{Request, calibrate};
-    use crate::evaluate::evaluate;
-
-    #[test]
-    fn a_calibration_is_doubted_where_its_scale_factors_are_twenty_errors_off_and_else_not() {
-        let spec = Spec::hand_held(3);
-        let mut recording = spec.run().unwrap().recording;
-        let request = Request {
-            gravity: spec.gravity,
-            ..Request::default()
-        };
-        let made = calibrate(std::slice::from_ref(&recording), &[], &request);
-        let mut calibration = made.unwrap().calibration;
-        // A sample less is another recording of the same device.
-        let streams = [&mut recording.accelerometer, &mut recording.gyroscope];
-        for stream in streams.into_iter().flatten() {
-            stream.t.pop();
-            stream.values.pop();
-        }
-        let segmentation = segment(&recording, &Detector::default()).unwrap();
-        let doubts = |calibration: &Calibration| -> Vec<Option<Sensor>> {
-            let left = evaluate(&recording, &segmentation, Some(calibration), spec.gravity);
-            let found = left.unwrap().warnings;
-            found.iter().map(|found| found.place.sensor).collect()
-        };
-        assert_eq!(doubts(&calibration), []);
-        let sensors = [Sensor::Accelerometer, Sensor::Gyroscope];
-        for sensor in sensors {
-            let own = calibration.triad_mut(sensor).unwrap();
-            for (axis, errors) in [20.0, -20.0, 20.0].into_iter().enumerate() {
-                own.t[axis][axis] += errors * own.t_std[axis][axis].unwrap();
-            }
-        }
-        assert_eq!(doubts(&calibration), sensors.map(Some));
-    }
 }
