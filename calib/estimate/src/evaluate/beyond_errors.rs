@@ -6,7 +6,7 @@ use recording::intervals::Segmentation;
 use recording::{Error, Recording};
 use sensor::{Sensor, base_names, is_bias};
 
-use super::{Misfits, Miss, misfits};
+use super::misfits::{Misfits, Miss, misfits};
 use crate::calibration::{Calibration, Triad};
 use crate::methods::chance;
 
@@ -28,7 +28,7 @@ findings::tuning! {
 /// `rᵀ (D + J P Jᵀ)⁻¹ r / n ~ F` of `n` and the degrees of freedom that the calibration was left with.
 ///
 /// # Errors
-/// As [`super::evaluate`].
+/// As [`misfits`].
 pub(super) fn beyond_errors(
     recording: &Recording,
     segmentation: &Segmentation,
@@ -144,7 +144,6 @@ mod tests {
 
     use super::*;
     use crate::calibrate::{Request, calibrate};
-    use crate::evaluate::evaluate;
 
     #[test]
     fn a_calibration_is_doubted_where_its_scale_factors_are_twenty_errors_off_and_else_not() {
@@ -164,8 +163,9 @@ mod tests {
         }
         let segmentation = segment(&recording, &Detector::default()).unwrap();
         let doubts = |calibration: &Calibration| -> Vec<Option<Sensor>> {
-            let left = evaluate(&recording, &segmentation, Some(calibration), spec.gravity);
-            let found = left.unwrap().warnings;
+            let left = misfits(&recording, &segmentation, Some(calibration), spec.gravity);
+            let left = (spec.gravity, &left.unwrap());
+            let found = beyond_errors(&recording, &segmentation, calibration, left).unwrap();
             found.iter().map(|found| found.place.sensor).collect()
         };
         assert_eq!(doubts(&calibration), []);
