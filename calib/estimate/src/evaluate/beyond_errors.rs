@@ -28,7 +28,7 @@ findings::tuning! {
 /// `rᵀ (D + J P Jᵀ)⁻¹ r / n ~ F` of `n` and the degrees of freedom that the calibration was left with.
 ///
 /// # Errors
-/// As [`super::evaluate`].
+/// As [`misfits`].
 pub(super) fn beyond_errors(
     recording: &Recording,
     segmentation: &Segmentation,

