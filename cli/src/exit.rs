@@ -34,7 +34,7 @@ pub struct Failure {
     pub message: String,
     /// The file that the message is about, where that is known.
     pub file: Option<String>,
-    /// What to do about it, where that is known; the message ends with it.
+    /// Advice, where there is any; the message ends with it.
     pub advice: Option<String>,
     /// The finding that ended the run, where a library had it.
     pub finding: Option<Box<Finding>>,

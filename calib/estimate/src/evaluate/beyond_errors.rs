@@ -3,7 +3,7 @@
 use findings::{Finding, Kind};
 use nalgebra::{DMatrix, DVector};
 use recording::intervals::Segmentation;
-use recording::{Error, Recording};
+use recording::{Error, Recording, Stream};
 use sensor::{Sensor, base_names, is_bias};
 
 use super::misfits::{Misfits, Miss, misfits};
@@ -19,6 +19,9 @@ findings::tuning! {
 
     /// Static intervals or turns that are judged.
     ENOUGH: usize = 6;
+
+    /// Readings that are corrected, once for each parameter: of more the test is left out.
+    MOST_WORK: usize = 30_000_000;
 }
 
 /// Sensors that miss gravity in a recording which the calibration was not made from by more than its errors, the motion of its biases, what
@@ -36,6 +39,11 @@ pub(super) fn beyond_errors(
     (gravity, left): (f64, &Misfits),
 ) -> Result<Vec<Finding>, Error> {
     let count = calibration.parameters.len();
+    let streams = [&recording.accelerometer, &recording.gyroscope];
+    let rows: usize = streams.into_iter().flatten().map(Stream::len).sum();
+    if count * rows > MOST_WORK.get() {
+        return Ok(Vec::new());
+    }
     let has_errors = calibration.covariance_matrix().nrows() == count;
     if !has_errors || calibration.was_made_from(recording) != Some(false) {
         return Ok(Vec::new());
@@ -91,11 +99,11 @@ fn with_motion_of_biases(calibration: &Calibration) -> DMatrix<f64> {
     covariance
 }
 
-/// What a calibration leaves of a recording, and what its errors make of that.
+/// Remainders of a recording under a calibration, and their derivatives by its parameters.
 struct Promised<'a> {
     calibration: &'a Calibration,
     left: &'a Misfits,
-    /// What is left where a parameter is one standard error larger, for each parameter.
+    /// The remainders where a parameter is one standard error larger, for each parameter.
     moved: Vec<Misfits>,
     correlation: DMatrix<f64>,
 }

@@ -1,4 +1,4 @@
-//! What a recording misses of gravity under a calibration, rest by rest and turn by turn.
+//! Remainders of gravity under a calibration, rest by rest and turn by turn.
 
 use nalgebra::Vector3;
 use recording::intervals::{Moments, Segmentation, Span, StaticInterval, Turn};

@@ -19,7 +19,7 @@ findings::tuning! {
     NEARER: usize = 8;
     /// Farther is so many blocks.
     FARTHER: usize = 16;
-    /// Of the squares that a step explains a line explains three quarters, and more than this share of those of a slope.
+    /// A line that explains this share of the squares that a step explains is a slope; of a true step it explains three quarters.
     SLOPE: f64 = 0.9;
 }
 

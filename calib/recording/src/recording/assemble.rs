@@ -152,7 +152,7 @@ fn unused(tables: &mut [Table]) -> Vec<String> {
         .collect()
 }
 
-/// What a table says of the unit of its gyroscope.
+/// Statement of a table about the unit of its gyroscope.
 struct SaidOfRate {
     name: String,
     stated: Option<GyroUnit>,

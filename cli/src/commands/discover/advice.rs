@@ -59,7 +59,7 @@ fn remedy_of(fault: &Integrity) -> Option<String> {
     more.then(|| fault.finding.advice(Front::CommandLine))?
 }
 
-/// What to do against each fault that has a remedy.
+/// Steps against each fault that has a remedy.
 pub fn against_faults(findings: &Findings) -> impl Iterator<Item = String> {
     let of = |fault: &Integrity| {
         let remedy = remedy_of(fault)?;

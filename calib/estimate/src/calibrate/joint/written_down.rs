@@ -94,7 +94,7 @@ fn restless(
     gates
 }
 
-/// What no device has of the fitted parameters: units, signs and columns that were read wrongly.
+/// Findings on fitted parameters that no device has: units, signs and columns that were read wrongly.
 fn read_wrongly(
     fit: &JointFit,
     force: &Fitted,
