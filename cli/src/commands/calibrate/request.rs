@@ -107,9 +107,9 @@ fn refuse_unread(args: &Args) -> Result<(), Failure> {
 fn refuse_unnamed(own: &[EffectRef], named: &[String]) -> Result<(), Failure> {
     let is_named = |effect: &EffectRef| named.iter().any(|name| name == effect.name());
     match own.first() {
-        Some(first) if !own.iter().any(is_named) => Err(Failure::usage(format!(
-            "--effect-file: none of its effects is fitted"
-        ))
+        Some(first) if !own.iter().any(is_named) => Err(Failure::usage(
+            "--effect-file: none of its effects is fitted",
+        )
         .advise(format!("name it, as in --effects {}", first.name()))),
         _ => Ok(()),
     }

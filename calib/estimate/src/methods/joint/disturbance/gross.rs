@@ -60,7 +60,12 @@ mod tests {
 
     #[test]
     fn turns_of_which_a_third_is_lost_are_found_however_they_bend_the_first_fit() {
-        for (seed, lost) in [(1, &[3, 8][..]), (2, &[2, 6, 11]), (3, &[1, 4, 8, 9])] {
+        for (seed, lost) in [
+            (1, &[3, 8][..]),
+            (2, &[2, 6, 11]),
+            (3, &[1, 4, 8, 11]),
+            (5, &[1, 4, 8, 9]),
+        ] {
             let mut recording = Spec::hand_held(seed).run().unwrap().recording;
             let segmentation = segment(&recording, &Detector::default()).unwrap();
             for &turn in lost {
