@@ -8,7 +8,7 @@ use recording::{Error, Recording};
 use sensor::Sensor;
 
 use super::Calibration;
-use crate::evaluate::{FieldMisfit, Misfits, misfits};
+use crate::evaluate::{FieldMisfit, Misfits, misfits, unspoilt};
 use crate::methods::cut;
 
 findings::tuning! {
@@ -24,9 +24,6 @@ findings::tuning! {
 
     /// Turns that show so.
     ENOUGH_TURNS: usize = 3;
-
-    /// One turn in so many may be spoilt.
-    MAY_BE_SPOILT: usize = 8;
 
     /// Static intervals that show an uneven field.
     ENOUGH_FIELDS: usize = 4;
@@ -126,11 +123,10 @@ fn direction_in_doubt(
         let own = segmentation.turns.iter().find(|t| t.from == turn.index);
         own.is_some_and(|t| t.span.length() < LONGEST_TURN.get())
     });
-    let mut angles: Vec<f64> = short.map(|turn| turn.value).collect();
+    let short: Vec<f64> = short.map(|turn| turn.value).collect();
     // A turn that lost rows is none of the device.
-    angles.sort_by(f64::total_cmp);
-    let spoilt = angles.len() / MAY_BE_SPOILT.get();
-    angles.truncate(angles.len() - spoilt);
+    let sound = unspoilt(&short, |angle| *angle).into_iter();
+    let angles: Vec<f64> = sound.map(|k| short[k]).collect();
     if angles.len() < ENOUGH_TURNS.get() || calibration.accelerometer.is_none() {
         return Ok(None);
     }

@@ -6,16 +6,13 @@ use recording::intervals::Segmentation;
 use recording::{Error, Recording, Stream};
 use sensor::{Sensor, base_names, is_bias};
 
-use super::misfits::{Misfits, Miss, misfits};
+use super::misfits::{Misfits, Miss, misfits, unspoilt};
 use crate::calibration::{Calibration, Triad};
 use crate::methods::chance;
 
 findings::tuning! {
     /// Chance of that a recording of the same device misses gravity by more than the errors allow.
     BY_CHANCE: f64 = 1e-4;
-
-    /// One static interval or turn in so many may be spoilt, and is no error of the calibration.
-    MAY_BE_SPOILT: usize = 8;
 
     /// Static intervals or turns that are judged.
     ENOUGH: usize = 6;
@@ -44,11 +41,11 @@ pub(super) fn beyond_errors(
     if count * rows > MOST_WORK.get() {
         return Ok(Vec::new());
     }
-    let has_errors = calibration.covariance_matrix().nrows() == count;
-    if !has_errors || calibration.was_made_from(recording) != Some(false) {
+    let stated = calibration.covariance_matrix();
+    if stated.nrows() != count || calibration.was_made_from(recording) != Some(false) {
         return Ok(Vec::new());
     }
-    let covariance = with_motion_of_biases(calibration);
+    let covariance = with_motion_of_biases(calibration, stated.clone());
     let deviations: Vec<f64> = (0..count)
         .map(|k| covariance[(k, k)].max(0.0).sqrt())
         .collect();
@@ -56,7 +53,7 @@ pub(super) fn beyond_errors(
         let mut values = calibration.parameter_values();
         values[k] += deviation;
         let mut other = calibration.clone();
-        other.write_parameters(&values, &calibration.covariance_matrix());
+        other.write_parameters(&values, &stated);
         misfits(recording, segmentation, Some(&other), gravity)
     });
     let promised = Promised {
@@ -79,8 +76,7 @@ pub(super) fn beyond_errors(
 }
 
 /// The covariance of the parameters, that of the biases with their motion in the calibration's own recordings.
-fn with_motion_of_biases(calibration: &Calibration) -> DMatrix<f64> {
-    let mut covariance = calibration.covariance_matrix();
+fn with_motion_of_biases(calibration: &Calibration, mut covariance: DMatrix<f64>) -> DMatrix<f64> {
     for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
         let triad = calibration.triad(sensor);
         let Some(time) = triad.and_then(|own| own.bias_time.as_ref()) else {
@@ -117,7 +113,7 @@ impl Promised<'_> {
         };
         let (usual, usual_dof) = usual(sensor, self.calibration.triad(sensor)?)?;
         let left = of(self.left);
-        let kept = unspoilt(left);
+        let kept = unspoilt(left, Miss::size);
         let is_whole = self.moved.iter().all(|own| of(own).len() == left.len());
         if !is_whole || kept.len() < ENOUGH.get() {
             return None;
@@ -164,14 +160,6 @@ impl Promised<'_> {
         let solved = inner.lu().solve(&(&self.correlation * &b))?;
         Some(r.component_mul(precision).dot(r) - b.dot(&solved))
     }
-}
-
-/// The places of the misses but the largest, some of which may be spoilt, the smallest first.
-fn unspoilt(all: &[Miss]) -> Vec<usize> {
-    let mut places: Vec<usize> = (0..all.len()).collect();
-    places.sort_by(|&a, &b| all[a].size().total_cmp(&all[b].size()));
-    places.truncate(all.len() - all.len() / MAY_BE_SPOILT.get());
-    places
 }
 
 /// The variance of a component of what a calibration left of its own recordings, as if it had left all of the noise, and the degrees of

@@ -8,6 +8,19 @@ use super::field::fields;
 use crate::calibration::{Calibration, apply_with};
 use crate::residuals::{Integrator, attitude_of};
 
+findings::tuning! {
+    /// One static interval or turn in so many may be spoilt, and is no error of the calibration.
+    MAY_BE_SPOILT: usize = 8;
+}
+
+/// The places of residuals but the largest, some of which may be spoilt, the smallest first.
+pub(crate) fn unspoilt<T>(all: &[T], size: impl Fn(&T) -> f64) -> Vec<usize> {
+    let mut places: Vec<usize> = (0..all.len()).collect();
+    places.sort_by(|&a, &b| size(&all[a]).total_cmp(&size(&all[b])));
+    places.truncate(all.len() - all.len() / MAY_BE_SPOILT.get());
+    places
+}
+
 /// Residual of a calibration in one static interval or one turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Misfit {

@@ -5,6 +5,7 @@ mod field;
 mod misfits;
 
 pub use field::FieldMisfit;
+pub(crate) use misfits::unspoilt;
 pub use misfits::{Misfit, Misfits, misfits};
 
 use findings::Findings;

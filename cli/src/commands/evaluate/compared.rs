@@ -139,13 +139,10 @@ fn doubted(
     recording: &Recording,
     warnings: &mut Findings,
 ) -> Result<Vec<Vec<Finding>>, Failure> {
-    let of = |name: &str, text: String| match calibrations.len() {
-        1 => text,
-        _ => format!("{}: {text}", show::name(name)),
-    };
     let mut all = Vec::new();
     for (name, calibration) in calibrations {
-        warnings.extend(gates_of(calibration).map(|text| of(name, text)));
+        warnings
+            .extend(gates_of(calibration).map(|text| said_of(calibrations, name, &text.into())));
         let doubts = device.doubts(calibration, &[recording])?;
         let of_biases = calibration.doubts_biases_of(recording);
         for doubt in doubts.iter().chain(&of_biases) {

@@ -58,8 +58,7 @@ impl Said {
 
     /// Takes what another one says after it.
     pub fn append(&mut self, other: Self) {
-        self.gates.extend(other.gates);
-        self.warnings.extend(other.warnings);
+        other.add_to(&mut self.gates, &mut self.warnings);
     }
 
     /// Adds to the gates and the warnings of a calibration.
